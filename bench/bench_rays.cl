@@ -1,0 +1,41 @@
+#include "camera.clh"
+#include "ray_buffer.clh"
+#include "shadow.clh"
+
+__kernel void write_camera_rays(const AeroLaunch launch, __global float* rays) {
+  const uint block = (uint)get_global_id(0);
+  if (block >= launch.tile.block_count) return;
+  const AeroLaunch task = launch;
+  const PixelPacket packet = pixel_packet(&task.tile, block);
+  const Ray ray = generate_rays(&task.frame, &packet);
+  write_rays(rays, block, &ray);
+}
+
+/* The shadow rays to the sun from the hits of a tile. */
+__kernel void write_shadow_rays(const AeroLaunch launch, __global const AeroScene* scene,
+                                __global const AeroFace* faces,
+                                __global const AeroVertex* vertices, __global const Hit* hits,
+                                __global float* rays) {
+  const uint block = (uint)get_global_id(0);
+  if (block >= launch.tile.block_count) return;
+  const Hit hit = hits[block];
+  const Face face = load_face(faces, hit.triangle);
+  const ShadowPoint point = shadow_point(vertices, &face, &hit);
+  Lane3 to_light, strength;
+  lane_float distance;
+  light_at(scene, 0u, point.position, &to_light, &distance, &strength);
+  Ray ray = shadow_ray(&point, &hit, to_light, distance);
+  const lane_int active = lane_mask(hit.triangle != NO_TRIANGLE);
+  ray.t_max = lane_select(active, ray.t_max, (lane_float)-1.0f);
+  write_rays(rays, block, &ray);
+}
+
+__kernel void trace_rays(__global const AeroBvhNode* nodes,
+                         __global const AeroTriangle* triangles, __global const float* rays,
+                         const uint any_hit, const uint blocks, __global Hit* hits) {
+  const uint block = (uint)get_global_id(0);
+  if (block >= blocks) return;
+  const Ray ray = read_rays(rays, block);
+  hits[block] = any_hit != 0u ? trace_packet(nodes, triangles, &ray, 1)
+                              : trace_packet(nodes, triangles, &ray, 0);
+}

@@ -1,0 +1,127 @@
+#include "device_bench.hpp"
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+
+#include "core/error.hpp"
+#include "opencl/launch.hpp"
+#include "pack/pack_scene.hpp"
+
+namespace aerostat::bench {
+namespace {
+
+std::string read_text(const std::filesystem::path& path) {
+  std::ifstream file(path, std::ios::binary);
+  if (!file) throw Error(ErrorKind::io, "cannot read " + path.string());
+  return {std::istreambuf_iterator<char>(file), {}};
+}
+
+/// The product's kernels with the bench's own beside them.
+opencl::SourceTree sources_with_bench() {
+  auto sources = opencl::kernel_sources();
+  const std::filesystem::path folder = AEROSTAT_BENCH_KERNEL_DIR;
+  sources["bench_rays.cl"] = read_text(folder / "bench_rays.cl");
+  sources["count_rays.cl"] = read_text(folder / "count_rays.cl");
+  sources["device/ray_buffer.clh"] = read_text(folder / "ray_buffer.clh");
+  return sources;
+}
+
+}  // namespace
+
+std::uint64_t RaySet::active() const {
+  std::uint64_t count = 0;
+  for (std::size_t packet = 0; packet < packets; ++packet) {
+    const float* t_max = data.data() + (packet * 8 + 3) * static_cast<std::size_t>(lanes);
+    count += static_cast<std::uint64_t>(
+        std::count_if(t_max, t_max + lanes, [](float t) { return t >= 0.0f; }));
+  }
+  return count;
+}
+
+DeviceBench::DeviceBench(const opencl::Device& device, int lanes,
+                         const render::HostGeometry& geometry)
+    : lanes_(lanes != 0 ? lanes : device.lanes), context_(device) {
+  device_ = render::upload(context_, budget_, geometry);
+  const auto sources = sources_with_bench();
+  trace_camera_ =
+      opencl::Program(context_, sources, "trace_camera.cl", lanes_).kernel("trace_camera_rays");
+  trace_shadow_ =
+      opencl::Program(context_, sources, "trace_shadow.cl", lanes_).kernel("trace_shadow_rays");
+  const opencl::Program bench(context_, sources, "bench_rays.cl", lanes_);
+  write_camera_ = bench.kernel("write_camera_rays");
+  write_shadow_ = bench.kernel("write_shadow_rays");
+  trace_rays_ = bench.kernel("trace_rays");
+  count_rays_ = opencl::Program(context_, sources, "count_rays.cl", lanes_).kernel("count_rays");
+
+  scene::Scene scene = geometry.scene;
+  scene.image.spp = 1;
+  launch_.frame = pack::pack_frame(scene);
+  render::Tiles tiles({0, 0, scene.image.width, scene.image.height},
+                      render::packet_shape(lanes_, 1), 0);
+  launch_.tile = tiles.next(~std::uint64_t{0});
+  const AeroScene packed = pack::pack_scene(scene);
+  scene_ = {context_, budget_, std::span(&packed, 1), "the scene"};
+  const std::uint64_t rays = std::uint64_t{launch_.tile.block_count} * lanes_;
+  hits_ = {context_, budget_, rays * 16, "the hits", CL_MEM_READ_WRITE};
+  visible_ = {context_, budget_, rays * 4, "the shadows", CL_MEM_READ_WRITE};
+  rays_ = {context_, budget_, static_cast<std::size_t>(rays * 8), "the rays"};
+}
+
+opencl::LaunchSize DeviceBench::size() const {
+  const std::size_t group = std::max<std::size_t>(1, 64 / static_cast<std::size_t>(lanes_));
+  return {(launch_.tile.block_count + group - 1) / group * group, group};
+}
+
+RaySet DeviceBench::camera_rays() {
+  rays_on_device_ = nullptr;
+  opencl::launch(context_, write_camera_, size(), launch_, rays_);
+  return {lanes_, launch_.tile.block_count, rays_.read()};
+}
+
+RaySet DeviceBench::shadow_rays() {
+  rays_on_device_ = nullptr;
+  time_camera_kernel();
+  opencl::launch(context_, write_shadow_, size(), launch_, scene_, device_.faces, device_.vertices,
+                 hits_.handle(), rays_);
+  return {lanes_, launch_.tile.block_count, rays_.read()};
+}
+
+double DeviceBench::time_camera_kernel() {
+  return opencl::device_seconds(opencl::launch(context_, trace_camera_, size(), launch_,
+                                               device_.nodes, device_.triangles, hits_.handle()));
+}
+
+double DeviceBench::time_shadow_kernel() {
+  time_camera_kernel();
+  return opencl::device_seconds(opencl::launch(
+      context_, trace_shadow_, size(), launch_, scene_, device_.nodes, device_.triangles,
+      device_.faces, device_.vertices, hits_.handle(), visible_.handle()));
+}
+
+const opencl::Buffer<float>& DeviceBench::uploaded(const RaySet& rays) {
+  if (rays_on_device_ != &rays) rays_.write(std::span(rays.data));
+  rays_on_device_ = &rays;
+  return rays_;
+}
+
+double DeviceBench::time_rays(const RaySet& rays, bool any_hit) {
+  return opencl::device_seconds(opencl::launch(
+      context_, trace_rays_, size(), device_.nodes, device_.triangles, uploaded(rays),
+      static_cast<cl_uint>(any_hit), static_cast<cl_uint>(rays.packets), hits_.handle()));
+}
+
+PacketCounts DeviceBench::count(const RaySet& rays, bool any_hit) {
+  opencl::Buffer<cl_uint> counters(context_, budget_, std::size_t{rays.packets} * 4,
+                                   "the counters");
+  opencl::launch(context_, count_rays_, size(), device_.nodes, device_.triangles, uploaded(rays),
+                 static_cast<cl_uint>(any_hit), static_cast<cl_uint>(rays.packets), counters);
+  double sums[4] = {};
+  const auto values = counters.read();
+  for (std::size_t i = 0; i < values.size(); ++i) sums[i % 4] += values[i];
+  const double packets = std::max(1.0, sums[0]);
+  return {sums[1] / packets, sums[2] / packets, sums[3] / packets};
+}
+
+}  // namespace aerostat::bench

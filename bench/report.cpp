@@ -1,0 +1,54 @@
+#include "report.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace aerostat::bench {
+namespace {
+
+std::string ray_rows(const nlohmann::ordered_json& rays) {
+  std::string text = fmt::format("{:<10}{:<34}{:>10}{:>10}\n", "rays", "tracer", "Mrays/s", "ratio");
+  for (const auto& [kind, tracers] : rays.items()) {
+    for (const auto& [tracer, figures] : tracers.items()) {
+      if (!figures.contains("mrays_per_s")) continue;
+      const std::string ratio = figures.contains("aerostat_ratio")
+                                    ? fmt::format("{:.2f}", figures["aerostat_ratio"].get<double>())
+                                    : "";
+      text += fmt::format("{:<10}{:<34}{:>10.2f}{:>10}\n", kind, tracer,
+                          figures["mrays_per_s"].get<double>(), ratio);
+    }
+    const auto& counts = tracers["per_packet"];
+    text += fmt::format("{:<10}per packet: {:.1f} nodes, {:.1f} leaves, {:.1f} triangles\n", kind,
+                        counts["nodes"].get<double>(), counts["leaves"].get<double>(),
+                        counts["triangles"].get<double>());
+  }
+  return text;
+}
+
+}  // namespace
+
+double median(std::vector<double> values) {
+  std::sort(values.begin(), values.end());
+  const std::size_t half = values.size() / 2;
+  return values.size() % 2 == 1 ? values[half] : 0.5 * (values[half - 1] + values[half]);
+}
+
+std::string table(const nlohmann::ordered_json& figures) {
+  std::string text = fmt::format(
+      "{} on {}, {} lanes, {} x {}, median of {} rounds\n", figures["scene"].get<std::string>(),
+      figures["device"].get<std::string>(), figures["lanes"].get<int>(),
+      figures["width"].get<int>(), figures["height"].get<int>(), figures["rounds"].get<int>());
+  text += fmt::format("{} triangles, {:.1f} bytes on the device each ({:.1f} of them the tree)\n",
+                      figures["triangles"].get<std::uint64_t>(),
+                      figures["bytes_per_triangle"].get<double>(),
+                      figures["tree_bytes_per_triangle"].get<double>());
+  text += fmt::format("world {:.2f} s, tree {:.2f} s", figures["world_seconds"].get<double>(),
+                      figures["tree_seconds"].get<double>());
+  if (figures.contains("embree_commit_seconds")) {
+    text += fmt::format(", Embree's tree {:.2f} s", figures["embree_commit_seconds"].get<double>());
+  }
+  return text + "\n\n" + ray_rows(figures["rays"]);
+}
+
+}  // namespace aerostat::bench

@@ -1,0 +1,15 @@
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+namespace aerostat::bench {
+
+/// The median of a non-empty list.
+double median(std::vector<double> values);
+
+/// What a bench found, as a table for people. The JSON holds the same figures.
+std::string table(const nlohmann::ordered_json& figures);
+
+}  // namespace aerostat::bench

@@ -1,0 +1,49 @@
+# What every target of the project shares: language level, warnings, sanitizers, and the two
+# functions by which folders declare themselves.
+
+set(CMAKE_CXX_STANDARD 20)
+set(CMAKE_CXX_STANDARD_REQUIRED ON)
+set(CMAKE_CXX_EXTENSIONS OFF)
+set(CMAKE_POSITION_INDEPENDENT_CODE ON)
+set(CMAKE_EXPORT_COMPILE_COMMANDS ON)
+if(NOT CMAKE_BUILD_TYPE AND NOT CMAKE_CONFIGURATION_TYPES)
+  set(CMAKE_BUILD_TYPE Release CACHE STRING "Debug, Release or RelWithDebInfo" FORCE)
+endif()
+
+option(AEROSTAT_WERROR "Treat warnings as errors" OFF)
+option(AEROSTAT_SANITIZE "Build with AddressSanitizer and UndefinedBehaviorSanitizer" OFF)
+
+add_library(aerostat_options INTERFACE)
+target_include_directories(aerostat_options INTERFACE "${CMAKE_SOURCE_DIR}/host")
+# Host arithmetic must give the same bits at every optimisation level: no fused contraction.
+target_compile_options(aerostat_options INTERFACE -Wall -Wextra -Wpedantic -Wshadow -Wconversion
+                       -Wno-sign-conversion -Wno-psabi -ffp-contract=off
+                       $<$<BOOL:${AEROSTAT_WERROR}>:-Werror>)
+if(AEROSTAT_SANITIZE)
+  target_compile_options(aerostat_options INTERFACE -fsanitize=address,undefined
+                         -fno-omit-frame-pointer -fno-sanitize-recover=undefined)
+  target_link_options(aerostat_options INTERFACE -fsanitize=address,undefined)
+endif()
+
+# aerostat_library(bvh SOURCES a.cpp b.cpp LINKS aerostat::core TBB::tbb PRIVATE_LINKS ...)
+# One library per host folder: what it links is what it may include.
+function(aerostat_library name)
+  cmake_parse_arguments(ARG "" "" "SOURCES;LINKS;PRIVATE_LINKS" ${ARGN})
+  add_library(aerostat_${name} STATIC ${ARG_SOURCES})
+  add_library(aerostat::${name} ALIAS aerostat_${name})
+  target_link_libraries(aerostat_${name} PUBLIC aerostat_options ${ARG_LINKS}
+                        PRIVATE ${ARG_PRIVATE_LINKS})
+endfunction()
+
+# aerostat_test(noise_test LABEL unit LINKS aerostat::terrain) builds noise_test.cpp of this folder.
+function(aerostat_test name)
+  cmake_parse_arguments(ARG "" "LABEL;TIMEOUT" "LINKS;SOURCES" ${ARGN})
+  if(NOT ARG_TIMEOUT)
+    set(ARG_TIMEOUT 300)
+  endif()
+  add_executable(${name} ${name}.cpp ${ARG_SOURCES})
+  target_link_libraries(${name} PRIVATE aerostat_options ${ARG_LINKS} GTest::gtest_main)
+  target_compile_definitions(${name} PRIVATE AEROSTAT_SOURCE_DIR="${CMAKE_SOURCE_DIR}")
+  gtest_discover_tests(${name} PROPERTIES LABELS ${ARG_LABEL} TIMEOUT ${ARG_TIMEOUT}
+                       DISCOVERY_MODE PRE_TEST)
+endfunction()

@@ -1,0 +1,8 @@
+# `cmake --build BUILD --target demo`: builds aerostat and renders one scene, to see that it works.
+add_custom_target(demo
+  COMMAND "${CMAKE_COMMAND}" -E make_directory out
+  COMMAND aerostat render scenes/snow.json -o out/snow.png
+  COMMAND "${CMAKE_COMMAND}" -E echo "Rendered out/snow.png"
+  WORKING_DIRECTORY "${CMAKE_SOURCE_DIR}"
+  USES_TERMINAL
+  VERBATIM)

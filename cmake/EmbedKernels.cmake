@@ -1,0 +1,74 @@
+# aerostat_embed_kernels(target) makes a library of every kernel file below the current folder, to
+# be read through host/opencl/embedded.hpp. It is generated anew when a file changes, comes or goes.
+#
+# Run as a script (cmake -P), this file is the generator itself.
+
+function(aerostat_embed_kernels target)
+  set(root "${CMAKE_CURRENT_SOURCE_DIR}")
+  file(GLOB files CONFIGURE_DEPENDS RELATIVE "${root}" "${root}/shared/*.h" "${root}/device/*.clh"
+       "${root}/*.cl")
+  list(SORT files)
+  # The list is a file of its own, so that a removed kernel is noticed too.
+  set(list_file "${CMAKE_CURRENT_BINARY_DIR}/kernel_files.txt")
+  file(CONFIGURE OUTPUT "${list_file}" CONTENT "${files}" @ONLY)
+  set(generated "${CMAKE_CURRENT_BINARY_DIR}/embedded_kernels.cpp")
+  list(TRANSFORM files PREPEND "${root}/" OUTPUT_VARIABLE dependencies)
+  add_custom_command(
+    OUTPUT "${generated}"
+    COMMAND "${CMAKE_COMMAND}" "-DROOT=${root}" "-DLIST=${list_file}" "-DOUTPUT=${generated}" -P
+            "${CMAKE_CURRENT_FUNCTION_LIST_FILE}"
+    DEPENDS ${dependencies} "${list_file}" "${CMAKE_CURRENT_FUNCTION_LIST_FILE}"
+    COMMENT "Embedding the kernels"
+    VERBATIM)
+  add_library(${target} STATIC "${generated}")
+  target_link_libraries(${target} PRIVATE aerostat_options)
+endfunction()
+
+# Sets `array` to a definition of the file's bytes and `entry` to its line of the table. Bytes, not
+# string literals: no limit on their length, and every file comes out exactly as it is on the disk.
+function(_aerostat_embed_file index path)
+  file(READ "${ROOT}/${path}" hex HEX)
+  string(LENGTH "${hex}" digits)
+  math(EXPR size "${digits} / 2")
+  string(REGEX REPLACE "(................................)" "\\1\n" hex "${hex}")
+  string(REGEX REPLACE "([0-9a-f][0-9a-f])" "0x\\1," bytes "${hex}")
+  set(array "const unsigned char file_${index}[] = {\n${bytes}0};\n" PARENT_SCOPE)
+  set(entry "    {\"${path}\", {reinterpret_cast<const char*>(file_${index}), ${size}}},\n"
+      PARENT_SCOPE)
+endfunction()
+
+function(_aerostat_write_embedded)
+  file(READ "${LIST}" files)
+  set(arrays "")
+  set(table "")
+  set(index 0)
+  foreach(path IN LISTS files)
+    _aerostat_embed_file(${index} "${path}")
+    string(APPEND arrays "${array}")
+    string(APPEND table "${entry}")
+    math(EXPR index "${index} + 1")
+  endforeach()
+  file(WRITE "${OUTPUT}" "// Generated from the folder of kernels.
+#include \"opencl/embedded.hpp\"
+
+#include <array>
+
+namespace aerostat::opencl {
+namespace {
+
+${arrays}
+}  // namespace
+
+std::span<const EmbeddedFile> embedded_files() {
+  static const std::array<EmbeddedFile, ${index}> files{{
+${table}  }};
+  return files;
+}
+
+}  // namespace aerostat::opencl
+")
+endfunction()
+
+if(CMAKE_SCRIPT_MODE_FILE STREQUAL CMAKE_CURRENT_LIST_FILE)
+  _aerostat_write_embedded()
+endif()

@@ -1,0 +1,167 @@
+#include <algorithm>
+#include <string>
+
+#include "bvh.hpp"
+#include "collapse.hpp"
+#include "core/error.hpp"
+
+namespace aerostat::bvh {
+namespace {
+
+Bounds united(const Bounds& a, const Bounds& b) {
+  return {glm::min(a.lo, b.lo), glm::max(a.hi, b.hi)};
+}
+
+double half_area(const Bounds& b) {
+  const dvec3 d = dvec3(b.hi) - dvec3(b.lo);
+  return d.x * (d.y + d.z) + d.y * d.z;
+}
+
+// A tree as the nodes above it see it.
+struct Entry {
+  const Bvh* tree = nullptr;
+  std::uint32_t first_triangle = 0;
+  std::uint32_t first_node = 0;
+  std::uint32_t first_slot = 0;
+};
+
+// What a subtree of the common top is to its parent.
+struct Top {
+  Bounds bounds;
+  std::uint32_t reference = 0;
+  int stack = 0;
+  double area_cost = 0.0;
+};
+
+class Joiner {
+ public:
+  explicit Joiner(std::vector<Entry> entries) : entries_(std::move(entries)) {}
+
+  Bvh join() {
+    std::size_t slots = 0;
+    const Top root = raise(0, entries_.size());
+    for (Entry& entry : entries_) {
+      entry.first_slot = static_cast<std::uint32_t>(slots);
+      slots += entry.tree->order.size();
+      check_addressable(slots);
+    }
+    result_.order.reserve(slots);
+    place_trees();
+    result_.bounds = root.bounds;
+    result_.stats.nodes = result_.nodes.size();
+    result_.stats.stack_entries = static_cast<std::uint32_t>(root.stack);
+    const double area = half_area(root.bounds);
+    result_.stats.sah_cost = area > 0.0 ? root.area_cost / area : 0.0;
+    return std::move(result_);
+  }
+
+ private:
+  static void check_addressable(std::size_t triangles) {
+    if (triangles <= std::size_t{AERO_BVH_FIRST_MASK} + 1) return;
+    throw Error(ErrorKind::bad_data, "joining BVHs: " + std::to_string(triangles) +
+                                         " triangles, expected at most " +
+                                         std::to_string(std::size_t{AERO_BVH_FIRST_MASK} + 1));
+  }
+
+  // Makes the nodes above trees [begin, end). References to trees are their numbers until
+  // place_trees() knows how many nodes come before them.
+  Top raise(std::size_t begin, std::size_t end) {
+    if (end - begin == 1) return top_of_tree(begin);
+    Top top{{}, static_cast<std::uint32_t>(result_.nodes.size()), 0, 0.0};
+    result_.nodes.push_back(empty_node());
+    tree_children_.push_back(0);
+    const std::size_t children = std::min<std::size_t>(end - begin, AERO_BVH_WIDTH);
+    int deepest = 0;
+    for (std::size_t i = 0; i < children; ++i) {
+      const std::size_t from = begin + (end - begin) * i / children;
+      const std::size_t to = begin + (end - begin) * (i + 1) / children;
+      const Top child = raise(from, to);
+      const int slot = static_cast<int>(i);
+      if (to - from == 1) tree_children_[top.reference] |= 1u << slot;
+      set_child(result_.nodes[top.reference], slot, child.bounds, child.reference);
+      top.bounds = united(top.bounds, child.bounds);
+      top.area_cost += child.area_cost;
+      deepest = std::max(deepest, child.stack);
+    }
+    top.stack = stack_of_node(static_cast<int>(children), deepest);
+    top.area_cost += half_area(top.bounds) * static_cast<double>(BuildOptions().traversal_cost);
+    return top;
+  }
+
+  Top top_of_tree(std::size_t i) const {
+    const Bvh& tree = *entries_[i].tree;
+    return {tree.bounds, static_cast<std::uint32_t>(i), static_cast<int>(tree.stats.stack_entries),
+            tree.stats.sah_cost * half_area(tree.bounds)};
+  }
+
+  void place_trees() {
+    const std::size_t top_nodes = result_.nodes.size();
+    std::size_t total = top_nodes;
+    for (Entry& entry : entries_) {
+      entry.first_node = static_cast<std::uint32_t>(total);
+      total += entry.tree->nodes.size();
+    }
+    result_.nodes.reserve(total);
+    for (std::size_t n = 0; n < top_nodes; ++n) {
+      for (int slot = 0; slot < AERO_BVH_WIDTH; ++slot) {
+        aero_uint& child = result_.nodes[n].child[slot];
+        if ((tree_children_[n] >> slot & 1u) != 0) child = entries_[child].first_node;
+      }
+    }
+    for (const Entry& entry : entries_) append(entry);
+  }
+
+  void append(const Entry& entry) {
+    for (AeroBvhNode node : entry.tree->nodes) {
+      for (aero_uint& child : node.child) {
+        if (child == AERO_BVH_EMPTY) continue;
+        child += (child & AERO_BVH_LEAF) != 0 ? entry.first_slot : entry.first_node;
+      }
+      result_.nodes.push_back(node);
+    }
+    for (const std::uint32_t triangle : entry.tree->order)
+      result_.order.push_back(triangle + entry.first_triangle);
+    result_.stats.leaves += entry.tree->stats.leaves;
+  }
+
+  std::vector<Entry> entries_;
+  std::vector<std::uint32_t> tree_children_;  // per node of the top: which slots hold trees
+  Bvh result_;
+};
+
+void add_counts(const BuildStats& from, BuildStats& to) {
+  to.input_triangles += from.input_triangles;
+  to.dropped_non_finite += from.dropped_non_finite;
+  to.dropped_degenerate += from.dropped_degenerate;
+  to.seconds += from.seconds;
+}
+
+}  // namespace
+
+Bvh join(std::span<const Bvh* const> trees, std::span<const std::uint32_t> first_triangle) {
+  if (trees.size() != first_triangle.size())
+    throw Error(ErrorKind::internal, "joining BVHs: " + std::to_string(trees.size()) +
+                                         " trees, but the first triangles of " +
+                                         std::to_string(first_triangle.size()));
+  std::vector<Entry> entries;
+  for (std::size_t i = 0; i < trees.size(); ++i) {
+    if (!trees[i]->order.empty()) entries.push_back({trees[i], first_triangle[i]});
+  }
+  Bvh joined;
+  if (entries.empty()) {
+    joined.nodes = {empty_node()};
+    joined.stats.nodes = 1;
+    joined.stats.stack_entries = 1;
+  } else {
+    joined = Joiner(std::move(entries)).join();
+  }
+  for (const Bvh* tree : trees) add_counts(tree->stats, joined.stats);
+  if (joined.stats.stack_entries > AERO_BVH_STACK)
+    throw Error(ErrorKind::internal, "joining BVHs: the result needs a stack of " +
+                                         std::to_string(joined.stats.stack_entries) +
+                                         " entries, the kernels have " +
+                                         std::to_string(AERO_BVH_STACK));
+  return joined;
+}
+
+}  // namespace aerostat::bvh

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <span>
+
+#include "box.hpp"
+#include "bvh.hpp"
+
+namespace aerostat::bvh {
+
+/// What the builder moves about: a triangle's box and its number.
+struct Primitive {
+  float lo[3];
+  std::uint32_t triangle;
+  float hi[3];
+  std::uint32_t unused;
+};
+
+struct PrimitiveSet {
+  std::unique_ptr<Primitive[]> items;
+  std::uint32_t count = 0;
+  Box bounds;     // of the triangles
+  Box centroids;  // of the half centres of their boxes
+  std::uint64_t non_finite = 0;
+  std::uint64_t degenerate = 0;
+};
+
+/// The boxes of all triangles that can be hit, in the input's order. Throws Error{internal} if a
+/// triangle names a vertex that is not there.
+PrimitiveSet collect_primitives(std::span<const vec3> positions, std::span<const uvec3> triangles);
+
+}  // namespace aerostat::bvh

@@ -1,0 +1,245 @@
+#include <functional>
+#include <sstream>
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include "cli/commands.hpp"
+#include "cli/parse.hpp"
+#include "cli/scene_input.hpp"
+#include "core/error.hpp"
+
+namespace aerostat::cli {
+
+namespace {
+
+constexpr const char* kDescription =
+    "Renders pictures of a hot-air balloon before a mountain landscape, by ray tracing on OpenCL.";
+
+constexpr const char* kMainFooter = R"(Examples:
+  aerostat render scenes/snow.json
+  aerostat devices
+  aerostat COMMAND --help
+
+Environment:
+  AEROSTAT_DEVICE      the device, if --device is not given
+  AEROSTAT_KERNEL_DIR  reads the kernels from this folder instead of the program
+  NO_COLOR             if set, nothing is coloured
+
+Exit codes: 0 done, 64 wrong command line, 65 bad scene, 69 no such device, 70 internal fault,
+74 file cannot be read or written, 75 out of memory or device lost, 130 and 143 interrupted.)";
+
+constexpr const char* kRenderFooter = R"(Examples:
+  aerostat render scenes/snow.json
+  aerostat render scenes/tropical.json -o beach.png --width 1920 --height 1080 --spp 16
+  aerostat render scenes/sand.json -o layers.exr --spp 1
+  aerostat render scenes/snow.json --set /sun/elevation_deg=6 --set /balloon/pattern=spiral
+  aerostat render scenes/snow.json --crop 400,200,880,520 --device cpu --stats)";
+
+constexpr const char* kDevicesFooter = R"(Examples:
+  aerostat devices
+  aerostat devices --json)";
+
+constexpr const char* kCheckFooter = R"(Examples:
+  aerostat check scenes/snow.json
+  aerostat check my.json --set /image/width=800)";
+
+constexpr const char* kDumpFooter = R"(Examples:
+  aerostat dump scenes/snow.json
+  aerostat dump scenes/snow.json --set /terrain/seed=7 > seed7.json)";
+
+constexpr const char* kExportFooter = R"(Examples:
+  aerostat export scenes/snow.json -o world.ply
+  aerostat export scenes/sand.json -o dunes.obj --set /terrain/cells=256)";
+
+constexpr int kLargestSide = 32768;
+constexpr int kMostSamples = 65536;
+constexpr std::uint32_t kLargestSeed = 0xffffffffu;
+
+// The help texts state the ranges in their own words.
+CLI::Validator unnamed(const CLI::Validator& validator) {
+  return validator.description("");
+}
+
+/// The command line as a tree of options whose values land in the structs.
+class Arguments {
+ public:
+  Arguments() : app_(kDescription, "aerostat") {
+    app_.footer(kMainFooter);
+    app_.set_version_flag("--version", std::string("aerostat ") + AEROSTAT_VERSION,
+                          "Print the version and exit");
+    app_.require_subcommand(1);
+    app_.get_formatter()->column_width(34);
+    app_.get_formatter()->label("REQUIRED", "");
+    app_.get_formatter()->label("SUBCOMMAND", "COMMAND");
+    app_.get_formatter()->label("Subcommands", "Commands");
+    app_.option_defaults()->multi_option_policy(CLI::MultiOptionPolicy::TakeLast);
+    add_render();
+    add_devices();
+    add_check();
+    add_dump();
+    add_export();
+  }
+
+  /// The command to run. Throws CLI::ParseError.
+  std::function<int()> parse(int argc, const char* const* argv) {
+    app_.parse(argc, argv);
+    return command_;
+  }
+
+  CLI::App& app() { return app_; }
+
+  /// What is wrong, in words. CLI11 calls an unknown command a missing one.
+  std::string complaint(const CLI::ParseError& error, int argc, const char* const* argv) {
+    if (!app_.get_subcommands().empty()) return error.what();
+    const std::string commands = "render, devices, check, dump or export";
+    if (argc < 2) return fmt::format("no command; expected {}", commands);
+    if (argv[1][0] == '-') return error.what();
+    return fmt::format("there is no command '{}'; expected {}", argv[1], commands);
+  }
+
+  /// How to ask for help on what was being parsed.
+  std::string help_command() {
+    const auto chosen = app_.get_subcommands();
+    return chosen.empty() ? "aerostat --help"
+                          : fmt::format("aerostat {} --help", chosen.front()->get_name());
+  }
+
+ private:
+  CLI::App* add(const char* name, const char* description, const char* footer,
+                std::function<int()> command) {
+    CLI::App* sub = app_.add_subcommand(name, description);
+    sub->footer(footer);
+    sub->callback([this, command = std::move(command)] { command_ = command; });
+    return sub;
+  }
+
+  static void add_scene(CLI::App* sub, SceneOptions& options) {
+    sub->add_option("SCENE", options.scene, "Scene file (JSON with comments)")
+        ->required()
+        ->type_name("");
+    sub->add_option("--set", options.overrides,
+                    "Change the scene; the value is JSON or else text.\n"
+                    "May be given often, the last one wins")
+        ->allow_extra_args(false)
+        ->take_all()
+        ->type_name("POINTER=VALUE");
+  }
+
+  void add_render() {
+    CLI::App* sub = add("render", "Render a scene to a PNG or EXR file", kRenderFooter,
+                        [this] { return render(render_); });
+    add_scene(sub, render_.input);
+    sub->add_option("-o,--output", render_.output,
+                    "x.png (8-bit sRGB) or x.exr (linear R G B A, Z, N, id);\n"
+                    "by default the scene's name and .png, in this folder")
+        ->type_name("FILE");
+    add_image(sub);
+    add_execution(sub);
+    sub->add_flag("--quiet,-q", render_.quiet, "Say nothing but errors");
+    sub->add_flag("--stats", render_.stats, "Report rays, times and memory on stderr");
+  }
+
+  void add_image(CLI::App* sub) {
+    const CLI::Validator side = unnamed(CLI::Range(1, kLargestSide));
+    sub->add_option("--width", render_.width, "Pixels across, 1 to 32768; wins over the scene")
+        ->check(side)
+        ->type_name("W");
+    sub->add_option("--height", render_.height, "Pixels down, 1 to 32768; wins over the scene")
+        ->check(side)
+        ->type_name("H");
+    sub->add_option("--spp", render_.spp,
+                    "Samples per pixel, 1 to 65536; a single one passes\n"
+                    "through the pixel's centre")
+        ->check(unnamed(CLI::Range(1, kMostSamples)))
+        ->type_name("N");
+    sub->add_option("--seed", render_.seed, "Seed of the samples, 0 to 4294967295")
+        ->check(unnamed(CLI::Range(std::uint32_t{0}, kLargestSeed)))
+        ->type_name("S");
+    sub->add_option_function<std::string>(
+           "--crop", [this](const std::string& text) { render_.crop = parse_crop(text); },
+           "Render only x0 <= x < x1 and y0 <= y < y1, in pixels\n"
+           "from the top left")
+        ->type_name("X0,Y0,X1,Y1");
+  }
+
+  void add_execution(CLI::App* sub) {
+    sub->add_option("--device", render_.device,
+                    "platform:device, part of a name, cpu, gpu or auto;\n"
+                    "'aerostat devices' lists what there is")
+        ->type_name("SEL");
+    sub->add_option("--lanes", render_.lanes,
+                    "Rays per work-item, 1, 4, 8 or 16; by default what\n"
+                    "suits the device")
+        ->check(unnamed(CLI::IsMember({1, 4, 8, 16})))
+        ->type_name("N");
+    sub->add_option_function<std::string>(
+           "--memory-limit",
+           [this](const std::string& text) { render_.memory_limit_bytes = parse_byte_size(text); },
+           "Most memory to take on the device, such as 1.5G")
+        ->type_name("SIZE");
+  }
+
+  void add_devices() {
+    CLI::App* sub = add("devices", "List OpenCL platforms and devices", kDevicesFooter,
+                        [this] { return devices(devices_); });
+    sub->add_flag("--json", devices_.json, "As JSON");
+  }
+
+  void add_check() {
+    add_scene(add("check", "Validate a scene", kCheckFooter, [this] { return check(check_); }),
+              check_);
+  }
+
+  void add_dump() {
+    add_scene(add("dump", "Print the resolved scene with every default filled in, as JSON",
+                  kDumpFooter, [this] { return dump(dump_); }),
+              dump_);
+  }
+
+  void add_export() {
+    CLI::App* sub = add("export", "Write the world's triangles, as they are rendered, to a file",
+                        kExportFooter, [this] { return export_world(export_); });
+    add_scene(sub, export_.input);
+    sub->add_option("-o,--output", export_.output,
+                    "x.ply (binary; normals, colours, object ids of faces)\n"
+                    "or x.obj")
+        ->required()
+        ->type_name("FILE");
+  }
+
+  CLI::App app_;
+  std::function<int()> command_;
+  RenderOptions render_;
+  DevicesOptions devices_;
+  SceneOptions check_;
+  SceneOptions dump_;
+  ExportOptions export_;
+};
+
+// A request for help or the version is an exception in CLI11, too.
+int answer(CLI::App& app, const CLI::ParseError& request) {
+  std::ostringstream text, ignored;
+  app.exit(request, text, ignored);
+  write_stdout(text.str());
+  return 0;
+}
+
+}  // namespace
+
+int run(int argc, const char* const* argv) {
+  Arguments arguments;
+  std::function<int()> command;
+  try {
+    command = arguments.parse(argc, argv);
+  } catch (const CLI::Success& request) {
+    return answer(arguments.app(), request);
+  } catch (const CLI::ParseError& error) {
+    throw Error(ErrorKind::usage,
+                fmt::format("{} (see '{}')", arguments.complaint(error, argc, argv),
+                            arguments.help_command()));
+  }
+  return command();
+}
+
+}  // namespace aerostat::cli

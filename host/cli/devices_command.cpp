@@ -1,0 +1,74 @@
+#include <optional>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "cli/commands.hpp"
+#include "cli/scene_input.hpp"
+#include "core/error.hpp"
+#include "opencl/device.hpp"
+
+namespace aerostat::cli {
+
+namespace {
+
+// The device that a render would take now; none if the environment names one that is not there.
+std::optional<std::string> chosen_selector(const opencl::DeviceList& list) {
+  try {
+    return opencl::pick(list, opencl::effective_selector("")).selector();
+  } catch (const Error&) {
+    return std::nullopt;
+  }
+}
+
+std::string text_of(const opencl::DeviceList& list, const std::optional<std::string>& chosen) {
+  std::string text;
+  for (const opencl::Device& device : list.devices) {
+    const bool is_chosen = chosen == device.selector();
+    text += fmt::format(
+        "{} {}  {}\n     platform {}, driver {}\n     {}, {} compute units, {:.1f} GiB, preferred "
+        "float width {}, lanes {}\n",
+        is_chosen ? "*" : " ", device.selector(), device.name, device.platform, device.driver,
+        opencl::type_name(device.type), device.compute_units,
+        static_cast<double>(device.memory_bytes) / 0x1p30, device.preferred_float_width,
+        device.lanes);
+  }
+  for (const std::string& problem : list.problems) text += fmt::format("! {}\n", problem);
+  if (list.devices.empty()) {
+    text += "No OpenCL device can be used: install pocl-opencl-icd or your GPU's driver.\n";
+  } else if (chosen) {
+    text += "* is taken unless --device or AEROSTAT_DEVICE says otherwise.\n";
+  }
+  return text;
+}
+
+std::string json_of(const opencl::DeviceList& list, const std::optional<std::string>& chosen) {
+  nlohmann::ordered_json devices = nlohmann::ordered_json::array();
+  for (const opencl::Device& device : list.devices) {
+    devices.push_back({{"selector", device.selector()},
+                       {"platform", device.platform},
+                       {"name", device.name},
+                       {"driver", device.driver},
+                       {"type", opencl::type_name(device.type)},
+                       {"memory_bytes", device.memory_bytes},
+                       {"max_allocation_bytes", device.max_allocation_bytes},
+                       {"compute_units", device.compute_units},
+                       {"preferred_float_width", device.preferred_float_width},
+                       {"lanes", device.lanes},
+                       {"chosen", chosen == device.selector()}});
+  }
+  const nlohmann::ordered_json all = {{"devices", devices}, {"problems", list.problems}};
+  // Drivers' names may be no UTF-8.
+  return all.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
+}
+
+}  // namespace
+
+int devices(const DevicesOptions& options) {
+  const opencl::DeviceList list = opencl::list_devices();
+  const auto chosen = chosen_selector(list);
+  write_stdout(options.json ? json_of(list, chosen) : text_of(list, chosen));
+  return list.devices.empty() ? static_cast<int>(ErrorKind::no_device) : 0;
+}
+
+}  // namespace aerostat::cli

@@ -1,0 +1,12 @@
+#include "cli/commands.hpp"
+#include "cli/scene_input.hpp"
+#include "scene/io.hpp"
+
+namespace aerostat::cli {
+
+int dump(const SceneOptions& options) {
+  write_stdout(scene::write_text(load_scene(options)));
+  return 0;
+}
+
+}  // namespace aerostat::cli

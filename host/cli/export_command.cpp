@@ -1,0 +1,28 @@
+#include "cli/commands.hpp"
+#include "cli/parse.hpp"
+#include "cli/scene_input.hpp"
+#include "image/write.hpp"
+#include "mesh/export.hpp"
+#include "world/world.hpp"
+
+namespace aerostat::cli {
+
+int export_world(const ExportOptions& options) {
+  const MeshFormat format = mesh_format(options.output);
+  const scene::Scene scene = load_scene(options.input);
+  image::require_writable(options.output);
+  const world::World world = world::build(scene);
+  std::vector<mesh::ExportObject> objects;
+  for (const world::Group& group : {world.land, world.balloon}) {
+    if (!group) continue;
+    for (const world::Object& object : *group) {
+      objects.push_back(
+          {static_cast<std::uint32_t>(object.id), scene::object_name(object.id), &object.mesh});
+    }
+  }
+  const auto file = format == MeshFormat::ply ? mesh::ply_bytes(objects) : mesh::obj_bytes(objects);
+  image::write_file(options.output, file);
+  return 0;
+}
+
+}  // namespace aerostat::cli

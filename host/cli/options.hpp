@@ -1,0 +1,41 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "render/session.hpp"
+
+/// What the command line asks for, one struct a command. Ranges are already checked.
+namespace aerostat::cli {
+
+struct SceneOptions {
+  std::filesystem::path scene;
+  std::vector<std::string> overrides;  // "/json/pointer=value"
+};
+
+struct RenderOptions {
+  SceneOptions input;
+  std::filesystem::path output;  // empty: the scene's name and .png in the current folder
+  std::optional<int> width, height, spp;
+  std::optional<std::uint32_t> seed;
+  std::optional<render::Crop> crop;
+  std::string device;
+  int lanes = 0;
+  std::uint64_t memory_limit_bytes = 0;
+  bool quiet = false;
+  bool stats = false;
+};
+
+struct DevicesOptions {
+  bool json = false;
+};
+
+struct ExportOptions {
+  SceneOptions input;
+  std::filesystem::path output;
+};
+
+}  // namespace aerostat::cli

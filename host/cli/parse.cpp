@@ -1,0 +1,107 @@
+#include "cli/parse.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <charconv>
+#include <cmath>
+#include <optional>
+#include <string_view>
+
+#include <fmt/format.h>
+
+#include "core/error.hpp"
+
+namespace aerostat::cli {
+
+namespace {
+
+std::string lower(std::string text) {
+  std::transform(text.begin(), text.end(), text.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return text;
+}
+
+[[noreturn]] void refuse_crop(const std::string& text, const char* why) {
+  throw Error(ErrorKind::usage,
+              fmt::format("--crop: '{}' {}; expected x0,y0,x1,y1 in whole pixels with x0 < x1 and "
+                          "y0 < y1, such as 0,0,640,360",
+                          text, why));
+}
+
+std::optional<int> exponent_of_unit(const std::string& unit) {
+  static constexpr std::string_view kUnits = "kmgt";
+  if (unit.empty() || unit == "b") return 0;
+  const auto place = kUnits.find(unit[0]);
+  const std::string rest = unit.substr(1);
+  if (place == std::string_view::npos || !(rest.empty() || rest == "b" || rest == "ib")) {
+    return std::nullopt;
+  }
+  return 10 * (static_cast<int>(place) + 1);
+}
+
+}  // namespace
+
+render::Crop parse_crop(const std::string& text) {
+  std::array<int, 4> values{};
+  const char* at = text.data();
+  const char* const end = at + text.size();
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    const auto [next, error] = std::from_chars(at, end, values[i]);
+    if (error != std::errc{} || values[i] < 0) refuse_crop(text, "is not four whole numbers");
+    at = next;
+    const bool is_last = i + 1 == values.size();
+    if (is_last ? at != end : at == end || *at != ',') {
+      refuse_crop(text, "is not four whole numbers");
+    }
+    ++at;
+  }
+  const render::Crop crop{values[0], values[1], values[2], values[3]};
+  if (crop.x0 >= crop.x1 || crop.y0 >= crop.y1) refuse_crop(text, "is empty");
+  return crop;
+}
+
+void require_inside(const render::Crop& crop, int width, int height) {
+  if (crop.x1 <= width && crop.y1 <= height) return;
+  throw Error(ErrorKind::usage,
+              fmt::format("--crop: {},{},{},{} leaves the image, which has {} x {} pixels", crop.x0,
+                          crop.y0, crop.x1, crop.y1, width, height));
+}
+
+std::uint64_t parse_byte_size(const std::string& text) {
+  double number = 0.0;
+  const auto [rest, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+  const auto exponent = exponent_of_unit(lower(std::string(rest, text.data() + text.size())));
+  const double bytes = exponent ? std::ldexp(number, *exponent) : -1.0;
+  if (error != std::errc{} || !(bytes >= 1.0) || bytes >= 0x1p63) {
+    throw Error(ErrorKind::usage, fmt::format("--memory-limit: '{}' is not a size; expected bytes "
+                                              "or a number with K, M, G or T, such as 1.5G",
+                                              text));
+  }
+  return static_cast<std::uint64_t>(bytes);
+}
+
+PictureFormat picture_format(const std::filesystem::path& path) {
+  const std::string extension = lower(path.extension().string());
+  if (extension == ".png") return PictureFormat::png;
+  if (extension == ".exr") return PictureFormat::exr;
+  throw Error(ErrorKind::usage,
+              fmt::format("--output: '{}' says no known format; expected a name that ends in .png "
+                          "(8-bit picture) or .exr (linear layers)",
+                          path.string()));
+}
+
+MeshFormat mesh_format(const std::filesystem::path& path) {
+  const std::string extension = lower(path.extension().string());
+  if (extension == ".ply") return MeshFormat::ply;
+  if (extension == ".obj") return MeshFormat::obj;
+  throw Error(ErrorKind::usage, fmt::format("--output: '{}' says no known format; expected a name "
+                                            "that ends in .ply or .obj",
+                                            path.string()));
+}
+
+std::filesystem::path default_picture(const std::filesystem::path& scene) {
+  return scene.stem().string() + ".png";
+}
+
+}  // namespace aerostat::cli

@@ -1,0 +1,35 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+
+#include "render/session.hpp"
+
+/// From the words of the command line to values.
+namespace aerostat::cli {
+
+/// "x0,y0,x1,y1": pixels x0 <= x < x1, y0 <= y < y1. Throws Error{usage} if it is not four whole
+/// numbers >= 0 or the part is empty.
+render::Crop parse_crop(const std::string& text);
+
+/// Throws Error{usage} if the crop leaves the image.
+void require_inside(const render::Crop& crop, int width, int height);
+
+/// "1500000", "512M", "2G", "1.5GiB": bytes; K, M, G and T are powers of 1024. Throws Error{usage}.
+std::uint64_t parse_byte_size(const std::string& text);
+
+enum class PictureFormat { png, exr };
+
+/// By the file's extension, whatever its case. Throws Error{usage} for any but .png and .exr.
+PictureFormat picture_format(const std::filesystem::path& path);
+
+enum class MeshFormat { ply, obj };
+
+/// By the file's extension, whatever its case. Throws Error{usage} for any but .ply and .obj.
+MeshFormat mesh_format(const std::filesystem::path& path);
+
+/// The scene's name with .png, in the current folder.
+std::filesystem::path default_picture(const std::filesystem::path& scene);
+
+}  // namespace aerostat::cli

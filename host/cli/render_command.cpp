@@ -1,0 +1,114 @@
+#include <chrono>
+#include <cstdio>
+
+#include <fmt/format.h>
+
+#include "cli/commands.hpp"
+#include "cli/interrupt.hpp"
+#include "cli/parse.hpp"
+#include "cli/progress_bar.hpp"
+#include "cli/report.hpp"
+#include "cli/scene_input.hpp"
+#include "core/error.hpp"
+#include "core/log.hpp"
+#include "image/write.hpp"
+#include "opencl/device.hpp"
+#include "render/session.hpp"
+
+namespace aerostat::cli {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+void print_stderr(std::string_view text) {
+  std::fwrite(text.data(), 1, text.size(), stderr);
+  std::fflush(stderr);
+}
+
+/// Lets the library's warnings pass above the bar while it lives; none if quiet.
+class WarningsAbove {
+ public:
+  WarningsAbove(ProgressBar& bar, bool quiet)
+      : former_(set_log_sink(quiet ? LogSink() : LogSink([&bar](const std::string& message) {
+          bar.message("aerostat: " + message);
+        }))) {}
+  ~WarningsAbove() { set_log_sink(std::move(former_)); }
+  WarningsAbove(const WarningsAbove&) = delete;
+  WarningsAbove& operator=(const WarningsAbove&) = delete;
+
+ private:
+  LogSink former_;
+};
+
+scene::Scene scene_to_render(const RenderOptions& options) {
+  scene::Scene scene = load_scene(options.input);
+  if (options.width) scene.image.width = *options.width;
+  if (options.height) scene.image.height = *options.height;
+  if (options.spp) scene.image.spp = *options.spp;
+  if (options.seed) scene.image.seed = *options.seed;
+  if (options.crop) require_inside(*options.crop, scene.image.width, scene.image.height);
+  return scene;
+}
+
+void require_encodable(const RenderOptions& options, const scene::Image& image,
+                       PictureFormat format) {
+  const int width = options.crop ? options.crop->x1 - options.crop->x0 : image.width;
+  const int height = options.crop ? options.crop->y1 - options.crop->y0 : image.height;
+  if (format == PictureFormat::exr || image::png_can_hold(width, height)) return;
+  throw Error(ErrorKind::usage,
+              fmt::format("{} x {} pixels are too many for a PNG; write an .exr or take a --crop",
+                          width, height));
+}
+
+std::vector<std::uint8_t> encode(const image::Film& film, PictureFormat format,
+                                 double exposure_ev) {
+  return format == PictureFormat::exr ? image::encode_exr(film)
+                                      : image::encode_png(image::develop(film, exposure_ev));
+}
+
+void warn_of_nan(const image::Film& film) {
+  if (film.nan_pixels == 0) return;
+  warn(fmt::format("{} pixels came out as no number and were set to black", film.nan_pixels));
+}
+
+std::string summary(const fs::path& output, const image::Film& film, int spp,
+                    const opencl::Device& device, double seconds) {
+  return fmt::format("wrote {} ({} x {}, {} spp) in {:.1f} s on {}", output.string(), film.width,
+                     film.height, spp, seconds, device.name);
+}
+
+}  // namespace
+
+int render(const RenderOptions& options) {
+  const auto begin = std::chrono::steady_clock::now();
+  const fs::path output =
+      options.output.empty() ? default_picture(options.input.scene) : options.output;
+  const PictureFormat format = picture_format(output);
+  const Interrupt interrupt;
+  ProgressBar bar(stderr_style(options.quiet), print_stderr);
+  const WarningsAbove warnings(bar, options.quiet);
+
+  const scene::Scene scene = scene_to_render(options);
+  require_encodable(options, scene.image, format);
+  image::require_writable(output);
+  const opencl::Device device = opencl::select_device(opencl::effective_selector(options.device));
+  render::Session session({device, options.lanes, options.memory_limit_bytes, 0});
+  const image::Film film = session.render(
+      scene, interrupt.token(), [&bar](const render::Progress& progress) { bar.update(progress); },
+      options.crop);
+  bar.clear();
+  warn_of_nan(film);
+  const auto bytes = encode(film, format, scene.image.exposure_ev);
+  if (interrupt.token().stop_requested()) throw Error(ErrorKind::interrupted, "interrupted");
+  image::write_file(output, bytes);
+
+  const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - begin;
+  if (!options.quiet) {
+    bar.message(summary(output, film, scene.image.spp, device, seconds.count()));
+  }
+  if (options.stats) print_stderr(stats_text(session.stats(), peak_memory_bytes()));
+  return 0;
+}
+
+}  // namespace aerostat::cli

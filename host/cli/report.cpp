@@ -1,0 +1,68 @@
+#include "cli/report.hpp"
+
+#include <fmt/format.h>
+#include <sys/resource.h>
+
+namespace aerostat::cli {
+
+namespace {
+
+std::string rays_line(const char* name, std::uint64_t rays, double device_seconds) {
+  std::string line = fmt::format("{:<10}{} rays", name, grouped(rays));
+  if (device_seconds > 0.0) {
+    line += fmt::format(", {:.2f} s on the device, {:.2f} Mrays/s", device_seconds,
+                        static_cast<double>(rays) * 1e-6 / device_seconds);
+  }
+  return line + "\n";
+}
+
+std::string built(int count) {
+  return count == 0 ? "kept" : fmt::format("{} built", count);
+}
+
+double mebibytes(std::uint64_t bytes) {
+  return static_cast<double>(bytes) / 0x1p20;
+}
+
+}  // namespace
+
+std::string grouped(std::uint64_t number) {
+  const std::string digits = std::to_string(number);
+  std::string text;
+  for (std::size_t i = 0; i < digits.size(); ++i) {
+    if (i > 0 && (digits.size() - i) % 3 == 0) text += ',';
+    text += digits[i];
+  }
+  return text;
+}
+
+std::uint64_t peak_memory_bytes() {
+  rusage usage{};
+  ::getrusage(RUSAGE_SELF, &usage);
+  return static_cast<std::uint64_t>(usage.ru_maxrss) * 1024u;
+}
+
+std::string stats_text(const render::Stats& stats, std::uint64_t peak_bytes) {
+  const std::uint64_t rays = stats.primary_rays + stats.shadow_rays;
+  const double rate =
+      stats.rays_seconds > 0.0 ? static_cast<double>(rays) * 1e-6 / stats.rays_seconds : 0.0;
+  std::string text;
+  text += fmt::format("{:<10}{:.2f} s, {}, {} triangles\n", "world", stats.world_seconds,
+                      built(stats.worlds_built), grouped(stats.triangles));
+  text += fmt::format("{:<10}{:.2f} s, {}, {} nodes, {} leaves, SAH cost {:.1f}\n", "tree",
+                      stats.tree_seconds, built(stats.trees_built), grouped(stats.tree.nodes),
+                      grouped(stats.tree.leaves), stats.tree.sah_cost);
+  text += fmt::format("{:<10}{:.2f} s, {}\n", "kernels", stats.kernel_seconds,
+                      built(stats.programs_built));
+  text += fmt::format("{:<10}{:.2f} s\n", "upload", stats.upload_seconds);
+  text += fmt::format("{:<10}{:.2f} s, {} rays, {:.2f} Mrays/s with shading\n", "tracing",
+                      stats.rays_seconds, grouped(rays), rate);
+  text += rays_line("  primary", stats.primary_rays, stats.primary_device_seconds);
+  text += rays_line("  shadow", stats.shadow_rays, stats.shadow_device_seconds);
+  text += fmt::format("{:<10}{:.2f} s on the device\n", "  shading", stats.shade_device_seconds);
+  text += fmt::format("{:<10}{:.1f} MiB at most in the process, {:.1f} MiB of device buffers\n",
+                      "memory", mebibytes(peak_bytes), mebibytes(stats.device_bytes));
+  return text;
+}
+
+}  // namespace aerostat::cli

@@ -1,0 +1,21 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+#include "image/film.hpp"
+#include "render/session.hpp"
+
+/// What a render did, in words.
+namespace aerostat::cli {
+
+/// "1,234,567"
+std::string grouped(std::uint64_t number);
+
+/// The largest memory the process had in use so far, as the system counts it, in bytes.
+std::uint64_t peak_memory_bytes();
+
+/// The lines of --stats, each ended.
+std::string stats_text(const render::Stats& stats, std::uint64_t peak_bytes);
+
+}  // namespace aerostat::cli

@@ -1,0 +1,126 @@
+#include <cstring>
+#include <new>
+
+#include <OpenEXR/ImfChannelList.h>
+#include <OpenEXR/ImfFrameBuffer.h>
+#include <OpenEXR/ImfHeader.h>
+#include <OpenEXR/ImfIO.h>
+#include <OpenEXR/ImfOutputFile.h>
+#include <OpenEXR/ImfStandardAttributes.h>
+#include <OpenEXR/ImfStringAttribute.h>
+#include <fmt/format.h>
+
+#include "core/error.hpp"
+#include "image/write.hpp"
+
+namespace aerostat::image {
+
+namespace {
+
+/// A file in memory: OpenEXR goes back to fill in its table of line offsets.
+class MemoryStream : public Imf::OStream {
+ public:
+  MemoryStream() : Imf::OStream("memory") {}
+
+  void write(const char bytes[], int count) override {
+    const std::size_t end = position_ + static_cast<std::size_t>(count);
+    if (end > bytes_.size()) bytes_.resize(end);
+    std::memcpy(bytes_.data() + position_, bytes, static_cast<std::size_t>(count));
+    position_ = end;
+  }
+  std::uint64_t tellp() override { return position_; }
+  void seekp(std::uint64_t position) override { position_ = position; }
+
+  std::vector<std::uint8_t> take() { return std::move(bytes_); }
+
+ private:
+  std::vector<std::uint8_t> bytes_;
+  std::size_t position_ = 0;
+};
+
+/// Declares channels and says where their values lie.
+class Layers {
+ public:
+  explicit Layers(const Film& film)
+      : header_(film.width, film.height), width_(static_cast<std::size_t>(film.width)) {
+    header_.compression() = Imf::ZIP_COMPRESSION;
+    Imf::addChromaticities(header_, Imf::Chromaticities{});  // Rec. 709
+    header_.insert("software", Imf::StringAttribute("aerostat"));
+  }
+
+  void add(const char* name, Imf::PixelType type, const void* first, std::size_t stride) {
+    header_.channels().insert(name, Imf::Channel(type));
+    // The frame buffer takes char* but is only read from when writing.
+    frame_.insert(name, Imf::Slice(type, static_cast<char*>(const_cast<void*>(first)), stride,
+                                   stride * width_));
+  }
+
+  void add_vector(const char* x, const char* y, const char* z, const std::vector<vec3>& values) {
+    add(x, Imf::FLOAT, &values[0].x, sizeof(vec3));
+    add(y, Imf::FLOAT, &values[0].y, sizeof(vec3));
+    add(z, Imf::FLOAT, &values[0].z, sizeof(vec3));
+  }
+
+  const Imf::Header& header() const { return header_; }
+  const Imf::FrameBuffer& frame() const { return frame_; }
+
+ private:
+  Imf::Header header_;
+  Imf::FrameBuffer frame_;
+  std::size_t width_;
+};
+
+void require_layer(std::size_t size, std::size_t pixels, bool optional) {
+  if (size != pixels && !(optional && size == 0)) {
+    throw Error(ErrorKind::internal, fmt::format("encoding an EXR: a layer has {} values for {} "
+                                                 "pixels",
+                                                 size, pixels));
+  }
+}
+
+void require_layers(const Film& film) {
+  if (film.width <= 0 || film.height <= 0) {
+    throw Error(ErrorKind::internal,
+                fmt::format("encoding an EXR of {} x {} pixels", film.width, film.height));
+  }
+  const std::size_t pixels =
+      static_cast<std::size_t>(film.width) * static_cast<std::size_t>(film.height);
+  require_layer(film.radiance.size(), pixels, false);
+  require_layer(film.alpha.size(), pixels, true);
+  require_layer(film.distance_m.size(), pixels, true);
+  require_layer(film.normal_ws.size(), pixels, true);
+  require_layer(film.object_id.size(), pixels, true);
+}
+
+Layers layers_of(const Film& film) {
+  Layers layers(film);
+  layers.add_vector("R", "G", "B", film.radiance);
+  if (!film.alpha.empty()) layers.add("A", Imf::FLOAT, film.alpha.data(), sizeof(float));
+  if (!film.distance_m.empty()) layers.add("Z", Imf::FLOAT, film.distance_m.data(), sizeof(float));
+  if (!film.normal_ws.empty()) layers.add_vector("N.X", "N.Y", "N.Z", film.normal_ws);
+  if (!film.object_id.empty()) {
+    layers.add("id", Imf::UINT, film.object_id.data(), sizeof(std::uint32_t));
+  }
+  return layers;
+}
+
+}  // namespace
+
+std::vector<std::uint8_t> encode_exr(const Film& film) {
+  require_layers(film);
+  MemoryStream stream;
+  try {
+    const Layers layers = layers_of(film);
+    Imf::OutputFile file(stream, layers.header());
+    file.setFrameBuffer(layers.frame());
+    file.writePixels(film.height);
+  } catch (const std::bad_alloc&) {
+    throw;
+  } catch (const std::exception& error) {
+    throw Error(ErrorKind::internal, fmt::format("encoding an EXR of {} x {} pixels failed: {}",
+                                                 film.width, film.height, error.what()));
+  }
+  return stream.take();
+}
+
+}  // namespace aerostat::image

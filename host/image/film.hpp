@@ -1,0 +1,23 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "core/math.hpp"
+
+namespace aerostat::image {
+
+/// A picture as it was measured: linear Rec. 709 radiance and, from the samples of each pixel, what
+/// lies there. Row 0 is the top; width * height entries each, or none where not asked for.
+struct Film {
+  int width = 0;
+  int height = 0;
+  std::vector<vec3> radiance;
+  std::vector<float> alpha;              // share of the samples that hit something
+  std::vector<float> distance_m;         // along the ray, nearest sample; +inf for sky
+  std::vector<vec3> normal_ws;           // world space, unit; 0 for sky
+  std::vector<std::uint32_t> object_id;  // scene::ObjectId; 0 for sky
+  std::uint64_t nan_pixels = 0;  // pixels that came out NaN or infinite and were set to black
+};
+
+}  // namespace aerostat::image

@@ -1,0 +1,53 @@
+#include <cstdlib>
+#include <memory>
+
+#include <fmt/format.h>
+
+#include "core/error.hpp"
+#include "image/write.hpp"
+
+#define STB_IMAGE_WRITE_IMPLEMENTATION
+#define STB_IMAGE_WRITE_STATIC
+#define STBI_WRITE_NO_STDIO
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wunused-function"
+#include <stb_image_write.h>
+#pragma GCC diagnostic pop
+
+namespace aerostat::image {
+
+namespace {
+
+// stb counts in int, its output buffer grows by doubling, and incompressible data grows by an
+// eighth: below this, none of its products overflows.
+constexpr std::uint64_t kLargestRawBytes = 900ull << 20;
+
+struct FreeDeleter {
+  void operator()(unsigned char* bytes) const { std::free(bytes); }
+};
+
+}  // namespace
+
+bool png_can_hold(int width, int height) {
+  const auto row = 3 * static_cast<std::uint64_t>(width) + 1;
+  return width > 0 && height > 0 && row * static_cast<std::uint64_t>(height) <= kLargestRawBytes;
+}
+
+std::vector<std::uint8_t> encode_png(const Pixels& pixels) {
+  if (!png_can_hold(pixels.width, pixels.height) ||
+      pixels.rgb.size() !=
+          3 * static_cast<std::size_t>(pixels.width) * static_cast<std::size_t>(pixels.height)) {
+    throw Error(ErrorKind::internal, fmt::format("encoding a PNG of {} x {} pixels in {} bytes",
+                                                 pixels.width, pixels.height, pixels.rgb.size()));
+  }
+  int length = 0;
+  const std::unique_ptr<unsigned char, FreeDeleter> png(stbi_write_png_to_mem(
+      pixels.rgb.data(), 3 * pixels.width, pixels.width, pixels.height, 3, &length));
+  if (!png || length <= 0) {
+    throw Error(ErrorKind::internal, fmt::format("encoding a PNG of {} x {} pixels failed",
+                                                 pixels.width, pixels.height));
+  }
+  return {png.get(), png.get() + length};
+}
+
+}  // namespace aerostat::image

@@ -1,0 +1,44 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <span>
+#include <vector>
+
+#include "image/film.hpp"
+
+namespace aerostat::image {
+
+/// 8-bit RGB, row 0 at the top.
+struct Pixels {
+  int width = 0;
+  int height = 0;
+  std::vector<std::uint8_t> rgb;
+};
+
+/// Exposure (2^ev), a filmic tone curve, the sRGB transfer function, and ordered dither against
+/// banding; deterministic.
+Pixels develop(const Film& film, double exposure_ev);
+
+/// Whether encode_png can take so many pixels: the encoder counts in int. Up to 16384 x 16384 it
+/// can.
+bool png_can_hold(int width, int height);
+
+/// The bytes of a PNG file. Throws Error{internal} if the encoder fails or png_can_hold is false.
+std::vector<std::uint8_t> encode_png(const Pixels& pixels);
+
+/// The bytes of an OpenEXR file: float channels R G B A, Z, N.X N.Y N.Z, uint channel id,
+/// compressed without loss (ZIP). Layers that the film does not have are left out. Throws
+/// Error{internal} if a layer's length is wrong or the encoder fails.
+std::vector<std::uint8_t> encode_exr(const Film& film);
+
+/// Writes the file whole or not at all: a temporary file beside it, checked, synced, renamed.
+/// Throws Error{io} with the path and the system's reason; then nothing is left behind and an older
+/// file stays as it was. "/dev/stdout", pipes and other special files are written directly.
+void write_file(const std::filesystem::path& path, std::span<const std::uint8_t> bytes);
+
+/// Throws Error{io} or Error{usage} early, before work is done for nothing, if `path` cannot be
+/// written: its folder is missing or read-only, or it is a folder.
+void require_writable(const std::filesystem::path& path);
+
+}  // namespace aerostat::image

@@ -1,0 +1,85 @@
+#include "model/balloon.hpp"
+
+#include <cmath>
+#include <numbers>
+
+#include "model/basket.hpp"
+#include "model/burner.hpp"
+#include "model/dimensions.hpp"
+#include "model/envelope.hpp"
+#include "model/rigging.hpp"
+#include "model/rim.hpp"
+
+namespace aerostat::model {
+namespace {
+
+using mesh::TriangleMesh;
+using scene::ObjectId;
+
+constexpr double kSkirtDepth = 0.055;     // in diameters
+constexpr double kSkirtClearance = 0.95;  // of the room between the wires
+
+/// Turns the model's axes (x right, y up, z back) to the heading and moves it.
+struct Placement {
+  dvec3 right, back, origin;
+
+  explicit Placement(const scene::Balloon& balloon) : origin(balloon.position) {
+    const double heading = balloon.heading_deg * std::numbers::pi / 180.0;
+    right = {std::cos(heading), 0.0, std::sin(heading)};
+    back = {-std::sin(heading), 0.0, std::cos(heading)};
+  }
+
+  dvec3 turned(const dvec3& v) const { return v.x * right + dvec3(0.0, v.y, 0.0) + v.z * back; }
+  dvec3 placed(const dvec3& p) const { return origin + turned(p); }
+
+  void apply(TriangleMesh& mesh) const {
+    for (vec3& position : mesh.positions) position = vec3(placed(dvec3(position)));
+    for (vec3& normal : mesh.normals) normal = glm::normalize(vec3(turned(dvec3(normal))));
+  }
+};
+
+void raise(TriangleMesh& mesh, double height) {
+  for (vec3& position : mesh.positions) position.y += static_cast<float>(height);
+}
+
+TriangleMesh hung_skirt(const EnvelopeShape& shape, const EnvelopePattern& pattern) {
+  const double depth = kSkirtDepth * shape.diameter();
+  const double hem = mouth_height(shape.diameter()) - depth;
+  const double room = kSkirtClearance * clear_radius(flying_wires(shape), hem);
+  return build_skirt(shape, pattern, std::min(room, shape.mouth_radius()), depth);
+}
+
+}  // namespace
+
+std::vector<Part> balloon(const scene::Balloon& balloon) {
+  const EnvelopeShape shape(balloon.diameter_m, balloon.gores);
+  const EnvelopePattern pattern(balloon, shape.panels());
+  std::vector<Part> parts;
+  parts.push_back({ObjectId::envelope, build_envelope(shape, pattern)});
+  parts.push_back({ObjectId::skirt, hung_skirt(shape, pattern)});
+  for (Part& part : parts) raise(part.mesh, mouth_height(shape.diameter()));
+  parts.push_back({ObjectId::basket, build_basket()});
+  parts.push_back({ObjectId::rim, build_rim(wall_outline(), kRimHeight)});
+  parts.push_back({ObjectId::frame, build_frame()});
+  parts.push_back({ObjectId::cables, build_cables(shape)});
+  parts.push_back({ObjectId::floor, build_floor()});
+  parts.push_back({ObjectId::flame, build_flame()});
+  const Placement placement(balloon);
+  for (Part& part : parts) placement.apply(part.mesh);
+  return parts;
+}
+
+dvec3 basket_eye(const scene::Balloon& balloon) {
+  return Placement(balloon).placed(kEye);
+}
+
+dvec3 basket_forward(const scene::Balloon& balloon) {
+  return Placement(balloon).turned({0.0, 0.0, -1.0});
+}
+
+double balloon_height(const scene::Balloon& balloon) {
+  const EnvelopeShape shape(balloon.diameter_m, balloon.gores);
+  return mouth_height(balloon.diameter_m) + shape.height();
+}
+
+}  // namespace aerostat::model

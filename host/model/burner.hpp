@@ -1,0 +1,22 @@
+#pragma once
+
+#include "mesh/mesh.hpp"
+
+namespace aerostat::model {
+
+/// Two burners side by side on the frame's cross tubes: valve block, can, coil and levers.
+void add_burners(mesh::TriangleMesh& mesh);
+
+/// Distance of the frame's cross tubes from the middle.
+double burner_mount_z();
+
+/// Where the hose of the right burner's rear side arrives; the others mirror it.
+dvec3 burner_port();
+
+/// A gas cylinder that stands on `foot`, in a padded cover.
+void add_cylinder(mesh::TriangleMesh& mesh, const dvec3& foot);
+
+/// The flames of both burners.
+mesh::TriangleMesh build_flame();
+
+}  // namespace aerostat::model

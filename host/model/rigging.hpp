@@ -1,0 +1,35 @@
+#pragma once
+
+#include <vector>
+
+#include "mesh/mesh.hpp"
+#include "model/envelope_shape.hpp"
+
+namespace aerostat::model {
+
+/// A straight wire between two points of the rig.
+struct Wire {
+  dvec3 from{0.0};
+  dvec3 to{0.0};
+  double radius = 0.0;
+};
+
+/// Height of the envelope's mouth above the basket's floor.
+double mouth_height(double diameter_m);
+
+/// The wires from the burner frame's corners to the load tapes at the mouth, one for each.
+std::vector<Wire> flying_wires(const EnvelopeShape& shape);
+
+/// The pairs of wires from the frame's corners down into the basket's rim.
+std::vector<Wire> basket_wires();
+
+/// The largest radius at height y that stays clear of the wires.
+double clear_radius(const std::vector<Wire>& wires, double y);
+
+/// All wires, with the ring that they meet at the mouth.
+mesh::TriangleMesh build_cables(const EnvelopeShape& shape);
+
+/// The burner's frame with its four padded uprights, the burners, the gas cylinders and the hoses.
+mesh::TriangleMesh build_frame();
+
+}  // namespace aerostat::model

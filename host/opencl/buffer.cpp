@@ -1,0 +1,130 @@
+#include "opencl/buffer.hpp"
+
+#include <limits>
+
+#include <fmt/format.h>
+
+#include "core/error.hpp"
+
+namespace aerostat::opencl {
+namespace {
+
+constexpr std::uint64_t kGranule = 16;
+
+double mebibytes(std::uint64_t bytes) {
+  return static_cast<double>(bytes) / (1024.0 * 1024.0);
+}
+
+std::uint64_t rounded_up(std::uint64_t bytes) {
+  if (bytes > std::numeric_limits<std::uint64_t>::max() - kGranule) return bytes;
+  return std::max(kGranule, (bytes + kGranule - 1) / kGranule * kGranule);
+}
+
+}  // namespace
+
+MemoryBudget::MemoryBudget() : MemoryBudget(std::numeric_limits<std::uint64_t>::max()) {}
+
+MemoryBudget::MemoryBudget(std::uint64_t limit_bytes) : state_(std::make_shared<State>()) {
+  state_->limit = limit_bytes;
+}
+
+void MemoryBudget::reserve(std::uint64_t bytes, const std::string& what) {
+  if (bytes > state_->limit - std::min(state_->limit, state_->used)) {
+    throw Error(
+        ErrorKind::exhausted,
+        fmt::format("not enough device memory for {}: {:.1f} MiB are needed beside {:.1f} "
+                    "MiB in use, {:.1f} MiB are allowed (--memory-limit changes that)",
+                    what, mebibytes(bytes), mebibytes(state_->used), mebibytes(state_->limit)));
+  }
+  state_->used += bytes;
+}
+
+void MemoryBudget::release(std::uint64_t bytes) {
+  state_->used -= std::min(state_->used, bytes);
+}
+
+RawBuffer::RawBuffer(const Context& context, MemoryBudget budget, std::uint64_t bytes,
+                     std::string what, cl_mem_flags flags)
+    : queue_(context.queue()), budget_(std::move(budget)), what_(std::move(what)) {
+  allocate(context, bytes, flags, [&] {
+    queue_.enqueueFillBuffer(handle_, cl_uint4{}, 0, rounded_up(bytes));
+    queue_.finish();
+  });
+}
+
+RawBuffer::RawBuffer(const Context& context, MemoryBudget budget, const void* data,
+                     std::uint64_t bytes, std::string what, cl_mem_flags flags)
+    : queue_(context.queue()), budget_(std::move(budget)), what_(std::move(what)) {
+  allocate(context, bytes, flags, [&] {
+    if (bytes > 0) queue_.enqueueWriteBuffer(handle_, CL_TRUE, 0, bytes, data);
+  });
+}
+
+void RawBuffer::allocate(const Context& context, std::uint64_t bytes, cl_mem_flags flags,
+                         const std::function<void()>& fill) {
+  const auto size = rounded_up(bytes);
+  budget_.reserve(size, what_);
+  try {
+    const auto doing = fmt::format("allocating {:.1f} MiB for {}", mebibytes(size), what_);
+    guarded(doing.c_str(), [&] {
+      handle_ = cl::Buffer(context.handle(), flags, size);
+      fill();
+    });
+  } catch (...) {
+    budget_.release(size);
+    throw;
+  }
+  allocated_ = size;
+}
+
+RawBuffer::RawBuffer(RawBuffer&& other) noexcept
+    : queue_(std::move(other.queue_)),
+      handle_(std::move(other.handle_)),
+      budget_(other.budget_),
+      what_(std::move(other.what_)),
+      allocated_(std::exchange(other.allocated_, 0)) {}
+
+RawBuffer& RawBuffer::operator=(RawBuffer&& other) noexcept {
+  if (this == &other) return *this;
+  budget_.release(allocated_);
+  queue_ = std::move(other.queue_);
+  handle_ = std::move(other.handle_);
+  budget_ = other.budget_;
+  what_ = std::move(other.what_);
+  allocated_ = std::exchange(other.allocated_, 0);
+  return *this;
+}
+
+RawBuffer::~RawBuffer() {
+  budget_.release(allocated_);
+}
+
+void RawBuffer::check_range(std::uint64_t offset, std::uint64_t bytes) const {
+  if (offset > allocated_ || bytes > allocated_ - offset) {
+    throw Error(ErrorKind::internal, fmt::format("bytes {} + {} are outside the {} bytes of {}",
+                                                 offset, bytes, allocated_, what_));
+  }
+}
+
+void RawBuffer::write(const void* data, std::uint64_t offset, std::uint64_t bytes) {
+  check_range(offset, bytes);
+  if (bytes == 0) return;
+  guarded(fmt::format("copying {} to the device", what_).c_str(),
+          [&] { queue_.enqueueWriteBuffer(handle_, CL_TRUE, offset, bytes, data); });
+}
+
+void RawBuffer::read(void* data, std::uint64_t offset, std::uint64_t bytes) const {
+  check_range(offset, bytes);
+  if (bytes == 0) return;
+  guarded(fmt::format("reading {} back from the device", what_).c_str(),
+          [&] { queue_.enqueueReadBuffer(handle_, CL_TRUE, offset, bytes, data); });
+}
+
+void require_range(std::size_t first, std::size_t count, std::size_t size) {
+  if (first > size || count > size - first) {
+    throw Error(ErrorKind::internal,
+                fmt::format("elements {} + {} are outside a buffer of {}", first, count, size));
+  }
+}
+
+}  // namespace aerostat::opencl

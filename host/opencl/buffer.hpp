@@ -1,0 +1,135 @@
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <span>
+#include <string>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+#include "opencl/program.hpp"
+
+namespace aerostat::opencl {
+
+/// How many bytes of buffers may exist on a device at once. Drivers grant more than there is and
+/// fail late, so aerostat counts for itself. Copies share one count.
+class MemoryBudget {
+ public:
+  /// No limit.
+  MemoryBudget();
+  explicit MemoryBudget(std::uint64_t limit_bytes);
+
+  std::uint64_t limit() const { return state_->limit; }
+  std::uint64_t used() const { return state_->used; }
+
+  /// Counts `bytes` for `what` ("the triangles"). Throws Error{exhausted}, counting nothing, if
+  /// they would exceed the limit; the message says how much was asked for, how much is allowed, and
+  /// that
+  /// --memory-limit changes that.
+  void reserve(std::uint64_t bytes, const std::string& what);
+  void release(std::uint64_t bytes);
+
+ private:
+  struct State {
+    std::uint64_t limit = 0;
+    std::uint64_t used = 0;
+  };
+  std::shared_ptr<State> state_;
+};
+
+/// Untyped device memory that stands in a budget as long as it lives. Movable; a moved-from or
+/// default one is empty.
+class RawBuffer {
+ public:
+  RawBuffer() = default;
+  /// `bytes` zero bytes (at least 16, rounded up to 16: OpenCL knows no empty buffers). They are
+  /// written at once, so that a driver that allocates late fails here. Throws Error{exhausted}.
+  RawBuffer(const Context& context, MemoryBudget budget, std::uint64_t bytes, std::string what,
+            cl_mem_flags flags);
+  /// A copy of `bytes` bytes at `data`.
+  RawBuffer(const Context& context, MemoryBudget budget, const void* data, std::uint64_t bytes,
+            std::string what, cl_mem_flags flags);
+  RawBuffer(RawBuffer&& other) noexcept;
+  RawBuffer& operator=(RawBuffer&& other) noexcept;
+  ~RawBuffer();
+
+  const cl::Buffer& handle() const { return handle_; }
+  std::uint64_t allocated_bytes() const { return allocated_; }
+
+  /// Blocking copies. Throw Error{internal} if the range is not inside the buffer.
+  void write(const void* data, std::uint64_t offset, std::uint64_t bytes);
+  void read(void* data, std::uint64_t offset, std::uint64_t bytes) const;
+
+ private:
+  void allocate(const Context& context, std::uint64_t bytes, cl_mem_flags flags,
+                const std::function<void()>& fill);
+  void check_range(std::uint64_t offset, std::uint64_t bytes) const;
+
+  cl::CommandQueue queue_;
+  cl::Buffer handle_;
+  MemoryBudget budget_;
+  std::string what_;
+  std::uint64_t allocated_ = 0;
+};
+
+/// `size()` elements of T on a device. `what` names the contents in messages ("the triangles").
+template <typename T>
+class Buffer {
+  static_assert(std::is_trivially_copyable_v<T> && !std::is_pointer_v<T>);
+
+ public:
+  Buffer() = default;
+
+  /// A copy of `values`, which kernels only read unless `flags` say otherwise.
+  Buffer(const Context& context, const MemoryBudget& budget, std::span<const T> values,
+         std::string what, cl_mem_flags flags = CL_MEM_READ_ONLY)
+      : raw_(context, budget, values.data(), values.size_bytes(), std::move(what), flags),
+        size_(values.size()) {}
+
+  /// `count` elements of zero bytes.
+  Buffer(const Context& context, const MemoryBudget& budget, std::size_t count, std::string what,
+         cl_mem_flags flags = CL_MEM_READ_WRITE)
+      : raw_(context, budget, std::uint64_t{count} * sizeof(T), std::move(what), flags),
+        size_(count) {}
+
+  std::size_t size() const { return size_; }
+  std::uint64_t bytes() const { return std::uint64_t{size_} * sizeof(T); }
+  const cl::Buffer& handle() const { return raw_.handle(); }
+
+  /// Overwrites elements from `first` on. Blocking.
+  void write(std::span<const T> values, std::size_t first = 0) {
+    check(first, values.size());
+    raw_.write(values.data(), std::uint64_t{first} * sizeof(T), values.size_bytes());
+  }
+
+  /// Reads elements from `first` on; waits for the kernels before it. Blocking.
+  void read(std::span<T> values, std::size_t first = 0) const {
+    check(first, values.size());
+    raw_.read(values.data(), std::uint64_t{first} * sizeof(T), values.size_bytes());
+  }
+
+  std::vector<T> read() const {
+    std::vector<T> values(size_);
+    read(std::span<T>(values));
+    return values;
+  }
+
+ private:
+  void check(std::size_t first, std::size_t count) const;
+
+  RawBuffer raw_;
+  std::size_t size_ = 0;
+};
+
+/// Throws Error{internal} unless first + count <= size.
+void require_range(std::size_t first, std::size_t count, std::size_t size);
+
+template <typename T>
+void Buffer<T>::check(std::size_t first, std::size_t count) const {
+  require_range(first, count, size_);
+}
+
+}  // namespace aerostat::opencl

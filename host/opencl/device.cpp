@@ -1,0 +1,145 @@
+#include "opencl/device.hpp"
+
+#include <bit>
+#include <optional>
+#include <stdexcept>
+
+#include <fmt/format.h>
+
+#include "opencl/cache.hpp"
+#include "opencl/program.hpp"
+
+namespace aerostat::opencl {
+namespace {
+
+constexpr int kNoIcd = -1001;
+
+/// Runs `f`; if it throws, notes why `subject` cannot be used.
+template <typename F>
+bool tolerate(DeviceList& list, const std::string& subject, F&& f) {
+  try {
+    f();
+    return true;
+  } catch (const cl::Error& error) {
+    const char* call = error.what() != nullptr ? error.what() : "OpenCL";
+    list.problems.push_back(fmt::format("{}: {} from {}", subject, status_name(error.err()), call));
+  } catch (const std::exception& error) {
+    list.problems.push_back(fmt::format("{}: {}", subject, error.what()));
+  }
+  return false;
+}
+
+/// Drivers pad names with blanks and zero bytes.
+std::string trimmed(std::string text) {
+  if (const auto zero = text.find('\0'); zero != std::string::npos) text.resize(zero);
+  const auto first = text.find_first_not_of(" \t\n");
+  if (first == std::string::npos) return {};
+  return text.substr(first, text.find_last_not_of(" \t\n") - first + 1);
+}
+
+DeviceType type_of(cl_device_type bits) {
+  if ((bits & CL_DEVICE_TYPE_GPU) != 0) return DeviceType::gpu;
+  return (bits & CL_DEVICE_TYPE_CPU) != 0 ? DeviceType::cpu : DeviceType::other;
+}
+
+bool is_older_than_1_2(const std::string& version) {
+  return version.starts_with("OpenCL 1.0") || version.starts_with("OpenCL 1.1");
+}
+
+/// Why a device cannot run the kernels, or nothing.
+std::optional<std::string> obstacle(const cl::Device& handle) {
+  if (!handle.getInfo<CL_DEVICE_AVAILABLE>()) return "the driver says it is not available";
+  if (!handle.getInfo<CL_DEVICE_COMPILER_AVAILABLE>()) return "its driver has no compiler";
+  const auto version = handle.getInfo<CL_DEVICE_VERSION>();
+  if (is_older_than_1_2(version)) return fmt::format("{}: 1.2 is needed", trimmed(version));
+  const bool little = handle.getInfo<CL_DEVICE_ENDIAN_LITTLE>() != CL_FALSE;
+  if (little != (std::endian::native == std::endian::little)) return "its byte order is not ours";
+  return std::nullopt;
+}
+
+Device described(const cl::Device& handle, const std::string& platform) {
+  Device device;
+  device.handle = handle;
+  device.platform = platform;
+  device.name = trimmed(handle.getInfo<CL_DEVICE_NAME>());
+  device.driver = trimmed(handle.getInfo<CL_DRIVER_VERSION>());
+  device.type = type_of(handle.getInfo<CL_DEVICE_TYPE>());
+  device.memory_bytes = handle.getInfo<CL_DEVICE_GLOBAL_MEM_SIZE>();
+  device.max_allocation_bytes = handle.getInfo<CL_DEVICE_MAX_MEM_ALLOC_SIZE>();
+  device.compute_units = handle.getInfo<CL_DEVICE_MAX_COMPUTE_UNITS>();
+  device.preferred_float_width = handle.getInfo<CL_DEVICE_PREFERRED_VECTOR_WIDTH_FLOAT>();
+  device.lanes = lanes_for(device.type, handle.getInfo<CL_DEVICE_NATIVE_VECTOR_WIDTH_FLOAT>(),
+                           device.preferred_float_width);
+  return device;
+}
+
+std::vector<cl::Platform> platforms(DeviceList& list) {
+  std::vector<cl::Platform> found;
+  try {
+    cl::Platform::get(&found);
+  } catch (const cl::Error& error) {
+    list.problems.push_back(error.err() == kNoIcd
+                                ? "no OpenCL platform is installed"
+                                : fmt::format("the list of OpenCL platforms cannot be read: {}",
+                                              status_name(error.err())));
+  }
+  return found;
+}
+
+std::vector<cl::Device> devices_of(const cl::Platform& platform) {
+  std::vector<cl::Device> found;
+  try {
+    platform.getDevices(CL_DEVICE_TYPE_ALL, &found);
+  } catch (const cl::Error& error) {
+    if (error.err() != CL_DEVICE_NOT_FOUND) throw;
+  }
+  if (found.empty()) throw std::runtime_error("it has no devices");
+  return found;
+}
+
+void add_platform(DeviceList& list, const cl::Platform& platform, int platform_index,
+                  const std::string& cache_problem) {
+  const auto name = trimmed(platform.getInfo<CL_PLATFORM_NAME>());
+  const auto label = fmt::format("platform {} ({})", platform_index, name);
+  if (!cache_problem.empty() && name == "Portable Computing Language") {
+    list.cache_problem = cache_problem;
+    list.problems.push_back(fmt::format("{}: {}", label, cache_problem));
+    return;
+  }
+  std::vector<cl::Device> handles;
+  tolerate(list, label, [&] { handles = devices_of(platform); });
+  for (std::size_t i = 0; i < handles.size(); ++i) {
+    tolerate(list, fmt::format("device {}:{} of {}", platform_index, i, label), [&] {
+      auto device = described(handles[i], name);
+      if (const auto reason = obstacle(handles[i])) {
+        throw std::runtime_error(fmt::format("{}: {}", device.name, *reason));
+      }
+      device.platform_index = platform_index;
+      device.device_index = static_cast<int>(i);
+      list.devices.push_back(std::move(device));
+    });
+  }
+}
+
+}  // namespace
+
+int lanes_for(DeviceType type, unsigned native_width, unsigned preferred_width) {
+  if (type != DeviceType::cpu) return 1;
+  const unsigned width = native_width > 0 ? native_width : preferred_width;
+  if (width >= 16) return 16;
+  return width >= 8 ? 8 : 4;
+}
+
+DeviceList list_devices() {
+  DeviceList list;
+  const auto cache_problem = ensure_pocl_cache();
+  const auto found = platforms(list);
+  for (std::size_t i = 0; i < found.size(); ++i) {
+    const int index = static_cast<int>(i);
+    tolerate(list, fmt::format("platform {}", i),
+             [&] { add_platform(list, found[i], index, cache_problem); });
+  }
+  return list;
+}
+
+}  // namespace aerostat::opencl

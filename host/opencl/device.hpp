@@ -1,0 +1,65 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "opencl/cl.hpp"
+
+/// Platforms, devices, programs and buffers. Knows no scene.
+namespace aerostat::opencl {
+
+enum class DeviceType { cpu, gpu, other };
+
+struct Device {
+  cl::Device handle;
+  int platform_index = 0;  // as in clinfo -l
+  int device_index = 0;
+  std::string platform;
+  std::string name;
+  std::string driver;
+  DeviceType type = DeviceType::other;
+  std::uint64_t memory_bytes = 0;
+  std::uint64_t max_allocation_bytes = 0;  // a hint: drivers report it wrongly
+  unsigned compute_units = 0;
+  unsigned preferred_float_width = 1;
+  int lanes = 1;  // rays per work-item that aerostat would use: 1 on GPUs, 4, 8 or 16 on CPUs
+
+  std::string selector() const;  // "0:1"
+};
+
+/// What enumeration found: usable devices and, in words, what could not be used and why.
+struct DeviceList {
+  std::vector<Device> devices;
+  std::vector<std::string> problems;
+  std::string cache_problem;  // why PoCL was left out (also in `problems`); empty if it was not
+};
+
+/// All devices of all platforms. Never throws because of a platform: broken and empty ones are
+/// described in `problems`. Prepares PoCL's cache folder first (see cache.hpp); if that is
+/// impossible, PoCL is left out, since it would fail without a reason or end the process.
+DeviceList list_devices();
+
+/// Rays per work-item on a device of `type` that reports these widths of float vectors.
+int lanes_for(DeviceType type, unsigned native_width, unsigned preferred_width);
+
+/// The device of `list` that `selector` names, by the rules of `select_device`. If the selector
+/// fits none and PoCL was left out, throws Error{io} that tells how to mend the cache folder.
+const Device& pick(const DeviceList& list, const std::string& selector);
+
+/// One line: "0:1  name (cpu)".
+std::string describe(const Device& device);
+
+/// "cpu", "gpu" or "other".
+const char* type_name(DeviceType type);
+
+/// The device that `selector` names: "auto" or "" (a GPU if there is one, else a CPU), "cpu",
+/// "gpu", "P:D", or a part of the device's or platform's name (case-insensitive). Throws
+/// Error{no_device} with the list of what there is, or with what to install if nothing is, and
+/// Error{io} if PoCL's cache folder is the cause.
+Device select_device(const std::string& selector);
+
+/// `selector` if not empty, else AEROSTAT_DEVICE, else "auto".
+std::string effective_selector(const std::string& selector);
+
+}  // namespace aerostat::opencl

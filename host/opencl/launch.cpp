@@ -1,0 +1,59 @@
+#include "opencl/launch.hpp"
+
+#include <fmt/format.h>
+
+namespace aerostat::opencl {
+namespace {
+
+std::string name_of(const cl::Kernel& kernel) {
+  try {
+    return kernel.getInfo<CL_KERNEL_FUNCTION_NAME>();
+  } catch (const cl::Error&) {
+    return "(unknown)";
+  }
+}
+
+}  // namespace
+
+std::size_t dividing_group_size(std::size_t global, std::size_t wanted) {
+  if (wanted == 0 || global == 0) return 0;
+  std::size_t size = std::min(wanted, global);
+  while (global % size != 0) --size;
+  return size;
+}
+
+cl::Event enqueue(const Context& context, const cl::Kernel& kernel, const LaunchSize& size) {
+  cl::Event event;
+  if (size.global == 0) return event;
+  const auto local = dividing_group_size(size.global, size.local);
+  try {
+    context.queue().enqueueNDRangeKernel(kernel, cl::NDRange(size.offset), cl::NDRange(size.global),
+                                         local == 0 ? cl::NullRange : cl::NDRange(local), nullptr,
+                                         &event);
+    context.queue().flush();
+  } catch (const cl::Error& error) {
+    rethrow(fmt::format("starting the kernel {}", name_of(kernel)).c_str(), error);
+  }
+  return event;
+}
+
+double device_seconds(const cl::Event& event) {
+  if (event() == nullptr) return 0.0;
+  return guarded("waiting for a kernel", [&] {
+    event.wait();
+    const auto start = event.getProfilingInfo<CL_PROFILING_COMMAND_START>();
+    const auto end = event.getProfilingInfo<CL_PROFILING_COMMAND_END>();
+    return end > start ? static_cast<double>(end - start) * 1e-9 : 0.0;
+  });
+}
+
+void finish(const Context& context) {
+  guarded("waiting for the device", [&] { context.queue().finish(); });
+}
+
+void rethrow_argument(const cl::Kernel& kernel, unsigned index, const cl::Error& error) {
+  rethrow(fmt::format("setting argument {} of the kernel {}", index, name_of(kernel)).c_str(),
+          error);
+}
+
+}  // namespace aerostat::opencl

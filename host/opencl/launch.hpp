@@ -1,0 +1,73 @@
+#pragma once
+
+#include <cstddef>
+#include <type_traits>
+
+#include "opencl/buffer.hpp"
+
+namespace aerostat::opencl {
+
+/// A one-dimensional range of work-items; a plain number leaves the group size to the driver.
+struct LaunchSize {
+  std::size_t global = 0;
+  std::size_t local = 0;  // at most; 0: the driver's choice
+  std::size_t offset = 0;
+
+  LaunchSize(std::size_t global_items) : global(global_items) {}  // NOLINT: implicit on purpose
+  LaunchSize(std::size_t global_items, std::size_t local_items, std::size_t first = 0)
+      : global(global_items), local(local_items), offset(first) {}
+};
+
+/// The largest group size up to `wanted` that divides `global`, as OpenCL 1.2 demands; 0 stays 0.
+std::size_t dividing_group_size(std::size_t global, std::size_t wanted);
+
+/// Enqueues `kernel` with the arguments it has and flushes, so that the device starts at once.
+/// Nothing is launched, and the event is null, if the range is empty.
+cl::Event enqueue(const Context& context, const cl::Kernel& kernel, const LaunchSize& size);
+
+/// Waits for `event` and returns how long its command ran by the device's own clock; 0 for a null
+/// event. Throws as `guarded` does if the command failed.
+double device_seconds(const cl::Event& event);
+
+/// Waits for all that was enqueued.
+void finish(const Context& context);
+
+/// [[noreturn]] part of `launch`: names the kernel and the argument.
+[[noreturn]] void rethrow_argument(const cl::Kernel& kernel, unsigned index,
+                                   const cl::Error& error);
+
+template <typename T>
+void set_argument(cl::Kernel& kernel, unsigned index, const Buffer<T>& buffer) {
+  kernel.setArg(index, buffer.handle());
+}
+
+inline void set_argument(cl::Kernel& kernel, unsigned index, const cl::Buffer& buffer) {
+  kernel.setArg(index, buffer);
+}
+
+/// A scalar or a shared struct, by value. Types whose size differs between host and device are
+/// refused.
+template <typename T>
+requires std::is_trivially_copyable_v<T>
+void set_argument(cl::Kernel& kernel, unsigned index, const T& value) {
+  static_assert(!std::is_pointer_v<T> && !std::is_same_v<T, bool>);
+  static_assert(std::is_class_v<T> || sizeof(T) <= 4, "kernels know 32-bit scalars only");
+  kernel.setArg(index, sizeof(T), &value);
+}
+
+/// Sets all arguments of `kernel` (buffers, 32-bit scalars, shared structs) in their order and
+/// enqueues it over `size` work-items on the context's in-order queue. Does not wait. Throws
+/// Error{exhausted} or Error{internal} with the kernel's name.
+template <typename... Args>
+cl::Event launch(const Context& context, cl::Kernel& kernel, const LaunchSize& size,
+                 const Args&... args) {
+  unsigned index = 0;
+  try {
+    ((set_argument(kernel, index, args), ++index), ...);
+  } catch (const cl::Error& error) {
+    rethrow_argument(kernel, index, error);
+  }
+  return enqueue(context, kernel, size);
+}
+
+}  // namespace aerostat::opencl

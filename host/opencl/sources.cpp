@@ -1,0 +1,61 @@
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+
+#include <fmt/format.h>
+
+#include "core/error.hpp"
+#include "opencl/embedded.hpp"
+#include "opencl/program.hpp"
+
+namespace aerostat::opencl {
+namespace {
+
+namespace fs = std::filesystem;
+
+bool is_kernel_file(const fs::path& path) {
+  const auto extension = path.extension();
+  return extension == ".h" || extension == ".clh" || extension == ".cl";
+}
+
+std::string read_text(const fs::path& path) {
+  std::ifstream stream(path, std::ios::binary);
+  std::string text{std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
+  if (!stream.is_open() || stream.bad()) {
+    throw Error(ErrorKind::io, fmt::format("cannot read the kernel file {}", path.string()));
+  }
+  return text;
+}
+
+SourceTree read_folder(const fs::path& root) {
+  SourceTree tree;
+  try {
+    for (const auto& item : fs::recursive_directory_iterator(root)) {
+      if (!item.is_regular_file() || !is_kernel_file(item.path())) continue;
+      tree.emplace(item.path().lexically_relative(root).generic_string(), read_text(item.path()));
+    }
+  } catch (const fs::filesystem_error& error) {
+    throw Error(ErrorKind::io, fmt::format("cannot read the kernels from {} (AEROSTAT_KERNEL_DIR): "
+                                           "{}",
+                                           root.string(), error.code().message()));
+  }
+  if (tree.empty()) {
+    throw Error(ErrorKind::io,
+                fmt::format("{} (AEROSTAT_KERNEL_DIR) holds no kernel files (.cl, .clh, .h)",
+                            root.string()));
+  }
+  return tree;
+}
+
+}  // namespace
+
+SourceTree kernel_sources() {
+  const char* folder = std::getenv("AEROSTAT_KERNEL_DIR");
+  if (folder != nullptr && *folder != '\0') return read_folder(folder);
+  SourceTree tree;
+  for (const auto& file : embedded_files()) tree.emplace(file.path, file.text);
+  return tree;
+}
+
+}  // namespace aerostat::opencl

@@ -1,0 +1,175 @@
+#include "pack/pack_scene.hpp"
+
+#include <fmt/format.h>
+
+#include "core/error.hpp"
+
+namespace aerostat::pack {
+namespace {
+
+constexpr double kSunAngularRadius = 0.5 * 0.53 * (std::numbers::pi / 180.0);
+
+void copy(float (&to)[3], const dvec3& from) {
+  to[0] = static_cast<float>(from.x);
+  to[1] = static_cast<float>(from.y);
+  to[2] = static_cast<float>(from.z);
+}
+
+float cosine_of_deg(double degrees) {
+  return static_cast<float>(std::cos(degrees * (std::numbers::pi / 180.0)));
+}
+
+AeroSky pack_sky(const scene::Scene& scene) {
+  AeroSky sky{};
+  copy(sky.zenith, scene.sky.zenith);
+  copy(sky.horizon, scene.sky.horizon);
+  copy(sky.glow, dvec3(scene.sky.glow) * scene.sky.glow_strength);
+  copy(sky.ambient_up, scene.sky.ambient_up);
+  copy(sky.ambient_down, scene.sky.ambient_down);
+  copy(sky.sun_direction, glm::normalize(scene.sun.direction));
+  copy(sky.sun_irradiance, dvec3(scene.sun.color) * scene.sun.irradiance);
+  sky.sun_cos = static_cast<float>(std::cos(kSunAngularRadius));
+  // Koschmieder: contrast falls to 2 % at the visibility.
+  sky.haze_extinction = static_cast<float>(3.912 / scene.haze.visibility_m);
+  sky.haze_height = static_cast<float>(scene.haze.scale_height_m);
+  sky.sun_shadows = scene.sun.shadows ? 1u : 0u;
+  return sky;
+}
+
+AeroGround pack_ground(const scene::Scene& scene) {
+  const scene::Ground& from = scene.biome.ground;
+  AeroGround ground{};
+  copy(ground.cover_a, from.cover_a);
+  copy(ground.cover_b, from.cover_b);
+  copy(ground.rock_a, from.rock_a);
+  copy(ground.rock_b, from.rock_b);
+  copy(ground.snow, from.snow);
+  copy(ground.beach, from.beach);
+  for (int i = 0; i < 2; ++i) {
+    ground.rock_cos[i] = cosine_of_deg(from.rock_slope_deg[i]);
+    ground.snow_cos[i] = cosine_of_deg(from.snow_slope_deg[i]);
+  }
+  ground.snow_line = static_cast<float>(from.snow_line_m);
+  ground.snow_fuzz = static_cast<float>(from.snow_fuzz_m);
+  ground.beach_top = static_cast<float>(from.beach_top_m);
+  ground.pattern = static_cast<float>(from.pattern_m);
+  ground.relief = static_cast<float>(from.relief);
+  ground.ripple = static_cast<float>(from.ripple_m);
+  ground.canopy = static_cast<float>(from.canopy_m);
+  const vec3 wind =
+      direction_from_angles(radians_from_degrees(static_cast<float>(scene.terrain.dunes.wind_deg)),
+                            0.0f);
+  ground.wind[0] = wind.x;
+  ground.wind[1] = wind.z;
+  ground.seed = scene.terrain.seed;
+  return ground;
+}
+
+AeroWater pack_water(const scene::Water& from) {
+  AeroWater water{};
+  copy(water.absorption, from.absorption_per_m);
+  copy(water.scatter, from.scatter);
+  copy(water.bed, from.bed);
+  // Without a sea nothing is wet.
+  water.level = from.enabled ? static_cast<float>(from.level_m) : -1e9f;
+  water.wave = static_cast<float>(from.wave_m);
+  water.wave_slope = static_cast<float>(from.wave_slope);
+  return water;
+}
+
+AeroMaterial pack_material(const scene::Material& from) {
+  AeroMaterial material{};
+  copy(material.albedo, from.albedo);
+  material.ambient = static_cast<float>(from.ambient);
+  material.diffuse = static_cast<float>(from.diffuse);
+  material.specular = static_cast<float>(from.specular);
+  material.shininess = static_cast<float>(from.shininess);
+  material.translucency = static_cast<float>(from.translucency);
+  copy(material.emission, from.emission);
+  return material;
+}
+
+AeroPointLight pack_light(const scene::PointLight& from) {
+  AeroPointLight light{};
+  copy(light.position, from.position);
+  copy(light.intensity, dvec3(from.color) * from.intensity);
+  light.shadows = from.shadows ? 1u : 0u;
+  return light;
+}
+
+std::uint32_t filter_of(scene::Filter filter) {
+  switch (filter) {
+    case scene::Filter::box: return AERO_FILTER_BOX;
+    case scene::Filter::tent: return AERO_FILTER_TENT;
+    case scene::Filter::gaussian: return AERO_FILTER_GAUSSIAN;
+  }
+  return AERO_FILTER_GAUSSIAN;
+}
+
+std::uint32_t shading_of(scene::Shading shading) {
+  switch (shading) {
+    case scene::Shading::flat: return AERO_SHADING_FLAT;
+    case scene::Shading::gouraud: return AERO_SHADING_GOURAUD;
+    case scene::Shading::phong: return AERO_SHADING_PHONG;
+  }
+  return AERO_SHADING_PHONG;
+}
+
+AeroCamera pack_camera(const scene::Camera& from, int width, int height) {
+  const dvec3 view = from.target - from.position;
+  const dvec3 side = glm::cross(view, from.up);
+  if (!(glm::length(view) > 0.0) || !(glm::length(side) > 1e-9 * glm::length(view))) {
+    throw Error(ErrorKind::bad_data,
+                "/camera: position, target and up leave the view undefined; expected a target away "
+                "from the position and an up vector that is not along the view");
+  }
+  const dvec3 forward = glm::normalize(view);
+  const dvec3 right = glm::normalize(side);
+  const dvec3 up = glm::cross(right, forward);
+  const double half_height = std::tan(from.fov_y_deg * (std::numbers::pi / 360.0));
+  const double pixel = 2.0 * half_height / height;
+  AeroCamera camera{};
+  copy(camera.origin, from.position);
+  copy(camera.step_x, right * pixel);
+  copy(camera.step_y, up * -pixel);
+  copy(camera.corner, forward - right * (0.5 * pixel * width) + up * half_height);
+  return camera;
+}
+
+}  // namespace
+
+AeroScene pack_scene(const scene::Scene& scene) {
+  if (scene.lights.size() > AERO_MAX_POINT_LIGHTS) {
+    throw Error(ErrorKind::bad_data, fmt::format("/lights: found {} lights, expected at most {}",
+                                                 scene.lights.size(), AERO_MAX_POINT_LIGHTS));
+  }
+  AeroScene packed{};
+  packed.sky = pack_sky(scene);
+  packed.ground = pack_ground(scene);
+  packed.water = pack_water(scene.biome.water);
+  static_assert(scene::kObjectCount == AERO_OBJECT_COUNT);
+  for (std::size_t i = 0; i < scene::kObjectCount; ++i) {
+    packed.materials[i] = pack_material(scene.materials[i]);
+  }
+  for (std::size_t i = 0; i < scene.lights.size(); ++i) {
+    packed.lights[i] = pack_light(scene.lights[i]);
+  }
+  packed.light_count = static_cast<std::uint32_t>(scene.lights.size());
+  packed.shading = shading_of(scene.shading);
+  return packed;
+}
+
+AeroFrame pack_frame(const scene::Scene& scene) {
+  AeroFrame frame{};
+  frame.camera = pack_camera(scene.camera, scene.image.width, scene.image.height);
+  frame.width = static_cast<std::uint32_t>(scene.image.width);
+  frame.height = static_cast<std::uint32_t>(scene.image.height);
+  frame.seed = scene.image.seed;
+  frame.filter = filter_of(scene.image.filter);
+  frame.samples = static_cast<std::uint32_t>(scene.image.spp);
+  frame.pixel_angle = static_cast<float>(
+      2.0 * std::tan(scene.camera.fov_y_deg * (std::numbers::pi / 360.0)) / scene.image.height);
+  return frame;
+}
+
+}  // namespace aerostat::pack

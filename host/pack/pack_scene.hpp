@@ -1,0 +1,17 @@
+#pragma once
+
+#include "camera.h"
+#include "scene/scene.hpp"
+#include "scene_params.h"
+
+namespace aerostat::pack {
+
+/// Light, air, materials and ground rules. Throws Error{bad_data} for more than
+/// AERO_MAX_POINT_LIGHTS point lights.
+AeroScene pack_scene(const scene::Scene& scene);
+
+/// Camera, image size and sampling. Throws Error{bad_data} if the camera's target is its position
+/// or its up vector points along the view.
+AeroFrame pack_frame(const scene::Scene& scene);
+
+}  // namespace aerostat::pack

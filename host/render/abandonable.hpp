@@ -1,0 +1,41 @@
+#pragma once
+
+#include <chrono>
+#include <future>
+#include <memory>
+#include <stop_token>
+#include <thread>
+#include <utility>
+#include <vector>
+
+#include "core/error.hpp"
+
+namespace aerostat::render {
+
+/// Runs long host work beside the caller, who can give up waiting for it: work that knows no
+/// interruption (building a mesh or a tree) is then left to finish unheard. What it refers to must
+/// be its own. The destructor waits for all of it.
+class AbandonableWork {
+ public:
+  /// The result of `work()`, or its exception. Throws Error{interrupted} soon after `stop` is
+  /// requested. `waiting()` is called every 20 ms meanwhile.
+  template <typename Work, typename Waiting>
+  auto run(Work work, const std::stop_token& stop, Waiting waiting) -> decltype(work()) {
+    std::packaged_task<decltype(work())()> task(std::move(work));
+    auto result = task.get_future();
+    std::jthread thread(std::move(task));
+    while (result.wait_for(std::chrono::milliseconds(20)) != std::future_status::ready) {
+      waiting();
+      if (stop.stop_requested()) {
+        abandoned_.push_back(std::move(thread));
+        throw Error(ErrorKind::interrupted, "interrupted");
+      }
+    }
+    return result.get();
+  }
+
+ private:
+  std::vector<std::jthread> abandoned_;
+};
+
+}  // namespace aerostat::render

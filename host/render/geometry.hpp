@@ -1,0 +1,40 @@
+#pragma once
+
+#include <memory>
+
+#include "opencl/buffer.hpp"
+#include "pack/pack_geometry.hpp"
+#include "render/session.hpp"
+#include "world/world.hpp"
+
+namespace aerostat::render {
+
+/// The world and its trees on the host; what an edit of the scene leaves alone is shared with the
+/// former state.
+struct HostGeometry {
+  scene::Scene scene;  // that it was built for
+  world::World world;
+  std::shared_ptr<const pack::PackedGroup> land, balloon;
+  double world_seconds = 0.0, tree_seconds = 0.0;
+  int worlds_built = 0, trees_built = 0;  // groups that were not shared
+};
+
+/// Builds the geometry of a scene, keeping what `previous` (may be null) has already.
+std::shared_ptr<const HostGeometry> build_geometry(const scene::Scene& scene,
+                                                   const HostGeometry* previous);
+
+/// The same on the device.
+struct DeviceGeometry {
+  opencl::Buffer<AeroBvhNode> nodes;
+  opencl::Buffer<AeroTriangle> triangles;
+  opencl::Buffer<AeroFace> faces;
+  opencl::Buffer<AeroVertex> vertices;
+  bvh::BuildStats tree;
+
+  std::uint64_t bytes() const;
+};
+
+DeviceGeometry upload(const opencl::Context& context, const opencl::MemoryBudget& budget,
+                      const HostGeometry& geometry);
+
+}  // namespace aerostat::render

@@ -1,0 +1,90 @@
+#pragma once
+
+#include <chrono>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <stop_token>
+#include <string>
+
+#include "bvh/bvh.hpp"
+#include "image/film.hpp"
+#include "opencl/device.hpp"
+#include "scene/scene.hpp"
+
+/// Rendering as a library: a render can be started, observed, cancelled and read while it refines.
+namespace aerostat::render {
+
+struct Options {
+  opencl::Device device;
+  int lanes = 0;                        // 0: what the device prefers
+  std::uint64_t memory_limit_bytes = 0;  // buffers on the device; 0: what the device reports
+  int tile_pixels = 0;                  // 0: chosen so that launches stay short
+};
+
+/// A part of the image: pixels x0 <= x < x1, y0 <= y < y1.
+struct Crop {
+  int x0 = 0, y0 = 0, x1 = 0, y1 = 0;
+};
+
+enum class Stage { world, tree, kernels, upload, rays, done };
+
+struct Progress {
+  Stage stage = Stage::world;
+  double fraction = 0.0;  // of the stage
+  std::uint64_t rays = 0;
+  double seconds = 0.0;   // since the render began
+  int samples_done = 0;   // per pixel, whole passes
+};
+
+/// Called from the rendering thread, at least every 100 ms of it.
+using ProgressCallback = std::function<void(const Progress&)>;
+
+/// What a render did. Counts of what was re-used let a caller see that nothing was built twice.
+struct Stats {
+  double world_seconds = 0.0;
+  double tree_seconds = 0.0;
+  double kernel_seconds = 0.0;
+  double upload_seconds = 0.0;
+  double rays_seconds = 0.0;
+  double primary_device_seconds = 0.0;  // by the device's own clock
+  double shadow_device_seconds = 0.0;
+  double shade_device_seconds = 0.0;
+  std::uint64_t primary_rays = 0;
+  std::uint64_t shadow_rays = 0;
+  std::uint64_t triangles = 0;
+  std::uint64_t device_bytes = 0;
+  int worlds_built = 0;  // groups built by this render: 0 if all was kept
+  int trees_built = 0;
+  int programs_built = 0;
+  bvh::BuildStats tree;
+};
+
+/// Renders scenes on one device, one after the other, keeping meshes, trees, buffers and programs
+/// that the next scene can use. Not for use from two threads at once, except `snapshot`.
+class Session {
+ public:
+  explicit Session(Options options);
+  ~Session();
+  Session(const Session&) = delete;
+  Session& operator=(const Session&) = delete;
+
+  /// Renders all samples of `scene` (resolved) and returns the film of `crop` (default: all of it).
+  /// If `stop` is requested, throws Error{interrupted} within 100 ms of device work; what was done
+  /// until then stays readable by `snapshot`. Throws Error of other kinds as the parts do.
+  image::Film render(const scene::Scene& scene, std::stop_token stop = {},
+                     const ProgressCallback& progress = {}, std::optional<Crop> crop = {});
+
+  /// The film of the whole passes finished so far, from any thread; empty before the first.
+  image::Film snapshot() const;
+
+  /// Of the last render.
+  const Stats& stats() const;
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
+
+}  // namespace aerostat::render

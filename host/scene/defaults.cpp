@@ -1,0 +1,149 @@
+#include "scene/io.hpp"
+#include "scene/materials.hpp"
+#include "scene/sun_angles.hpp"
+
+namespace aerostat::scene {
+
+namespace {
+
+/// High mountains in winter: rock and snow over dark conifers, a low clear morning sun.
+void make_snow(Scene& scene) {
+  scene.terrain = Terrain{};
+  Ground& ground = scene.biome.ground;
+  ground.cover_a = {0.045f, 0.065f, 0.04f};
+  ground.cover_b = {0.12f, 0.115f, 0.07f};
+  ground.rock_a = {0.15f, 0.14f, 0.135f};
+  ground.rock_b = {0.27f, 0.255f, 0.24f};
+  ground.snow = {0.8f, 0.82f, 0.85f};
+  ground.snow_line_m = 450.0;
+  ground.snow_fuzz_m = 300.0;
+  ground.pattern_m = 140.0;
+  scene.balloon.position = {0.0, 320.0, 0.0};
+  scene.balloon.pattern = Pattern::stripes;
+  scene.balloon.colors = {{0.62f, 0.03f, 0.03f}, {0.8f, 0.36f, 0.02f}, {0.82f, 0.66f, 0.06f}};
+  scene.sun.direction = detail::direction_of({128.0, 15.0});
+  scene.sun.color = {1.0f, 0.86f, 0.68f};
+  scene.sun.irradiance = 3.4;
+  scene.sky.zenith = {0.09f, 0.22f, 0.55f};
+  scene.sky.horizon = {0.56f, 0.7f, 0.88f};
+  scene.sky.glow = {1.0f, 0.78f, 0.5f};
+  scene.sky.ambient_up = {0.24f, 0.33f, 0.5f};
+  scene.sky.ambient_down = {0.16f, 0.19f, 0.25f};
+  scene.haze = {70000.0, 1600.0};
+}
+
+/// A green island in a warm sea: steep ridges under forest, pale beaches, moist air.
+void make_tropical(Scene& scene) {
+  Terrain& terrain = scene.terrain;
+  terrain.kind = TerrainKind::island;
+  terrain.size_m = 24000.0;
+  terrain.height_m = 950.0;
+  terrain.feature_m = 4200.0;
+  terrain.warp_m = 600.0;
+  terrain.warp_feature_m = 3600.0;
+  terrain.fractal = {FractalKind::ridged, 11, 2.1, 0.48, 1.0};
+  Ground& ground = scene.biome.ground;
+  ground.cover_a = {0.04f, 0.105f, 0.022f};
+  ground.cover_b = {0.105f, 0.17f, 0.04f};
+  ground.rock_a = {0.13f, 0.115f, 0.095f};
+  ground.rock_b = {0.23f, 0.205f, 0.17f};
+  ground.rock_slope_deg[0] = 44.0;
+  ground.rock_slope_deg[1] = 58.0;
+  ground.beach = {0.56f, 0.49f, 0.36f};
+  ground.beach_top_m = 4.0;
+  ground.pattern_m = 60.0;
+  ground.relief = 0.8;
+  scene.biome.water.enabled = true;
+  scene.balloon.position = {0.0, 150.0, 0.0};
+  scene.balloon.pattern = Pattern::chevrons;
+  scene.balloon.colors = {
+      {0.78f, 0.05f, 0.08f}, {0.85f, 0.6f, 0.04f}, {0.02f, 0.3f, 0.42f}, {0.8f, 0.78f, 0.7f}};
+  scene.sun.direction = detail::direction_of({140.0, 24.0});
+  scene.sun.color = {1.0f, 0.89f, 0.72f};
+  scene.sun.irradiance = 3.6;
+  scene.sky.zenith = {0.08f, 0.25f, 0.58f};
+  scene.sky.horizon = {0.6f, 0.76f, 0.88f};
+  scene.sky.glow = {1.0f, 0.84f, 0.6f};
+  scene.sky.ambient_up = {0.27f, 0.37f, 0.5f};
+  scene.sky.ambient_down = {0.08f, 0.1f, 0.07f};
+  scene.haze = {45000.0, 1300.0};
+}
+
+/// A sea of dunes before reddish rock: dust in the air, a low golden sun.
+void make_sand(Scene& scene) {
+  Terrain& terrain = scene.terrain;
+  terrain.kind = TerrainKind::dunes;
+  terrain.size_m = 30000.0;
+  terrain.height_m = 900.0;
+  terrain.feature_m = 6000.0;
+  terrain.warp_m = 500.0;
+  terrain.warp_feature_m = 4500.0;
+  terrain.fractal = {FractalKind::ridged, 10, 2.1, 0.46, 1.0};
+  Ground& ground = scene.biome.ground;
+  ground.cover_a = {0.47f, 0.29f, 0.15f};
+  ground.cover_b = {0.56f, 0.38f, 0.21f};
+  ground.rock_a = {0.27f, 0.13f, 0.075f};
+  ground.rock_b = {0.38f, 0.21f, 0.125f};
+  ground.rock_slope_deg[0] = 37.0;
+  ground.rock_slope_deg[1] = 48.0;
+  ground.pattern_m = 160.0;
+  ground.relief = 0.35;
+  ground.ripple_m = 1.6;
+  scene.balloon.position = {0.0, 110.0, 0.0};
+  scene.balloon.pattern = Pattern::rainbow;
+  scene.balloon.colors = {{0.05f, 0.09f, 0.4f},  {0.03f, 0.38f, 0.5f},  {0.82f, 0.8f, 0.72f},
+                          {0.84f, 0.55f, 0.05f}, {0.75f, 0.16f, 0.03f}, {0.42f, 0.02f, 0.06f}};
+  scene.sun.direction = detail::direction_of({112.0, 13.0});
+  scene.sun.color = {1.0f, 0.78f, 0.52f};
+  scene.sun.irradiance = 3.5;
+  scene.sky.zenith = {0.13f, 0.27f, 0.52f};
+  scene.sky.horizon = {0.82f, 0.74f, 0.62f};
+  scene.sky.glow = {1.0f, 0.72f, 0.4f};
+  scene.sky.ambient_up = {0.28f, 0.33f, 0.42f};
+  scene.sky.ambient_down = {0.17f, 0.12f, 0.08f};
+  scene.haze = {38000.0, 900.0};
+}
+
+/// Across the gap from the balloon: it stands left of the middle and fills a third of the height.
+void make_outside(Scene& scene) {
+  scene.camera.height_above = HeightReference::balloon;
+  scene.camera.position = {0.0, 12.0, 86.0};
+  scene.camera.target = {14.0, 9.0, 0.0};
+  scene.camera.fov_y_deg = 45.0;
+}
+
+void make_basket(Scene& scene) {
+  scene.camera.height_above = HeightReference::balloon;
+  scene.camera.position_given = false;
+  scene.camera.target_given = false;
+  scene.camera.fov_y_deg = 62.0;
+}
+
+}  // namespace
+
+Scene defaults(BiomeKind biome, View view) {
+  Scene scene;
+  scene.biome.kind = biome;
+  scene.camera.view = view;
+  scene.balloon.height_above = HeightReference::ground;
+  scene.materials = detail::default_materials(biome);
+  switch (biome) {
+    case BiomeKind::snow:
+      make_snow(scene);
+      break;
+    case BiomeKind::tropical:
+      make_tropical(scene);
+      break;
+    case BiomeKind::sand:
+      make_sand(scene);
+      break;
+  }
+  if (view == View::basket) {
+    make_basket(scene);
+  } else {
+    make_outside(scene);
+  }
+  return scene;
+}
+
+}  // namespace aerostat::scene

@@ -1,0 +1,53 @@
+#include "scene/enum_names.hpp"
+
+namespace aerostat::scene::detail {
+
+template <>
+std::span<const char* const> enum_names<BiomeKind>() {
+  static constexpr const char* kNames[] = {"snow", "tropical", "sand"};
+  return kNames;
+}
+
+template <>
+std::span<const char* const> enum_names<TerrainKind>() {
+  static constexpr const char* kNames[] = {"mountains", "island", "dunes"};
+  return kNames;
+}
+
+template <>
+std::span<const char* const> enum_names<FractalKind>() {
+  static constexpr const char* kNames[] = {"fbm", "ridged"};
+  return kNames;
+}
+
+template <>
+std::span<const char* const> enum_names<HeightReference>() {
+  static constexpr const char* kNames[] = {"sea", "ground", "balloon"};
+  return kNames;
+}
+
+template <>
+std::span<const char* const> enum_names<View>() {
+  static constexpr const char* kNames[] = {"outside", "basket"};
+  return kNames;
+}
+
+template <>
+std::span<const char* const> enum_names<Shading>() {
+  static constexpr const char* kNames[] = {"flat", "gouraud", "phong"};
+  return kNames;
+}
+
+template <>
+std::span<const char* const> enum_names<Filter>() {
+  static constexpr const char* kNames[] = {"box", "tent", "gaussian"};
+  return kNames;
+}
+
+template <>
+std::span<const char* const> enum_names<Pattern>() {
+  static constexpr const char* kNames[] = {"stripes", "chevrons", "spiral", "rainbow", "checker"};
+  return kNames;
+}
+
+}  // namespace aerostat::scene::detail

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <span>
+
+#include "scene/scene.hpp"
+
+namespace aerostat::scene::detail {
+
+/// The words of an enum in scene files, in the order of its values.
+template <class Enum>
+std::span<const char* const> enum_names();
+
+template <>
+std::span<const char* const> enum_names<BiomeKind>();
+template <>
+std::span<const char* const> enum_names<TerrainKind>();
+template <>
+std::span<const char* const> enum_names<FractalKind>();
+template <>
+std::span<const char* const> enum_names<HeightReference>();
+template <>
+std::span<const char* const> enum_names<View>();
+template <>
+std::span<const char* const> enum_names<Shading>();
+template <>
+std::span<const char* const> enum_names<Filter>();
+template <>
+std::span<const char* const> enum_names<Pattern>();
+
+}  // namespace aerostat::scene::detail

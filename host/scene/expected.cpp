@@ -1,0 +1,154 @@
+#include "scene/expected.hpp"
+
+#include <algorithm>
+#include <numeric>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "core/error.hpp"
+
+namespace aerostat::scene::detail {
+
+namespace {
+
+std::string range_of(const Json& rule) {
+  const bool above = rule.contains("exclusiveMinimum");
+  const bool from = rule.contains("minimum");
+  const bool to = rule.contains("maximum");
+  std::string text;
+  if (above) text = " above " + rule["exclusiveMinimum"].dump();
+  if (from) text = " from " + rule["minimum"].dump();
+  if (to) text += (above || from ? " to " : " up to ") + rule["maximum"].dump();
+  return text;
+}
+
+std::string array_expected(const Json& rule) {
+  const std::size_t least = rule.value("minItems", std::size_t{0});
+  const std::size_t most = rule.value("maxItems", least);
+  const std::string count =
+      least == most ? std::to_string(least) : fmt::format("{} to {}", least, most);
+  const Json& item = rule["items"];
+  if (item["type"] == "number")
+    return fmt::format("an array of {} numbers{}", count, range_of(item));
+  const char* const what = item["type"] == "array" ? "colours [red, green, blue]" : "objects";
+  return fmt::format("an array of {} {}", count, what);
+}
+
+std::vector<std::string> keys_of(const Json& rule) {
+  std::vector<std::string> keys;
+  for (const auto& [key, unused] : rule["properties"].items()) keys.push_back(key);
+  return keys;
+}
+
+/// Edits (insert, delete, change, swap of neighbours) that turn one word into the other.
+std::size_t edit_distance(const std::string& a, const std::string& b) {
+  std::vector<std::size_t> before, last(b.size() + 1), now(b.size() + 1);
+  std::iota(last.begin(), last.end(), std::size_t{0});
+  for (std::size_t i = 1; i <= a.size(); ++i) {
+    now[0] = i;
+    for (std::size_t j = 1; j <= b.size(); ++j) {
+      now[j] = std::min({last[j] + 1, now[j - 1] + 1, last[j - 1] + (a[i - 1] != b[j - 1])});
+      if (i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1]) {
+        now[j] = std::min(now[j], before[j - 2] + 1);
+      }
+    }
+    before = last;
+    std::swap(last, now);
+  }
+  return last[b.size()];
+}
+
+[[noreturn]] void fail_by_object(const std::string& name, Pointer pointer, const Json& value,
+                                 const Json& rule) {
+  const std::vector<std::string> known = keys_of(rule);
+  for (const auto& [key, unused] : value.items()) {
+    if (std::find(known.begin(), known.end(), key) != known.end()) continue;
+    const std::string near = nearest_word(key, known);
+    const std::string hint = near.empty() ? "" : fmt::format("; did you mean \"{}\"?", near);
+    pointer.push_back(key);
+    fail(name, pointer, "an unknown key", fmt::format("one of {}{}", fmt::join(known, ", "), hint));
+  }
+  for (const Json& key : rule.value("required", Json::array())) {
+    if (value.contains(key.get<std::string>())) continue;
+    pointer.push_back(key.get<std::string>());
+    fail(name, pointer, "nothing", expected_by(rule["properties"][pointer.back()]));
+  }
+  throw Error(
+      ErrorKind::internal,
+      fmt::format("{}: {}: the schema refuses this for no known reason", name, to_string(pointer)));
+}
+
+}  // namespace
+
+const Json& resolve_rule(const Json& rule, const Json& schema, const Json& value) {
+  if (rule.contains("$ref")) {
+    const std::string path = rule["$ref"].get<std::string>().substr(1);
+    return schema.at(Json::json_pointer(path));
+  }
+  if (rule.contains("anyOf")) {
+    for (const Json& alternative : rule["anyOf"]) {
+      if (alternative["type"] == value.type_name()) return alternative;
+    }
+  }
+  return rule;
+}
+
+const Json& child_rule(const Json& rule, const std::string& token) {
+  return rule.contains("items") ? rule["items"] : rule.at("properties").at(token);
+}
+
+std::string expected_by(const Json& rule) {
+  if (rule.contains("anyOf")) {
+    std::vector<std::string> parts;
+    for (const Json& alternative : rule["anyOf"]) parts.push_back(expected_by(alternative));
+    return fmt::format("{}", fmt::join(parts, ", or "));
+  }
+  if (rule.contains("enum")) {
+    std::vector<std::string> words;
+    for (const Json& word : rule["enum"]) words.push_back(word.dump());
+    return words.size() == 1 ? words[0] : fmt::format("one of {}", fmt::join(words, ", "));
+  }
+  const std::string type = rule.value("type", "");
+  if (type == "integer") return "an integer" + range_of(rule);
+  if (type == "number") return "a number" + range_of(rule);
+  if (type == "boolean") return "true or false";
+  if (type == "string") return "a string";
+  return type == "array" ? array_expected(rule) : "an object";
+}
+
+std::string nearest_word(const std::string& text, const std::vector<std::string>& words) {
+  const auto cost = [&text](const std::string& word) {
+    const bool abbreviates = text.size() >= 3 && word.compare(0, text.size(), text) == 0;
+    return abbreviates ? std::size_t{1} : edit_distance(text, word);
+  };
+  if (text.size() > 64) return "";
+  std::string best;
+  std::size_t best_cost = std::max<std::size_t>(2, text.size() / 3) + 1;
+  for (const std::string& word : words) {
+    const std::size_t word_cost = cost(word);
+    if (word_cost >= best_cost || word_cost >= word.size()) continue;
+    best = word;
+    best_cost = word_cost;
+  }
+  return best;
+}
+
+void fail_by_rule(const std::string& name, const Pointer& pointer, const Json& value,
+                  const Json& rule) {
+  if (value.is_object() && rule.value("type", "") == "object") {
+    fail_by_object(name, pointer, value, rule);
+  }
+  std::string expected = expected_by(rule);
+  if (rule.contains("enum") && value.is_string()) {
+    std::vector<std::string> words;
+    for (const Json& word : rule["enum"]) {
+      if (word.is_string()) words.push_back(word.get<std::string>());
+    }
+    const std::string near = nearest_word(value.get<std::string>(), words);
+    if (!near.empty()) expected += fmt::format("; did you mean \"{}\"?", near);
+  }
+  fail(name, pointer, describe(value), expected);
+}
+
+}  // namespace aerostat::scene::detail

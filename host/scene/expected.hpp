@@ -1,0 +1,26 @@
+#pragma once
+
+#include <string>
+
+#include "scene/json_text.hpp"
+
+/// What a rule of the JSON Schema asks for, in words.
+namespace aerostat::scene::detail {
+
+/// The rule behind a "$ref" into `schema`, and of an "anyOf" the alternative of the value's type.
+const Json& resolve_rule(const Json& rule, const Json& schema, const Json& value);
+
+/// The rule of a member or an element.
+const Json& child_rule(const Json& rule, const std::string& token);
+
+/// Such as "an integer from 1 to 32768".
+std::string expected_by(const Json& rule);
+
+/// The word of `words` that `text` is most likely meant to be; empty if none is near.
+std::string nearest_word(const std::string& text, const std::vector<std::string>& words);
+
+/// Throws Error{bad_data} that says how `value` breaks `rule` (resolved).
+[[noreturn]] void fail_by_rule(const std::string& name, const Pointer& pointer, const Json& value,
+                               const Json& rule);
+
+}  // namespace aerostat::scene::detail

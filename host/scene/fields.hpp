@@ -1,0 +1,180 @@
+#pragma once
+
+#include <concepts>
+
+#include "scene/scene.hpp"
+
+/// The fields of the scene's structs and their JSON keys, said once for reading and writing: an
+/// archive is called as `archive("key", field)` in the order of the file.
+namespace aerostat::scene::detail {
+
+template <class Archive>
+void fields(Archive& archive, Fractal& fractal) {
+  archive("kind", fractal.kind);
+  archive("octaves", fractal.octaves);
+  archive("lacunarity", fractal.lacunarity);
+  archive("gain", fractal.gain);
+  archive("ridge_offset", fractal.ridge_offset);
+}
+
+template <class Archive>
+void fields(Archive& archive, Dunes& dunes) {
+  archive("wind_deg", dunes.wind_deg);
+  archive("wavelength_m", dunes.wavelength_m);
+  archive("height_m", dunes.height_m);
+}
+
+template <class Archive>
+void fields(Archive& archive, Terrain& terrain) {
+  archive("kind", terrain.kind);
+  archive("seed", terrain.seed);
+  archive("cells", terrain.cells);
+  archive("size_m", terrain.size_m);
+  archive("center", terrain.center);
+  archive("grading", terrain.grading);
+  archive("height_m", terrain.height_m);
+  archive("base_m", terrain.base_m);
+  archive("feature_m", terrain.feature_m);
+  archive("warp_m", terrain.warp_m);
+  archive("warp_feature_m", terrain.warp_feature_m);
+  archive("sharpness", terrain.sharpness);
+  archive("fractal", terrain.fractal);
+  archive("dunes", terrain.dunes);
+}
+
+template <class Archive>
+void fields(Archive& archive, Ground& ground) {
+  archive("cover_a", ground.cover_a);
+  archive("cover_b", ground.cover_b);
+  archive("rock_a", ground.rock_a);
+  archive("rock_b", ground.rock_b);
+  archive("rock_slope_deg", ground.rock_slope_deg);
+  archive("snow", ground.snow);
+  archive("snow_line_m", ground.snow_line_m);
+  archive("snow_fuzz_m", ground.snow_fuzz_m);
+  archive("snow_slope_deg", ground.snow_slope_deg);
+  archive("beach", ground.beach);
+  archive("beach_top_m", ground.beach_top_m);
+  archive("pattern_m", ground.pattern_m);
+  archive("relief", ground.relief);
+  archive("ripple_m", ground.ripple_m);
+  archive("canopy_m", ground.canopy_m);
+}
+
+template <class Archive>
+void fields(Archive& archive, Water& water) {
+  archive("enabled", water.enabled);
+  archive("level_m", water.level_m);
+  archive("absorption_per_m", water.absorption_per_m);
+  archive("scatter", water.scatter);
+  archive("bed", water.bed);
+  archive("wave_m", water.wave_m);
+  archive("wave_slope", water.wave_slope);
+}
+
+template <class Archive>
+void fields(Archive& archive, Biome& biome) {
+  archive("kind", biome.kind);
+  archive("ground", biome.ground);
+  archive("water", biome.water);
+}
+
+template <class Archive>
+void fields(Archive& archive, Balloon& balloon) {
+  archive("enabled", balloon.enabled);
+  archive("position", balloon.position);
+  archive("height_above", balloon.height_above);
+  archive("diameter_m", balloon.diameter_m);
+  archive("heading_deg", balloon.heading_deg);
+  archive("gores", balloon.gores);
+  archive("pattern", balloon.pattern);
+  archive("colors", balloon.colors);
+}
+
+template <class Archive>
+void fields(Archive& archive, Camera& camera) {
+  archive("view", camera.view);
+  archive("position", camera.position, camera.position_given);
+  archive("target", camera.target, camera.target_given);
+  archive("height_above", camera.height_above);
+  archive("up", camera.up);
+  archive("fov_y_deg", camera.fov_y_deg);
+}
+
+template <class Archive>
+void fields(Archive& archive, Sun& sun) {
+  archive("direction", sun.direction);
+  archive("color", sun.color);
+  archive("irradiance", sun.irradiance);
+  archive("shadows", sun.shadows);
+}
+
+template <class Archive>
+void fields(Archive& archive, PointLight& light) {
+  archive("position", light.position);
+  archive("color", light.color);
+  archive("intensity", light.intensity);
+  archive("shadows", light.shadows);
+}
+
+template <class Archive>
+void fields(Archive& archive, Sky& sky) {
+  archive("zenith", sky.zenith);
+  archive("horizon", sky.horizon);
+  archive("glow", sky.glow);
+  archive("glow_strength", sky.glow_strength);
+  archive("ambient_up", sky.ambient_up);
+  archive("ambient_down", sky.ambient_down);
+}
+
+template <class Archive>
+void fields(Archive& archive, Haze& haze) {
+  archive("visibility_m", haze.visibility_m);
+  archive("scale_height_m", haze.scale_height_m);
+}
+
+template <class Archive>
+void fields(Archive& archive, Material& material) {
+  archive("albedo", material.albedo);
+  archive("ambient", material.ambient);
+  archive("diffuse", material.diffuse);
+  archive("specular", material.specular);
+  archive("shininess", material.shininess);
+  archive("translucency", material.translucency);
+  archive("emission", material.emission);
+}
+
+/// Every object but the sky, which is no surface.
+template <class Archive>
+void fields(Archive& archive, std::array<Material, kObjectCount>& materials) {
+  for (std::size_t i = 1; i < kObjectCount; ++i) {
+    archive(object_name(static_cast<ObjectId>(i)).c_str(), materials[i]);
+  }
+}
+
+template <class Archive>
+void fields(Archive& archive, Image& image) {
+  archive("width", image.width);
+  archive("height", image.height);
+  archive("spp", image.spp);
+  archive("seed", image.seed);
+  archive("filter", image.filter);
+  archive("exposure_ev", image.exposure_ev);
+}
+
+template <class Archive>
+void fields(Archive& archive, Scene& scene) {
+  archive("biome", scene.biome);
+  archive("terrain", scene.terrain);
+  archive("balloon", scene.balloon);
+  archive("camera", scene.camera);
+  archive("sun", scene.sun);
+  archive("lights", scene.lights);
+  archive("sky", scene.sky);
+  archive("haze", scene.haze);
+  archive("materials", scene.materials);
+  archive("shading", scene.shading);
+  archive("image", scene.image);
+}
+
+}  // namespace aerostat::scene::detail

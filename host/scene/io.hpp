@@ -1,0 +1,38 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "scene/scene.hpp"
+
+namespace aerostat::scene {
+
+/// One "--set /json/pointer=value": the value is JSON, or else taken as a string.
+struct Override {
+  std::string pointer;
+  std::string value;
+};
+
+/// "pointer=value" in two. Throws Error{usage} if there is no '=' or the pointer has no leading
+/// '/'.
+Override parse_override(const std::string& text);
+
+/// Reads a scene file (JSON with comments), applies the overrides to it, checks it against the
+/// schema and fills in the defaults of its biome and view. Positions stay as given (see
+/// world::resolve for heights above ground). Throws Error{io} if it cannot be read,
+/// Error{bad_data} with file, JSON pointer, what was found and what was expected.
+Scene read_file(const std::filesystem::path& path, const std::vector<Override>& overrides = {});
+
+/// The same from text; `name` stands for the file in messages.
+Scene read_text(const std::string& text, const std::string& name,
+                const std::vector<Override>& overrides = {});
+
+/// The scene as JSON with every field, two-space indent, a line end at the end. Reading it back
+/// gives the same scene; writing that gives the same text.
+std::string write_text(const Scene& scene);
+
+/// The defaults of a biome seen from outside or from the basket.
+Scene defaults(BiomeKind biome, View view);
+
+}  // namespace aerostat::scene

@@ -1,0 +1,170 @@
+#include "scene/json_text.hpp"
+
+#include <algorithm>
+#include <set>
+
+#include <fmt/format.h>
+
+#include "core/error.hpp"
+
+namespace aerostat::scene::detail {
+
+namespace {
+
+constexpr std::size_t kShownLength = 60;
+
+std::string quoted(const std::string& text) {
+  return Json(text).dump(-1, ' ', false, Json::error_handler_t::replace);
+}
+
+/// At most kShownLength bytes, cut between characters.
+std::string shortened(std::string text) {
+  if (text.size() <= kShownLength) return text;
+  std::size_t end = kShownLength;
+  while (end > 0 && (static_cast<unsigned char>(text[end]) & 0xC0) == 0x80) --end;
+  return text.substr(0, end) + "...";
+}
+
+/// Follows the parser to know where it is, and stops it where a guard is hurt.
+class Watcher {
+ public:
+  explicit Watcher(const std::string& name) : name_(name) {}
+
+  bool operator()(Json::parse_event_t event, const Json& parsed) {
+    using Event = Json::parse_event_t;
+    if (event == Event::key) {
+      enter_key(parsed.get_ref<const std::string&>());
+    } else if (event == Event::object_start || event == Event::array_start) {
+      if (frames_.size() == kMaxDepth) {
+        fail(name_, pointer(), "deeper nesting", fmt::format("at most {} levels", kMaxDepth));
+      }
+      frames_.push_back({event == Event::array_start, 0, {}, {}});
+    } else {
+      if (event != Event::value) frames_.pop_back();
+      leave_value();
+    }
+    return true;
+  }
+
+  /// Of the value that is being read.
+  Pointer pointer() const {
+    Pointer result;
+    for (const Frame& frame : frames_) {
+      if (frame.is_array) {
+        result.push_back(std::to_string(frame.index));
+      } else if (!frame.keys.empty()) {
+        result.push_back(frame.key);
+      }
+    }
+    return result;
+  }
+
+ private:
+  struct Frame {
+    bool is_array = false;
+    std::size_t index = 0;
+    std::string key;
+    std::set<std::string> keys;
+  };
+
+  void enter_key(const std::string& key) {
+    Frame& frame = frames_.back();
+    frame.key = key;
+    if (!frame.keys.insert(key).second) fail(name_, pointer(), "this key twice", "it once");
+  }
+
+  void leave_value() {
+    if (++values_ > kMaxValues) {
+      fail(name_, pointer(), "too many values", fmt::format("at most {} in a file", kMaxValues));
+    }
+    if (!frames_.empty()) ++frames_.back().index;
+  }
+
+  const std::string& name_;
+  std::vector<Frame> frames_;
+  std::size_t values_ = 0;
+};
+
+/// Line and column, both from 1, of the last character that the parser had read.
+std::string position(std::string_view text, std::size_t bytes_read) {
+  const std::string_view before = text.substr(0, std::min(bytes_read, text.size() + 1));
+  const std::string_view until = before.substr(0, before.empty() ? 0 : before.size() - 1);
+  const auto line_start = until.rfind('\n') == std::string_view::npos ? 0 : until.rfind('\n') + 1;
+  const auto column = std::count_if(until.begin() + static_cast<std::ptrdiff_t>(line_start),
+                                    until.end(), [](char c) { return (c & 0xC0) != 0x80; });
+  const auto line = std::count(until.begin(), until.end(), '\n');
+  return fmt::format("line {}, column {}", line + 1, column + 1);
+}
+
+/// The parser's sentence without its own prefix and without what it last read, which may be long.
+std::string syntax_complaint(const std::string& what) {
+  const std::size_t start = what.find("syntax error");
+  std::string complaint = start == std::string::npos ? what : what.substr(start);
+  const std::size_t token = complaint.find("; last read: '");
+  if (token != std::string::npos) {
+    const std::size_t expected = complaint.rfind("'; expected ");
+    const bool says = expected != std::string::npos && expected > token;
+    complaint = complaint.substr(0, token) + (says ? complaint.substr(expected + 1) : "");
+  }
+  if (complaint.size() > 200) complaint = complaint.substr(0, 200) + "...";
+  return complaint;
+}
+
+}  // namespace
+
+std::string to_string(const Pointer& pointer) {
+  if (pointer.empty()) return "/";
+  std::string result;
+  for (const std::string& token : pointer) {
+    const std::string visible = quoted(token);
+    result += '/';
+    for (const char c : visible.substr(1, visible.size() - 2)) {
+      if (c == '~') {
+        result += "~0";
+      } else if (c == '/') {
+        result += "~1";
+      } else {
+        result += c;
+      }
+    }
+  }
+  return result;
+}
+
+void fail(const std::string& name, const Pointer& pointer, const std::string& found,
+          const std::string& expected) {
+  throw Error(ErrorKind::bad_data, fmt::format("{}: {}: found {}, expected {}", name,
+                                               to_string(pointer), found, expected));
+}
+
+std::string describe(const Json& value) {
+  if (value.is_object()) return "an object";
+  if (value.is_array()) {
+    const bool plain =
+        value.size() <= 4 &&
+        std::all_of(value.begin(), value.end(), [](const Json& v) { return v.is_number(); });
+    return plain ? value.dump() : fmt::format("an array of {}", value.size());
+  }
+  if (value.is_string()) {
+    const std::string text = shortened(value.get_ref<const std::string&>());
+    return quoted(text);
+  }
+  return value.dump();
+}
+
+Json parse_json(std::string_view text, const std::string& name) {
+  Watcher watcher(name);
+  const auto callback = [&watcher](int, Json::parse_event_t event, Json& parsed) {
+    return watcher(event, parsed);
+  };
+  try {
+    return Json::parse(text.begin(), text.end(), callback, true, true);
+  } catch (const Json::parse_error& error) {
+    throw Error(ErrorKind::bad_data, fmt::format("{}: {}: {}", name, position(text, error.byte),
+                                                 syntax_complaint(error.what())));
+  } catch (const Json::out_of_range&) {
+    fail(name, watcher.pointer(), "a number that is too large", "a finite number");
+  }
+}
+
+}  // namespace aerostat::scene::detail

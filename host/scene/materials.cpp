@@ -1,0 +1,58 @@
+#include "scene/materials.hpp"
+
+namespace aerostat::scene::detail {
+
+namespace {
+
+Material surface(vec3 albedo, double specular, double shininess, double translucency = 0.0) {
+  Material material;
+  material.albedo = albedo;
+  material.specular = specular;
+  material.shininess = shininess;
+  material.translucency = translucency;
+  return material;
+}
+
+/// Snow glitters a little, wet leaves and sand hardly at all.
+Material terrain(BiomeKind biome) {
+  switch (biome) {
+    case BiomeKind::snow:
+      return surface(vec3(1.0f), 0.06, 24.0);
+    case BiomeKind::tropical:
+      return surface(vec3(1.0f), 0.02, 12.0);
+    case BiomeKind::sand:
+      break;
+  }
+  return surface(vec3(1.0f), 0.015, 10.0);
+}
+
+/// A propane flame gives light and takes none.
+Material flame() {
+  Material material;
+  material.ambient = 0.0;
+  material.diffuse = 0.0;
+  material.emission = {9.0f, 4.2f, 1.1f};
+  return material;
+}
+
+}  // namespace
+
+std::array<Material, kObjectCount> default_materials(BiomeKind biome) {
+  std::array<Material, kObjectCount> materials{};
+  const auto at = [&materials](ObjectId id) -> Material& {
+    return materials[static_cast<std::size_t>(id)];
+  };
+  at(ObjectId::terrain) = terrain(biome);
+  at(ObjectId::water) = surface(vec3(1.0f), 0.6, 220.0);
+  at(ObjectId::envelope) = surface(vec3(1.0f), 0.10, 28.0, 0.3);  // coated ripstop nylon
+  at(ObjectId::skirt) = surface(vec3(1.0f), 0.03, 14.0, 0.15);    // Nomex, duller
+  at(ObjectId::basket) = surface(vec3(1.0f), 0.07, 20.0);         // varnished cane
+  at(ObjectId::rim) = surface(vec3(1.0f), 0.16, 30.0);            // padded leather
+  at(ObjectId::frame) = surface(vec3(1.0f), 0.55, 90.0);          // steel
+  at(ObjectId::cables) = surface(vec3(1.0f), 0.35, 60.0);         // steel rope
+  at(ObjectId::floor) = surface(vec3(1.0f), 0.04, 16.0);          // plywood
+  at(ObjectId::flame) = flame();
+  return materials;
+}
+
+}  // namespace aerostat::scene::detail

@@ -1,0 +1,12 @@
+#pragma once
+
+#include <array>
+
+#include "scene/scene.hpp"
+
+namespace aerostat::scene::detail {
+
+/// Phong coefficients of everything in a scene of that biome.
+std::array<Material, kObjectCount> default_materials(BiomeKind biome);
+
+}  // namespace aerostat::scene::detail

@@ -1,0 +1,170 @@
+#include "scene/overrides.hpp"
+
+#include <algorithm>
+#include <charconv>
+
+#include <fmt/format.h>
+
+#include "core/error.hpp"
+#include "scene/enum_names.hpp"
+#include "scene/sun_angles.hpp"
+#include "scene/write.hpp"
+
+namespace aerostat::scene {
+
+namespace detail {
+
+namespace {
+
+const Json kNothing;  // stands for what the defaults do not have
+
+[[noreturn]] void bad_pointer(const std::string& text, const std::string& expected) {
+  throw Error(ErrorKind::usage,
+              fmt::format("--set: found {}, expected {}", describe(Json(text)), expected));
+}
+
+std::string unescape(const std::string& token, const std::string& whole) {
+  std::string result;
+  for (std::size_t i = 0; i < token.size(); ++i) {
+    if (token[i] != '~') {
+      result += token[i];
+    } else if (i + 1 < token.size() && (token[i + 1] == '0' || token[i + 1] == '1')) {
+      result += token[++i] == '0' ? '~' : '/';
+    } else {
+      bad_pointer(whole, "'~' only as ~0 (for ~) or ~1 (for /)");
+    }
+  }
+  return result;
+}
+
+template <class Enum>
+Enum enum_of(const Json& node, const char* key, Enum otherwise) {
+  if (!node.is_object() || !node.contains(key)) return otherwise;
+  const auto names = enum_names<Enum>();
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    if (node[key] == names[i]) return static_cast<Enum>(i);
+  }
+  return otherwise;
+}
+
+/// The element that `token` names; an index one past the end, or "-", appends.
+Json& element(Json& array, const std::string& token, const std::string& name,
+              const Pointer& pointer) {
+  std::size_t index = array.size();
+  const char* const end = token.data() + token.size();
+  const auto [stop, error] = std::from_chars(token.data(), end, index);
+  const bool canonical = token == "0" || (!token.empty() && token[0] != '0');
+  const bool is_index = error == std::errc() && stop == end && canonical;
+  if ((!is_index && token != "-") || index > array.size()) {
+    fail(name, pointer, describe(Json(token)),
+         fmt::format("an index from 0 to {} ({} appends)", array.size(), array.size()));
+  }
+  if (index == array.size()) array.push_back(nullptr);
+  return array[index];
+}
+
+/// The node that `pointer` names, created if need be.
+Json& reach(Json& document, const Json& defaults, const Pointer& pointer, const std::string& name) {
+  Json* node = &document;
+  const Json* fallback = &defaults;
+  Pointer so_far;
+  for (const std::string& token : pointer) {
+    if (node->is_null()) *node = fallback->is_array() ? *fallback : Json::object();
+    if (!node->is_structured()) {
+      fail(name, so_far, describe(*node),
+           fmt::format("an object to hold {}", describe(Json(token))));
+    }
+    so_far.push_back(token);
+    const bool known = fallback->is_object() && fallback->contains(token);
+    fallback = known ? &(*fallback)[token] : &kNothing;
+    node = node->is_array() ? &element(*node, token, name, so_far) : &(*node)[token];
+  }
+  return *node;
+}
+
+Json override_value(const Override& change) {
+  if (!Json::accept(change.value, true)) return change.value;
+  return parse_json(change.value, "--set " + change.pointer);
+}
+
+/// Makes room for one way of giving the sun's direction, keeping what the other said.
+void settle_sun(Json& document, const Pointer& pointer) {
+  if (pointer.size() < 2 || pointer[0] != "sun" || !document.contains("sun")) return;
+  Json& sun = document["sun"];
+  if (!sun.is_object()) return;
+  if (pointer[1] == "direction") {
+    sun.erase("azimuth_deg");
+    sun.erase("elevation_deg");
+  } else if (pointer[1] == "azimuth_deg" || pointer[1] == "elevation_deg") {
+    const Json direction = sun.value("direction", Json());
+    sun.erase("direction");
+    if (!direction.is_array() || direction.size() != 3 || !direction[0].is_number() ||
+        !direction[1].is_number() || !direction[2].is_number()) {
+      return;
+    }
+    const SunAngles angles = angles_of(
+        {direction[0].get<double>(), direction[1].get<double>(), direction[2].get<double>()});
+    sun["azimuth_deg"] = angles.azimuth_deg;
+    sun["elevation_deg"] = angles.elevation_deg;
+  }
+}
+
+}  // namespace
+
+Pointer parse_pointer(const std::string& text) {
+  if (text.empty() || text[0] != '/') bad_pointer(text, "a JSON pointer such as /image/width");
+  Pointer pointer;
+  std::size_t start = 1;
+  while (start <= text.size()) {
+    const std::size_t end = std::min(text.find('/', start), text.size());
+    pointer.push_back(unescape(text.substr(start, end - start), text));
+    start = end + 1;
+  }
+  if (pointer.size() > kMaxDepth) bad_pointer(text, fmt::format("at most {} levels", kMaxDepth));
+  return pointer;
+}
+
+void expand_short_forms(Json& document) {
+  const auto biome = document.find("biome");
+  if (document.is_object() && biome != document.end() && biome->is_string()) {
+    *biome = Json{{"kind", *biome}};
+  }
+}
+
+void apply_overrides(Json& document, const std::vector<Override>& overrides,
+                     const std::string& name) {
+  for (const Override& change : overrides) {
+    const Pointer pointer = parse_pointer(change.pointer);
+    settle_sun(document, pointer);
+    const Json defaults_json = Json(to_json(defaults(biome_of(document), view_of(document))));
+    reach(document, defaults_json, pointer, name) = override_value(change);
+    expand_short_forms(document);
+  }
+}
+
+BiomeKind biome_of(const Json& document) {
+  return document.is_object() && document.contains("biome")
+             ? enum_of(document["biome"], "kind", BiomeKind::snow)
+             : BiomeKind::snow;
+}
+
+View view_of(const Json& document) {
+  return document.is_object() && document.contains("camera")
+             ? enum_of(document["camera"], "view", View::outside)
+             : View::outside;
+}
+
+}  // namespace detail
+
+Override parse_override(const std::string& text) {
+  const std::size_t equals = text.find('=');
+  if (equals == std::string::npos) {
+    throw Error(ErrorKind::usage, fmt::format("--set: found {}, expected /json/pointer=value",
+                                              detail::describe(detail::Json(text))));
+  }
+  Override result{text.substr(0, equals), text.substr(equals + 1)};
+  detail::parse_pointer(result.pointer);
+  return result;
+}
+
+}  // namespace aerostat::scene

@@ -1,0 +1,37 @@
+#include "scene/scene.hpp"
+
+#include "core/error.hpp"
+
+namespace aerostat::scene {
+
+std::string object_name(ObjectId id) {
+  switch (id) {
+    case ObjectId::sky:
+      return "sky";
+    case ObjectId::terrain:
+      return "terrain";
+    case ObjectId::water:
+      return "water";
+    case ObjectId::envelope:
+      return "envelope";
+    case ObjectId::skirt:
+      return "skirt";
+    case ObjectId::basket:
+      return "basket";
+    case ObjectId::rim:
+      return "rim";
+    case ObjectId::frame:
+      return "frame";
+    case ObjectId::cables:
+      return "cables";
+    case ObjectId::floor:
+      return "floor";
+    case ObjectId::flame:
+      return "flame";
+    case ObjectId::count:
+      break;
+  }
+  throw Error(ErrorKind::internal, "an object id is out of range");
+}
+
+}  // namespace aerostat::scene

@@ -1,0 +1,216 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "core/math.hpp"
+
+/// The scene description: what a scene file says, with every default filled in. Names, units and
+/// nesting are those of the JSON (lengths in metres, angles in degrees with `_deg` in the name,
+/// colours linear Rec. 709), so that reading and writing lose nothing.
+namespace aerostat::scene {
+
+enum class BiomeKind { snow, tropical, sand };
+enum class TerrainKind { mountains, island, dunes };
+enum class FractalKind { fbm, ridged };
+/// What the y of a position counts from: the sea (absolute), the ground under it, or (cameras only)
+/// the floor of the balloon's basket.
+enum class HeightReference { sea, ground, balloon };
+enum class View { outside, basket };
+enum class Shading { flat, gouraud, phong };
+enum class Filter { box, tent, gaussian };
+enum class Pattern { stripes, chevrons, spiral, rainbow, checker };
+
+/// Octaves of Perlin noise. The first octave has wavelength Terrain::feature_m.
+struct Fractal {
+  FractalKind kind = FractalKind::ridged;
+  int octaves = 12;
+  double lacunarity = 2.0;    // frequency ratio of successive octaves
+  double gain = 0.5;          // amplitude ratio of successive octaves
+  double ridge_offset = 1.0;  // ridged only: (offset - |n|)^2
+
+  bool operator==(const Fractal&) const = default;
+};
+
+/// Wind-blown sand; used by TerrainKind::dunes.
+struct Dunes {
+  double wind_deg = 250.0;      // azimuth the wind blows towards
+  double wavelength_m = 400.0;  // crest to crest, along the wind
+  double height_m = 45.0;       // trough to crest of the largest
+
+  bool operator==(const Dunes&) const = default;
+};
+
+/// The ground: a square of cells x cells quads around `center`, whose spacing grows outwards.
+struct Terrain {
+  TerrainKind kind = TerrainKind::mountains;
+  std::uint32_t seed = 1;
+  int cells = 1024;                // per side
+  double size_m = 40000.0;         // side of the square
+  dvec2 center{0.0, 0.0};          // x, z of the finest cells
+  double grading = 6.0;            // cell size at the rim / at the centre, >= 1
+  double height_m = 2400.0;        // from the lowest valleys to the highest peaks, roughly
+  double base_m = 0.0;             // added to every height
+  double feature_m = 9000.0;       // wavelength of the first octave
+  double warp_m = 900.0;           // amplitude of the domain distortion
+  double warp_feature_m = 7000.0;  // its wavelength
+  double sharpness = 1.0;          // > 1 widens valleys, < 1 widens heights
+  Fractal fractal;
+  Dunes dunes;
+
+  bool operator==(const Terrain&) const = default;
+};
+
+/// How the ground is coloured, by height, slope and noise. One rule set serves all biomes.
+struct Ground {
+  vec3 cover_a{0.1f}, cover_b{0.1f};        // two tones of what grows or lies on gentle ground
+  vec3 rock_a{0.1f}, rock_b{0.1f};          // two tones of bare rock
+  double rock_slope_deg[2] = {30.0, 45.0};  // rock begins, rock is complete
+  vec3 snow{0.85f};
+  double snow_line_m = 1e6;                 // mean height above which snow lies
+  double snow_fuzz_m = 250.0;               // height of the zone in which it thins out
+  double snow_slope_deg[2] = {35.0, 52.0};  // full snow below, none above
+  vec3 beach{0.35f};
+  double beach_top_m = -1e6;  // sand up to this height above the sea
+  double pattern_m = 120.0;   // largest wavelength of colour and relief detail
+  double relief = 0.5;        // strength of the detail in the normal, 0 = none
+  double ripple_m = 0.0;      // wavelength of wind ripples, 0 = none
+  double canopy_m = 0.0;      // width of tree crowns on the cover, 0 = none
+};
+
+/// The sea: a plane at `level_m`, present if enabled.
+struct Water {
+  bool enabled = false;
+  double level_m = 0.0;
+  vec3 absorption_per_m{0.35f, 0.06f, 0.015f};  // Beer-Lambert
+  vec3 scatter{0.01f, 0.09f, 0.12f};            // colour of deep water
+  vec3 bed{0.55f, 0.5f, 0.38f};                 // albedo of the sand under it
+  double wave_m = 14.0;                         // wavelength of the largest waves
+  double wave_slope = 0.06;                     // root mean square slope
+
+  bool operator==(const Water&) const = default;
+};
+
+struct Biome {
+  BiomeKind kind = BiomeKind::snow;
+  Ground ground;
+  Water water;
+};
+
+struct Balloon {
+  bool enabled = true;
+  dvec3 position{0.0, 0.0, 0.0};  // centre of the basket's floor
+  HeightReference height_above = HeightReference::sea;
+  double diameter_m = 18.8;
+  double heading_deg = 0.0;
+  int gores = 24;
+  Pattern pattern = Pattern::stripes;
+  std::vector<vec3> colors;  // at least one; the pattern repeats them
+
+  bool operator==(const Balloon&) const = default;
+};
+
+struct Camera {
+  View view = View::outside;
+  dvec3 position{0.0, 0.0, 0.0};
+  dvec3 target{0.0, 0.0, -1.0};
+  bool position_given = true;  // false: world::resolve puts the eye into the basket
+  bool target_given = true;    // false: world::resolve looks straight ahead
+  HeightReference height_above = HeightReference::sea;  // of position and target
+  dvec3 up{0.0, 1.0, 0.0};
+  double fov_y_deg = 45.0;
+};
+
+/// `direction` (unit, towards the sun) is what counts; files may give azimuth_deg and
+/// elevation_deg in its place.
+struct Sun {
+  dvec3 direction{0.0, 1.0, 0.0};
+  vec3 color{1.0f};         // largest component 1
+  double irradiance = 3.0;  // on a plane that faces the sun
+  bool shadows = true;
+};
+
+struct PointLight {
+  dvec3 position{0.0};
+  vec3 color{1.0f};
+  double intensity = 100.0;  // irradiance times distance squared
+  bool shadows = true;
+};
+
+/// Radiance of the sky by direction, and the light that arrives from all of it.
+struct Sky {
+  vec3 zenith{0.1f, 0.25f, 0.6f};
+  vec3 horizon{0.6f, 0.75f, 0.95f};
+  vec3 glow{1.0f, 0.8f, 0.5f};  // added around the sun
+  double glow_strength = 0.3;
+  vec3 ambient_up{0.25f, 0.35f, 0.55f};    // irradiance / pi on a plane that faces up
+  vec3 ambient_down{0.08f, 0.08f, 0.08f};  // on a plane that faces down
+};
+
+/// Aerial perspective: extinction 3.912 / visibility at sea level, falling off with height.
+struct Haze {
+  double visibility_m = 60000.0;
+  double scale_height_m = 1500.0;
+};
+
+/// What the balloon's parts, the ground and the sea are made of. One object, one material; the
+/// value is the `id` channel of an EXR (0 is the sky).
+enum class ObjectId : std::uint32_t {
+  sky = 0,
+  terrain,
+  water,
+  envelope,
+  skirt,
+  basket,
+  rim,
+  frame,
+  cables,
+  floor,
+  flame,
+  count
+};
+inline constexpr std::size_t kObjectCount = static_cast<std::size_t>(ObjectId::count);
+
+/// Phong coefficients. Plain objects multiply their vertex colours by `albedo`; terrain and water
+/// get theirs from Ground and Water.
+struct Material {
+  vec3 albedo{1.0f};
+  double ambient = 1.0;
+  double diffuse = 1.0;
+  double specular = 0.0;
+  double shininess = 32.0;
+  double translucency = 0.0;  // share of the light on the far side that shines through
+  vec3 emission{0.0f};
+};
+
+struct Image {
+  int width = 1280;
+  int height = 720;
+  int spp = 4;
+  std::uint32_t seed = 1;
+  Filter filter = Filter::gaussian;
+  double exposure_ev = 0.0;
+};
+
+struct Scene {
+  Biome biome;
+  Terrain terrain;
+  Balloon balloon;
+  Camera camera;
+  Sun sun;
+  std::vector<PointLight> lights;
+  Sky sky;
+  Haze haze;
+  std::array<Material, kObjectCount> materials;
+  Shading shading = Shading::phong;
+  Image image;
+
+  const Material& material(ObjectId id) const { return materials[static_cast<std::size_t>(id)]; }
+};
+
+/// The JSON key of an object's material, such as "envelope".
+std::string object_name(ObjectId id);
+
+}  // namespace aerostat::scene

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+
+namespace aerostat::terrain {
+
+/// 0 up to `from`, 1 beyond `to`, with a continuous slope between (from > to reverses it).
+inline float ramp(float from, float to, float x) {
+  const float t = std::clamp((x - from) / (to - from), 0.0f, 1.0f);
+  return t * t * (3.0f - 2.0f * t);
+}
+
+inline float mix(float a, float b, float t) {
+  return a + t * (b - a);
+}
+
+/// The lesser of two values, rounded where they differ by less than `radius` (never greater).
+inline float smooth_min(float a, float b, float radius) {
+  const float h = std::max(radius - std::fabs(a - b), 0.0f) / radius;
+  return std::min(a, b) - 0.25f * h * h * radius;
+}
+
+inline float smooth_max(float a, float b, float radius) {
+  return -smooth_min(-a, -b, radius);
+}
+
+}  // namespace aerostat::terrain

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <memory>
+
+#include "core/math.hpp"
+#include "scene/scene.hpp"
+#include "terrain/points.hpp"
+
+namespace aerostat::terrain {
+
+class Relief;
+
+/// The ground as a function: one height for every point of the plane. Copies share their data, and
+/// every call is safe from any thread. The sea is not part of it: heights go on under water.
+class HeightField {
+ public:
+  /// Prepares the relief (some tenths of a second for carved kinds).
+  explicit HeightField(const scene::Terrain& terrain);
+
+  /// Height above sea level in metres, in full detail.
+  double height(double x, double z) const;
+
+  /// Unit normal of the ground, from central differences at +-spacing metres.
+  vec3 normal(double x, double z, double spacing) const;
+
+  /// Heights of many points; `points` holds world coordinates less Terrain::center, and detail
+  /// below each point's spacing is left out. The same bits as one by one.
+  void heights(const Points& points, Block& height) const;
+
+ private:
+  std::shared_ptr<const Relief> relief_;
+  dvec2 center_;
+  float base_m_;
+};
+
+}  // namespace aerostat::terrain

@@ -1,0 +1,53 @@
+#include "world/world.hpp"
+
+#include <new>
+
+#include "core/error.hpp"
+#include "model/balloon.hpp"
+#include "terrain/terrain_mesh.hpp"
+
+namespace aerostat::world {
+namespace {
+
+Group build_land(const scene::Scene& scene) {
+  auto objects = std::make_shared<std::vector<Object>>();
+  objects->push_back({scene::ObjectId::terrain, terrain::terrain_mesh(scene.terrain)});
+  if (scene.biome.water.enabled) {
+    auto water =
+        terrain::water_mesh(scene.terrain, scene.biome.water, objects->front().mesh);
+    if (!water.empty()) objects->push_back({scene::ObjectId::water, std::move(water)});
+  }
+  return objects;
+}
+
+Group build_balloon(const scene::Scene& scene) {
+  auto objects = std::make_shared<std::vector<Object>>();
+  for (auto& part : model::balloon(scene.balloon)) {
+    objects->push_back({part.id, std::move(part.mesh)});
+  }
+  return objects;
+}
+
+bool same_land(const scene::Scene& a, const scene::Scene& b) {
+  return a.terrain == b.terrain && a.biome.water == b.biome.water;
+}
+
+}  // namespace
+
+World build(const scene::Scene& scene, const World* previous, const scene::Scene* previous_scene) {
+  const bool known = previous != nullptr && previous_scene != nullptr;
+  World world;
+  try {
+    world.land = known && same_land(scene, *previous_scene) ? previous->land : build_land(scene);
+    if (scene.balloon.enabled) {
+      const bool same = known && scene.balloon == previous_scene->balloon;
+      world.balloon = same ? previous->balloon : build_balloon(scene);
+    }
+  } catch (const std::bad_alloc&) {
+    throw Error(ErrorKind::exhausted,
+                "not enough memory for the world's meshes; a smaller /terrain/cells needs less");
+  }
+  return world;
+}
+
+}  // namespace aerostat::world

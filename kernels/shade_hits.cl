@@ -1,0 +1,46 @@
+#include "film.clh"
+#include "shade.clh"
+
+/* Radiance of a tile's eye rays, added to the film. */
+__kernel void shade_hits(const AeroLaunch launch, __global const AeroScene* scene,
+                         __global const AeroFace* faces, __global const AeroVertex* vertices,
+                         __global const Hit* hits, __global const lane_uint* visible,
+                         __global AeroFilmPixel* film) {
+  const uint block = (uint)get_global_id(0);
+  if (block >= launch.tile.block_count) return;
+  const AeroLaunch task = launch;
+  const PixelPacket packet = pixel_packet(&task.tile, block);
+  const Ray ray = generate_rays(&task.frame, &packet);
+  const Hit hit = hits[block];
+  const lane_int met = lane_mask(hit.triangle != NO_TRIANGLE);
+
+  Lane3 radiance = sky_radiance(&scene->sky, ray.direction);
+  Lane3 normal = lane3((lane_float)0.0f, (lane_float)0.0f, (lane_float)0.0f);
+  lane_uint object = (lane_uint)AERO_OBJECT_SKY;
+  if (lane_any(met)) {
+    const Face face = load_face(faces, hit.triangle);
+    Lane3 shading_normal;
+    const Lane3 surface = shade_hit(scene, vertices, &face, &ray, &hit, task.frame.pixel_angle,
+                                    visible[block], &shading_normal);
+    radiance = select3(met, through_haze(&scene->sky, surface, &ray, hit.t), radiance);
+    normal = select3(met, shading_normal, normal);
+    object = lane_select(met, face.object, object);
+  }
+
+  Samples samples;
+  store3(samples.radiance, radiance);
+  store3(samples.normal, normal);
+  samples.distance.lanes = hit.t;
+  samples.object.lanes = object;
+  samples.x.lanes = packet.x;
+  samples.y.lanes = packet.y;
+  add_to_film(film, &task, &samples);
+}
+
+/* Empties the film. */
+__kernel void clear_film(__global AeroFilmPixel* film, const uint pixels) {
+  const uint i = (uint)get_global_id(0);
+  if (i >= pixels) return;
+  AeroFilmPixel empty = {{0.0f, 0.0f, 0.0f}, 0.0f, INFINITY, {0.0f, 0.0f, 0.0f}, AERO_OBJECT_SKY};
+  film[i] = empty;
+}

@@ -1,0 +1,31 @@
+#ifndef AEROSTAT_SHARED_BVH_NODE_H
+#define AEROSTAT_SHARED_BVH_NODE_H
+
+#include "layout.h"
+
+/* Children of a node of the wide BVH; also the width of the interval tests. */
+#define AERO_BVH_WIDTH 8
+
+/* Entries of the kernels' traversal stack. The builder measures what a tree needs and refuses more. */
+#define AERO_BVH_STACK 160
+
+/* A child reference: an inner node's index, or with the top bit set a leaf: bits 27..30 hold the
+ * number of triangles less one, bits 0..26 the index of the first. An empty slot is
+ * AERO_BVH_EMPTY; its bounds are lo = +inf, hi = -inf, which no ray hits. */
+#define AERO_BVH_LEAF 0x80000000u
+#define AERO_BVH_COUNT_SHIFT 27
+#define AERO_BVH_COUNT_MASK 0xfu
+#define AERO_BVH_FIRST_MASK 0x07ffffffu
+#define AERO_BVH_EMPTY 0xffffffffu
+#define AERO_BVH_MAX_LEAF 8
+
+/* Bounds of up to eight children, one array per plane: lo[axis][child]. Node 0 is the root. */
+typedef struct AeroBvhNode {
+  aero_float lo[3][AERO_BVH_WIDTH];
+  aero_float hi[3][AERO_BVH_WIDTH];
+  aero_uint child[AERO_BVH_WIDTH];
+} AeroBvhNode;
+
+AERO_ASSERT_LAYOUT(AeroBvhNode, 224);
+
+#endif

@@ -1,0 +1,89 @@
+#ifndef AEROSTAT_SHARED_SCENE_PARAMS_H
+#define AEROSTAT_SHARED_SCENE_PARAMS_H
+
+#include "layout.h"
+
+/* Lengths in metres, colours linear Rec. 709, slopes as cosines (the y of a unit normal). */
+
+/* Objects with a look of their own; the others are plain. Values of scene::ObjectId. */
+#define AERO_OBJECT_SKY 0
+#define AERO_OBJECT_TERRAIN 1
+#define AERO_OBJECT_WATER 2
+#define AERO_OBJECT_COUNT 11
+
+#define AERO_MAX_POINT_LIGHTS 16
+
+#define AERO_SHADING_FLAT 0
+#define AERO_SHADING_GOURAUD 1
+#define AERO_SHADING_PHONG 2
+
+/* Phong coefficients of one object. */
+typedef struct AeroMaterial {
+  aero_float albedo[3];
+  aero_float ambient, diffuse, specular, shininess;
+  aero_float translucency;
+  aero_float emission[3];
+} AeroMaterial;
+
+AERO_ASSERT_LAYOUT(AeroMaterial, 44);
+
+typedef struct AeroPointLight {
+  aero_float position[3];
+  aero_float intensity[3]; /* irradiance times distance squared */
+  aero_uint shadows;
+} AeroPointLight;
+
+AERO_ASSERT_LAYOUT(AeroPointLight, 28);
+
+/* Sky, sun and air. */
+typedef struct AeroSky {
+  aero_float zenith[3], horizon[3], glow[3];
+  aero_float ambient_up[3], ambient_down[3]; /* irradiance / pi */
+  aero_float sun_direction[3];
+  aero_float sun_irradiance[3];
+  aero_float sun_cos;          /* of the disc's angular radius */
+  aero_float haze_extinction;  /* per metre at sea level */
+  aero_float haze_height;      /* scale height */
+  aero_uint sun_shadows;
+} AeroSky;
+
+AERO_ASSERT_LAYOUT(AeroSky, 100);
+
+/* Colour rules of the ground. */
+typedef struct AeroGround {
+  aero_float cover_a[3], cover_b[3], rock_a[3], rock_b[3], snow[3], beach[3];
+  aero_float rock_cos[2];  /* rock begins, rock is complete (begin > complete) */
+  aero_float snow_line, snow_fuzz;
+  aero_float snow_cos[2];  /* full snow above the first, none below the second */
+  aero_float beach_top;
+  aero_float pattern;
+  aero_float relief;
+  aero_float ripple;
+  aero_float wind[2];      /* unit, x and z */
+  aero_float canopy;
+  aero_uint seed;
+} AeroGround;
+
+AERO_ASSERT_LAYOUT(AeroGround, 128);
+
+typedef struct AeroWater {
+  aero_float absorption[3]; /* per metre */
+  aero_float scatter[3], bed[3];
+  aero_float level, wave, wave_slope;
+} AeroWater;
+
+AERO_ASSERT_LAYOUT(AeroWater, 48);
+
+typedef struct AeroScene {
+  AeroSky sky;
+  AeroGround ground;
+  AeroWater water;
+  AeroMaterial materials[AERO_OBJECT_COUNT];
+  AeroPointLight lights[AERO_MAX_POINT_LIGHTS];
+  aero_uint light_count;
+  aero_uint shading; /* AERO_SHADING_... */
+} AeroScene;
+
+AERO_ASSERT_LAYOUT(AeroScene, 1216);
+
+#endif

@@ -1,0 +1,137 @@
+// Scenes that are good and bad, and the commands that only read them.
+
+#include <cmath>
+
+#include <nlohmann/json.hpp>
+
+#include "run_process.hpp"
+
+namespace aerostat::test {
+namespace {
+
+using Scenes = CliTest;
+
+constexpr const char* kScenes[] = {"snow", "snow-basket", "tropical",  "tropical-basket",
+                                   "sand", "sand-basket", "sand-empty"};
+
+TEST_F(Scenes, TheSevenAreGood) {
+  for (const char* scene : kScenes) {
+    const Outcome outcome = run({"check", scene_path(scene)});
+    EXPECT_EQ(outcome.code, 0) << outcome.err;
+    EXPECT_EQ(outcome.out, "");
+  }
+}
+
+TEST_F(Scenes, ADumpOfADumpIsTheSame) {
+  for (const char* scene : kScenes) {
+    const Outcome first = run({"dump", scene_path(scene)});
+    ASSERT_EQ(first.code, 0) << first.err;
+    EXPECT_EQ(first.err, "");
+    const Outcome second = run({"dump", write("dump.json", first.out)});
+    EXPECT_EQ(second.code, 0) << second.err;
+    EXPECT_EQ(second.out, first.out) << scene;
+  }
+}
+
+TEST_F(Scenes, ADumpHasWhatOtherProgramsNeed) {
+  const auto json = nlohmann::json::parse(run({"dump", scene_path("snow-basket")}).out);
+  for (const char* key : {"position", "target", "up"}) {
+    EXPECT_EQ(json.at("camera").at(key).size(), 3u) << key;
+  }
+  EXPECT_GT(json.at("camera").at("fov_y_deg").get<double>(), 0.0);
+  const auto sun = json.at("sun").at("direction").get<std::vector<double>>();
+  EXPECT_NEAR(std::hypot(sun.at(0), sun.at(1), sun.at(2)), 1.0, 1e-9);
+  EXPECT_GE(json.at("image").at("width").get<int>(), 1);
+  EXPECT_GE(json.at("image").at("height").get<int>(), 1);
+}
+
+TEST_F(Scenes, SetChangesTheScene) {
+  const Outcome outcome = run({"dump", scene_path("snow"), "--set", "/image/width=77", "--set",
+                               "/terrain/seed=5", "--set", "/terrain/seed=6"});
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  const auto json = nlohmann::json::parse(outcome.out);
+  EXPECT_EQ(json.at("image").at("width"), 77);
+  EXPECT_EQ(json.at("terrain").at("seed"), 6);
+}
+
+struct Fault {
+  std::string text;
+  std::string pointer;
+};
+
+TEST_F(Scenes, BadOnesNameFileAndPointer) {
+  const Fault faults[] = {
+      {R"({"version": 1, "biome": "snow", "bogus": 1})", "/bogus"},
+      {R"({"version": 1, "biome": "snow", "image": {"width": -4}})", "/image/width"},
+      {R"({"version": 1, "biome": "snow", "terrain": {"cells": "many"}})", "/terrain/cells"},
+      {R"({"version": 1, "biome": "moon"})", "/biome"},
+      {R"({"version": 2, "biome": "snow"})", "/version"},
+      {R"({"version": 1, "biome": )", "bad.json"},
+      {"", "bad.json"},
+  };
+  for (const Fault& fault : faults) {
+    const std::string scene = write("bad.json", fault.text);
+    for (const char* command : {"check", "dump", "render"}) {
+      const Outcome outcome = run({command, scene});
+      EXPECT_EQ(outcome.code, 65) << outcome.err;
+      EXPECT_EQ(outcome.out, "");
+      EXPECT_TRUE(contains(outcome.err, "bad.json"));
+      EXPECT_TRUE(contains(outcome.err, fault.pointer));
+    }
+  }
+  EXPECT_EQ(files(), std::vector<std::string>{"bad.json"});
+}
+
+TEST_F(Scenes, ABadSetIsABadScene) {
+  const Outcome outcome = run({"check", scene_path("snow"), "--set", "/image/width=-4"});
+  EXPECT_EQ(outcome.code, 65);
+  EXPECT_TRUE(contains(outcome.err, "/image/width"));
+}
+
+TEST_F(Scenes, MissingOnesAreNamed) {
+  for (const std::string command : {"check", "dump", "render"}) {
+    const Outcome outcome = run({command, "missing.json"});
+    EXPECT_EQ(outcome.code, 74) << outcome.err;
+    EXPECT_EQ(outcome.out, "");
+    EXPECT_TRUE(contains(outcome.err, "missing.json"));
+  }
+  EXPECT_EQ(run({"check", "."}).code, 74);
+  EXPECT_TRUE(files().empty());
+}
+
+std::size_t header_count(const std::string& ply, const std::string& element) {
+  const auto at = ply.find("element " + element + " ");
+  return at == std::string::npos ? 0 : std::stoull(ply.substr(at + element.size() + 9));
+}
+
+TEST_F(Scenes, TheWorldIsExported) {
+  const std::vector<std::string> small{"--set", "/terrain/cells=16"};
+  std::vector<std::string> arguments{"export", scene_path("snow"), "-o", "world.ply"};
+  arguments.insert(arguments.end(), small.begin(), small.end());
+  const Outcome ply = run(arguments);
+  ASSERT_EQ(ply.code, 0) << ply.err;
+  EXPECT_EQ(ply.out, "");
+  const std::string bytes = read_bytes(folder_ / "world.ply");
+  EXPECT_EQ(bytes.rfind("ply\nformat binary_little_endian 1.0\n", 0), 0u);
+  EXPECT_GT(header_count(bytes, "vertex"), 0u);
+  EXPECT_GE(header_count(bytes, "face"), 2u * 16u * 16u);
+  EXPECT_TRUE(contains(bytes.substr(0, 600), "object_id"));
+  arguments[3] = "world.obj";
+  ASSERT_EQ(run(arguments).code, 0);
+  const std::string text = read_bytes(folder_ / "world.obj");
+  for (const char* line : {"\no ", "\nv ", "\nvn ", "\nf "}) {
+    EXPECT_NE(text.find(line), std::string::npos) << line;
+  }
+  EXPECT_EQ(files(), (std::vector<std::string>{"world.obj", "world.ply"}));
+}
+
+TEST_F(Scenes, ADumpThatDoesNotArriveIsAnError) {
+  std::filesystem::create_symlink("/dev/full", folder_ / "full.ply");
+  const Outcome outcome =
+      run({"export", scene_path("sand-empty"), "-o", "full.ply", "--set", "/terrain/cells=4"});
+  EXPECT_EQ(outcome.code, 74);
+  EXPECT_TRUE(contains(outcome.err, "full.ply"));
+}
+
+}  // namespace
+}  // namespace aerostat::test

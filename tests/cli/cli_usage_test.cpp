@@ -1,0 +1,129 @@
+// Help, versions, devices, and command lines that are wrong.
+
+#include <nlohmann/json.hpp>
+
+#include "run_process.hpp"
+
+namespace aerostat::test {
+namespace {
+
+using Usage = CliTest;
+
+TEST_F(Usage, EveryCommandHelpsWithExamples) {
+  for (const std::string command : {"", "render", "devices", "check", "dump", "export"}) {
+    std::vector<std::string> arguments;
+    if (!command.empty()) arguments.push_back(command);
+    arguments.push_back("--help");
+    const Outcome outcome = run(arguments);
+    EXPECT_EQ(outcome.code, 0) << command;
+    EXPECT_EQ(outcome.err, "") << command;
+    EXPECT_TRUE(contains(outcome.out, "Examples:\n  aerostat " + command)) << command;
+  }
+}
+
+TEST_F(Usage, HelpNamesEveryOptionOfRender) {
+  const Outcome outcome = run({"render", "--help"});
+  for (const char* option :
+       {"SCENE", "--output", "--width", "--height", "--spp", "--seed", "--device", "--lanes",
+        "--set", "--crop", "--memory-limit", "--quiet", "--stats"}) {
+    EXPECT_TRUE(contains(outcome.out, option));
+  }
+}
+
+TEST_F(Usage, TellsItsVersion) {
+  const Outcome outcome = run({"--version"});
+  EXPECT_EQ(outcome.code, 0);
+  EXPECT_EQ(outcome.out.rfind("aerostat ", 0), 0u) << outcome.out;
+  EXPECT_EQ(outcome.out.back(), '\n');
+}
+
+struct Mistake {
+  std::vector<std::string> arguments;
+  std::string part;  // of the message
+};
+
+TEST_F(Usage, MistakesAreOneClearLineAndCode64) {
+  const std::string scene = scene_path("snow");
+  const Mistake mistakes[] = {
+      {{}, "no command"},
+      {{"frob"}, "'frob'"},
+      {{"render"}, "SCENE is required"},
+      {{"render", scene, "--frob"}, "--frob"},
+      {{"render", scene, "--width", "0"}, "--width: Value 0 not in range 1 to 32768"},
+      {{"render", scene, "--width", "-5"}, "--width: Value -5 not in range 1 to 32768"},
+      {{"render", scene, "--height", "32769"}, "--height: Value 32769"},
+      {{"render", scene, "--width", "12.5"}, "--width"},
+      {{"render", scene, "--spp", "none"}, "--spp"},
+      {{"render", scene, "--seed", "-1"}, "--seed: Value -1"},
+      {{"render", scene, "--lanes", "3"}, "--lanes: 3"},
+      {{"render", scene, "--crop", "1,2,3"}, "--crop: '1,2,3'"},
+      {{"render", scene, "--crop", "5,5,5,9"}, "is empty"},
+      {{"render", scene, "--crop", "0,0,99999,9"}, "leaves the image"},
+      {{"render", scene, "--memory-limit", "much"}, "--memory-limit: 'much'"},
+      {{"render", scene, "-o", "x.jpg"}, ".png"},
+      {{"render", scene, "-o", "x.jpg"}, ".exr"},
+      {{"render", scene, "-o", "picture"}, "'picture'"},
+      {{"render", scene, "--set", "nothing"}, "nothing"},
+      {{"render", scene, "--width", "32768", "--height", "32768"}, "too many for a PNG"},
+      {{"export", scene}, "--output is required"},
+      {{"export", scene, "-o", "x.stl"}, ".ply"},
+      {{"devices", "--json", "more"}, "more"},
+  };
+  for (const Mistake& mistake : mistakes) {
+    const Outcome outcome = run(mistake.arguments);
+    EXPECT_EQ(outcome.code, 64) << outcome.err;
+    EXPECT_EQ(outcome.out, "");
+    EXPECT_EQ(outcome.err.rfind("aerostat: ", 0), 0u) << outcome.err;
+    EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
+    EXPECT_TRUE(contains(outcome.err, mistake.part));
+  }
+  EXPECT_TRUE(files().empty());
+}
+
+TEST_F(Usage, DevicesAreListed) {
+  const Outcome text = run({"devices"}, {"AEROSTAT_DEVICE"});
+  EXPECT_EQ(text.code, 0);
+  EXPECT_TRUE(contains(text.out, "* "));
+  const Outcome outcome = run({"devices", "--json"}, {"AEROSTAT_DEVICE"});
+  EXPECT_EQ(outcome.code, 0);
+  const auto json = nlohmann::json::parse(outcome.out);
+  ASSERT_FALSE(json.at("devices").empty());
+  int chosen = 0;
+  for (const auto& device : json.at("devices")) {
+    EXPECT_TRUE(contains(text.out, device.at("selector")));
+    EXPECT_TRUE(contains(text.out, device.at("name")));
+    EXPECT_GT(device.at("memory_bytes").get<std::uint64_t>(), 0u);
+    EXPECT_GE(device.at("compute_units").get<int>(), 1);
+    EXPECT_GE(device.at("lanes").get<int>(), 1);
+    chosen += device.at("chosen").get<bool>() ? 1 : 0;
+  }
+  EXPECT_EQ(chosen, 1);
+  EXPECT_TRUE(json.at("problems").is_array());
+}
+
+TEST_F(Usage, WithoutPlatformsThereIsNoDevice) {
+  const Environment no_platforms{"OCL_ICD_VENDORS=" + folder_.string() + "/none"};
+  const Outcome outcome = run(small_render("snow"), no_platforms);
+  EXPECT_EQ(outcome.code, 69) << outcome.err;
+  EXPECT_TRUE(contains(outcome.err, "pocl-opencl-icd"));
+  EXPECT_EQ(run({"devices"}, no_platforms).code, 69);
+  EXPECT_TRUE(files().empty());
+}
+
+TEST_F(Usage, AnUnknownDeviceListsWhatThereIs) {
+  const auto json = nlohmann::json::parse(run({"devices", "--json"}).out);
+  const std::string name = json.at("devices").at(0).at("name");
+  const Outcome by_option = run(small_render("snow", {"--device", "no such device"}));
+  const Outcome by_environment = run(small_render("snow"), {"AEROSTAT_DEVICE=9:9"});
+  EXPECT_TRUE(contains(by_option.err, "no such device"));
+  EXPECT_TRUE(contains(by_environment.err, "9:9"));
+  for (const Outcome& outcome : {by_option, by_environment}) {
+    EXPECT_EQ(outcome.code, 69);
+    EXPECT_EQ(outcome.out, "");
+    EXPECT_TRUE(contains(outcome.err, name));
+  }
+  EXPECT_TRUE(files().empty());
+}
+
+}  // namespace
+}  // namespace aerostat::test

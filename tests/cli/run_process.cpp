@@ -1,0 +1,119 @@
+#include "run_process.hpp"
+
+#include <algorithm>
+#include <csignal>
+#include <cstdlib>
+#include <fstream>
+#include <iterator>
+
+#include <fcntl.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+namespace aerostat::test {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+// In the child only; ends the process.
+[[noreturn]] void become(const std::vector<std::string>& arguments, const fs::path& folder,
+                         const Environment& environment, const fs::path& out, const fs::path& err) {
+  for (const std::string& entry : environment) {
+    const auto equals = entry.find('=');
+    if (equals == std::string::npos) {
+      ::unsetenv(entry.c_str());
+    } else {
+      ::setenv(entry.substr(0, equals).c_str(), entry.substr(equals + 1).c_str(), 1);
+    }
+  }
+  const int out_fd = ::open(out.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600);
+  const int err_fd = ::open(err.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600);
+  const int in_fd = ::open("/dev/null", O_RDONLY);
+  ::dup2(in_fd, STDIN_FILENO);
+  ::dup2(out_fd, STDOUT_FILENO);
+  ::dup2(err_fd, STDERR_FILENO);
+  std::vector<char*> argv{const_cast<char*>("aerostat")};
+  for (const std::string& argument : arguments) {
+    argv.push_back(const_cast<char*>(argument.c_str()));
+  }
+  argv.push_back(nullptr);
+  if (::chdir(folder.c_str()) == 0) ::execv(AEROSTAT_BINARY, argv.data());
+  ::_exit(127);
+}
+
+}  // namespace
+
+Process::Process(const std::vector<std::string>& arguments, const fs::path& folder,
+                 const Environment& environment)
+    : out_(folder.string() + ".out"), err_(folder.string() + ".err") {
+  pid_ = ::fork();
+  if (pid_ == 0) become(arguments, folder, environment, out_, err_);
+}
+
+void Process::send(int signal) const {
+  ::kill(pid_, signal);
+}
+
+Outcome Process::wait() {
+  int status = 0;
+  ::waitpid(pid_, &status, 0);
+  Outcome outcome{WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status),
+                  read_bytes(out_), read_bytes(err_)};
+  fs::remove(out_);
+  fs::remove(err_);
+  return outcome;
+}
+
+void CliTest::SetUp() {
+  std::string name = (fs::temp_directory_path() / "aerostat-cli-XXXXXX").string();
+  ASSERT_NE(::mkdtemp(name.data()), nullptr);
+  folder_ = name;
+}
+
+void CliTest::TearDown() {
+  fs::remove_all(folder_);
+}
+
+Outcome CliTest::run(const std::vector<std::string>& arguments,
+                     const Environment& environment) const {
+  return Process(arguments, folder_, environment).wait();
+}
+
+std::string CliTest::write(const std::string& name, const std::string& text) const {
+  std::ofstream(folder_ / name, std::ios::binary) << text;
+  return name;
+}
+
+std::vector<std::string> CliTest::files() const {
+  std::vector<std::string> names;
+  for (const auto& entry : fs::directory_iterator(folder_)) {
+    names.push_back(entry.path().filename().string());
+  }
+  std::sort(names.begin(), names.end());
+  return names;
+}
+
+std::string scene_path(const std::string& name) {
+  return std::string(AEROSTAT_SOURCE_DIR) + "/scenes/" + name + ".json";
+}
+
+std::vector<std::string> small_render(const std::string& scene,
+                                      const std::vector<std::string>& more) {
+  std::vector<std::string> arguments{
+      "render", scene_path(scene), "--set", "/terrain/cells=64", "--width", "32", "--height", "18"};
+  arguments.insert(arguments.end(), more.begin(), more.end());
+  return arguments;
+}
+
+std::string read_bytes(const fs::path& path) {
+  std::ifstream file(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(file), {}};
+}
+
+testing::AssertionResult contains(const std::string& text, const std::string& part) {
+  if (text.find(part) != std::string::npos) return testing::AssertionSuccess();
+  return testing::AssertionFailure() << "no \"" << part << "\" in:\n" << text;
+}
+
+}  // namespace aerostat::test

@@ -1,0 +1,6 @@
+aerostat_test(bvh_test LABEL unit LINKS aerostat::bvh)
+aerostat_test(bvh_traversal_test LABEL unit LINKS aerostat::bvh)
+if(TARGET embree)
+  target_link_libraries(bvh_traversal_test PRIVATE embree)
+  target_compile_definitions(bvh_traversal_test PRIVATE AEROSTAT_TEST_EMBREE=1)
+endif()

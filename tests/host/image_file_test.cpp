@@ -1,0 +1,186 @@
+// Files are written whole or not at all.
+
+#include <csignal>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <string>
+#include <thread>
+
+#include <gtest/gtest.h>
+#include <sys/resource.h>
+#include <sys/stat.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include "core/error.hpp"
+#include "image/write.hpp"
+
+namespace aerostat::image {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::vector<std::uint8_t> bytes_of(const std::string& text) {
+  return {text.begin(), text.end()};
+}
+
+std::string read(const fs::path& path) {
+  std::ifstream file(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(file), {}};
+}
+
+/// The error that `f` ends in; fails the test if it ends well.
+template <typename F>
+Error error_of(F&& f) {
+  try {
+    f();
+  } catch (const Error& error) {
+    return error;
+  }
+  ADD_FAILURE() << "no error";
+  return Error(ErrorKind::internal, "no error");
+}
+
+class WriteFile : public testing::Test {
+ protected:
+  void SetUp() override {
+    std::string name = (fs::temp_directory_path() / "aerostat-image-XXXXXX").string();
+    ASSERT_NE(::mkdtemp(name.data()), nullptr);
+    folder_ = name;
+  }
+  void TearDown() override {
+    fs::permissions(folder_, fs::perms::owner_all);
+    fs::remove_all(folder_);
+  }
+
+  std::size_t entries() const {
+    return static_cast<std::size_t>(
+        std::distance(fs::directory_iterator(folder_), fs::directory_iterator()));
+  }
+
+  fs::path folder_;
+};
+
+TEST_F(WriteFile, WritesAndReplaces) {
+  const fs::path path = folder_ / "a.png";
+  write_file(path, bytes_of("first"));
+  EXPECT_EQ(read(path), "first");
+  write_file(path, bytes_of("the second is longer"));
+  EXPECT_EQ(read(path), "the second is longer");
+  write_file(path, {});
+  EXPECT_EQ(read(path), "");
+  EXPECT_EQ(entries(), 1u);
+}
+
+TEST_F(WriteFile, HonoursTheUmaskAndKeepsAnOlderMode) {
+  const mode_t before = ::umask(027);
+  write_file(folder_ / "new", bytes_of("x"));
+  ::umask(before);
+  struct stat status {};
+  ASSERT_EQ(::stat((folder_ / "new").c_str(), &status), 0);
+  EXPECT_EQ(status.st_mode & 0777u, 0640u);
+  ASSERT_EQ(::chmod((folder_ / "new").c_str(), 0604), 0);
+  write_file(folder_ / "new", bytes_of("y"));
+  ASSERT_EQ(::stat((folder_ / "new").c_str(), &status), 0);
+  EXPECT_EQ(status.st_mode & 0777u, 0604u);
+}
+
+TEST_F(WriteFile, WritesThroughALinkAndKeepsIt) {
+  write_file(folder_ / "real", bytes_of("old"));
+  fs::create_symlink("real", folder_ / "link");
+  write_file(folder_ / "link", bytes_of("new"));
+  EXPECT_TRUE(fs::is_symlink(folder_ / "link"));
+  EXPECT_EQ(read(folder_ / "real"), "new");
+  EXPECT_EQ(entries(), 2u);
+}
+
+TEST_F(WriteFile, ReportsAFullDevice) {
+  const Error error = error_of([] { write_file("/dev/full", bytes_of("some bytes")); });
+  EXPECT_EQ(error.kind(), ErrorKind::io);
+  EXPECT_NE(std::string(error.what()).find("'/dev/full'"), std::string::npos);
+  EXPECT_NE(std::string(error.what()).find("No space left"), std::string::npos);
+}
+
+TEST_F(WriteFile, WritesSpecialFilesDirectly) {
+  write_file("/dev/null", bytes_of("gone"));
+  EXPECT_TRUE(fs::is_character_file("/dev/null"));
+  const fs::path pipe = folder_ / "pipe";
+  ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);
+  std::string received;
+  std::thread reader([&] { received = read(pipe); });
+  const std::string sent(1 << 20, 'p');
+  write_file(pipe, bytes_of(sent));
+  reader.join();
+  EXPECT_EQ(received, sent);
+}
+
+TEST_F(WriteFile, AnInterruptedWriteKeepsTheOlderFileAndLeavesNothing) {
+  const fs::path path = folder_ / "a";
+  write_file(path, bytes_of("older"));
+  // A limit on file sizes stands in for a disk that fills up half-way.
+  rlimit before{};
+  ::getrlimit(RLIMIT_FSIZE, &before);
+  std::signal(SIGXFSZ, SIG_IGN);
+  const rlimit small{100000, before.rlim_max};
+  ::setrlimit(RLIMIT_FSIZE, &small);
+  const std::vector<std::uint8_t> large(1 << 20, 7);
+  const Error replaced = error_of([&] { write_file(path, large); });
+  const Error created = error_of([&] { write_file(folder_ / "b", large); });
+  ::setrlimit(RLIMIT_FSIZE, &before);
+  EXPECT_EQ(replaced.kind(), ErrorKind::io);
+  EXPECT_EQ(created.kind(), ErrorKind::io);
+  EXPECT_EQ(read(path), "older");
+  EXPECT_EQ(entries(), 1u);
+}
+
+TEST_F(WriteFile, AKilledProcessLeavesNoPart) {
+  const std::vector<std::uint8_t> large(8 << 20, 7);
+  const pid_t child = ::fork();
+  if (child == 0) {
+    for (;;) {
+      write_file(folder_ / "a", large);
+      ::unlink((folder_ / "a").c_str());
+    }
+  }
+  ASSERT_GT(child, 0);
+  std::this_thread::sleep_for(std::chrono::milliseconds(60));
+  ::kill(child, SIGKILL);
+  ::waitpid(child, nullptr, 0);
+  EXPECT_LE(entries(), 1u);
+  if (fs::exists(folder_ / "a")) {
+    EXPECT_EQ(fs::file_size(folder_ / "a"), large.size());
+  }
+}
+
+TEST_F(WriteFile, NeedsAFolder) {
+  const fs::path path = folder_ / "none" / "a.png";
+  EXPECT_EQ(error_of([&] { require_writable(path); }).kind(), ErrorKind::io);
+  EXPECT_EQ(error_of([&] { write_file(path, bytes_of("x")); }).kind(), ErrorKind::io);
+  EXPECT_EQ(error_of([&] { require_writable(folder_); }).kind(), ErrorKind::usage);
+  EXPECT_EQ(error_of([&] { require_writable(""); }).kind(), ErrorKind::usage);
+  EXPECT_EQ(error_of([&] { write_file(folder_, bytes_of("x")); }).kind(), ErrorKind::usage);
+  EXPECT_EQ(entries(), 0u);
+}
+
+TEST_F(WriteFile, ReportsAFolderThatCannotBeWritten) {
+  // Permissions do not bind root; nobody creates files in /proc.
+  const fs::path locked = ::geteuid() == 0 ? fs::path("/proc") : folder_;
+  if (::geteuid() != 0) ::chmod(folder_.c_str(), 0500);
+  EXPECT_EQ(error_of([&] { require_writable(locked / "a.png"); }).kind(), ErrorKind::io);
+  EXPECT_EQ(error_of([&] { write_file(locked / "a.png", bytes_of("x")); }).kind(), ErrorKind::io);
+}
+
+TEST_F(WriteFile, TryingLeavesNothingAndTouchesNothing) {
+  require_writable(folder_ / "a.png");
+  EXPECT_EQ(entries(), 0u);
+  write_file(folder_ / "a.png", bytes_of("kept"));
+  require_writable(folder_ / "a.png");
+  EXPECT_EQ(read(folder_ / "a.png"), "kept");
+  EXPECT_EQ(entries(), 1u);
+  require_writable("/dev/null");
+  require_writable("/dev/full");
+}
+
+}  // namespace
+}  // namespace aerostat::image

@@ -1,0 +1,172 @@
+// The encoders, checked by other decoders.
+
+#include <cmath>
+#include <cstring>
+#include <random>
+
+#include <OpenEXR/ImfChannelList.h>
+#include <OpenEXR/ImfFrameBuffer.h>
+#include <OpenEXR/ImfHeader.h>
+#include <OpenEXR/ImfIO.h>
+#include <OpenEXR/ImfInputFile.h>
+#include <OpenEXR/ImfStandardAttributes.h>
+#include <gtest/gtest.h>
+
+#include "core/error.hpp"
+#include "image/write.hpp"
+
+#define STB_IMAGE_IMPLEMENTATION
+#define STB_IMAGE_STATIC
+#define STBI_ONLY_PNG
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wunused-function"
+#include <stb_image.h>
+#pragma GCC diagnostic pop
+
+namespace aerostat::image {
+namespace {
+
+Pixels random_pixels(int width, int height) {
+  Pixels pixels{width, height, {}};
+  std::mt19937 random(11);
+  for (int i = 0; i < 3 * width * height; ++i) {
+    pixels.rgb.push_back(static_cast<std::uint8_t>(random()));
+  }
+  return pixels;
+}
+
+TEST(Png, DecodesToTheSamePixels) {
+  for (auto [width, height] : {std::pair{1, 1}, {7, 3}, {64, 65}}) {
+    const Pixels pixels = random_pixels(width, height);
+    const auto png = encode_png(pixels);
+    int w = 0, h = 0, channels = 0;
+    stbi_uc* back =
+        stbi_load_from_memory(png.data(), static_cast<int>(png.size()), &w, &h, &channels, 0);
+    ASSERT_NE(back, nullptr);
+    EXPECT_EQ(w, width);
+    EXPECT_EQ(h, height);
+    ASSERT_EQ(channels, 3);
+    EXPECT_EQ(std::memcmp(back, pixels.rgb.data(), pixels.rgb.size()), 0);
+    stbi_image_free(back);
+  }
+}
+
+TEST(Png, RefusesWhatTheEncoderCannotCount) {
+  EXPECT_TRUE(png_can_hold(16384, 16384));
+  EXPECT_FALSE(png_can_hold(32768, 32768));
+  EXPECT_FALSE(png_can_hold(0, 5));
+  Pixels wrong = random_pixels(4, 4);
+  wrong.height = 5;
+  EXPECT_THROW(encode_png(wrong), Error);
+}
+
+/// A file that lies in memory, for OpenEXR's reader.
+class MemoryInput : public Imf::IStream {
+ public:
+  explicit MemoryInput(const std::vector<std::uint8_t>& bytes)
+      : Imf::IStream("memory"), bytes_(bytes) {}
+
+  bool read(char into[], int count) override {
+    const auto n = static_cast<std::size_t>(count);
+    if (position_ + n > bytes_.size()) throw std::runtime_error("read past the end");
+    std::memcpy(into, bytes_.data() + position_, n);
+    position_ += n;
+    return position_ < bytes_.size();
+  }
+  std::uint64_t tellg() override { return position_; }
+  void seekg(std::uint64_t position) override { position_ = position; }
+
+ private:
+  const std::vector<std::uint8_t>& bytes_;
+  std::size_t position_ = 0;
+};
+
+Film example_film(int width, int height) {
+  Film film;
+  film.width = width;
+  film.height = height;
+  for (int i = 0; i < width * height; ++i) {
+    const auto v = static_cast<float>(i);
+    const bool is_sky = i % 5 == 0;
+    film.radiance.push_back({v, v + 0.25f, v * 1000.5f});
+    film.alpha.push_back(is_sky ? 0.0f : 1.0f);
+    film.distance_m.push_back(is_sky ? kInfinity : 10.0f * v);
+    film.normal_ws.push_back(is_sky ? vec3(0.0f) : vec3(0.6f, 0.0f, -0.8f));
+    film.object_id.push_back(is_sky ? 0u : 4000000000u + static_cast<unsigned>(i));
+  }
+  return film;
+}
+
+template <typename T>
+std::vector<T> read_channel(const std::vector<std::uint8_t>& bytes, const char* name) {
+  MemoryInput stream(bytes);
+  Imf::InputFile file(stream);
+  const Imf::Channel* channel = file.header().channels().findChannel(name);
+  if (!channel) return {};
+  const auto window = file.header().dataWindow();
+  const std::size_t width = static_cast<std::size_t>(window.max.x + 1);
+  const std::size_t height = static_cast<std::size_t>(window.max.y + 1);
+  std::vector<T> values(width * height);
+  Imf::FrameBuffer frame;
+  frame.insert(name,
+               Imf::Slice(std::is_same_v<T, float> ? Imf::FLOAT : Imf::UINT,
+                          reinterpret_cast<char*>(values.data()), sizeof(T), sizeof(T) * width));
+  file.setFrameBuffer(frame);
+  file.readPixels(0, window.max.y);
+  EXPECT_EQ(channel->type, (std::is_same_v<T, float> ? Imf::FLOAT : Imf::UINT)) << name;
+  return values;
+}
+
+TEST(Exr, ReadsBackAsWritten) {
+  const Film film = example_film(19, 37);
+  const auto bytes = encode_exr(film);
+  std::vector<float> expected[6];
+  for (std::size_t i = 0; i < film.radiance.size(); ++i) {
+    for (int c = 0; c < 3; ++c) {
+      expected[c].push_back(film.radiance[i][c]);
+      expected[3 + c].push_back(film.normal_ws[i][c]);
+    }
+  }
+  const char* names[] = {"R", "G", "B", "N.X", "N.Y", "N.Z"};
+  for (int c = 0; c < 6; ++c) EXPECT_EQ(read_channel<float>(bytes, names[c]), expected[c]);
+  EXPECT_EQ(read_channel<float>(bytes, "A"), film.alpha);
+  EXPECT_EQ(read_channel<float>(bytes, "Z"), film.distance_m);
+  EXPECT_EQ(read_channel<std::uint32_t>(bytes, "id"), film.object_id);
+  EXPECT_TRUE(std::isinf(read_channel<float>(bytes, "Z")[0]));
+}
+
+TEST(Exr, HasASaneHeader) {
+  const auto bytes = encode_exr(example_film(4, 3));
+  MemoryInput stream(bytes);
+  Imf::InputFile file(stream);
+  EXPECT_EQ(file.header().compression(), Imf::ZIP_COMPRESSION);
+  EXPECT_EQ(file.header().displayWindow(), file.header().dataWindow());
+  EXPECT_FLOAT_EQ(Imf::chromaticities(file.header()).red.x, 0.64f);
+  EXPECT_FLOAT_EQ(Imf::chromaticities(file.header()).white.y, 0.329f);
+  EXPECT_TRUE(file.isComplete());
+}
+
+TEST(Exr, LeavesOutWhatTheFilmLacks) {
+  Film film = example_film(4, 3);
+  film.object_id.clear();
+  film.normal_ws.clear();
+  const auto bytes = encode_exr(film);
+  EXPECT_TRUE(read_channel<std::uint32_t>(bytes, "id").empty());
+  EXPECT_TRUE(read_channel<float>(bytes, "N.X").empty());
+  EXPECT_EQ(read_channel<float>(bytes, "Z"), film.distance_m);
+}
+
+TEST(Exr, RefusesALayerOfTheWrongLength) {
+  Film film = example_film(4, 3);
+  film.alpha.pop_back();
+  EXPECT_THROW(encode_exr(film), Error);
+}
+
+TEST(Encoders, AreDeterministic) {
+  const Film film = example_film(33, 20);
+  EXPECT_EQ(encode_exr(film), encode_exr(film));
+  EXPECT_EQ(encode_png(develop(film, -3.0)), encode_png(develop(film, -3.0)));
+}
+
+}  // namespace
+}  // namespace aerostat::image

@@ -1,0 +1,176 @@
+// The way from radiance to display values: properties of the curve and values in closed form.
+
+#include <cmath>
+#include <limits>
+#include <random>
+
+#include <gtest/gtest.h>
+
+#include "core/error.hpp"
+#include "image/tone.hpp"
+#include "image/write.hpp"
+
+namespace aerostat::image {
+namespace {
+
+TEST(ToneCurve, IsStrictlyIncreasingUpToTheWhitePoint) {
+  double before = tone_curve(0.0);
+  EXPECT_EQ(before, 0.0);
+  for (double x = 1e-4; x < kWhitePoint; x *= 1.01) {
+    const double now = tone_curve(x);
+    EXPECT_GT(now, before) << "at " << x;
+    EXPECT_LT(now, 1.0) << "at " << x;
+    before = now;
+  }
+  EXPECT_NEAR(before, 1.0, 1e-2);
+  EXPECT_EQ(tone_curve(kWhitePoint), 1.0);
+  EXPECT_EQ(tone_curve(1e30), 1.0);
+}
+
+TEST(ToneCurve, MeetsMiddleGrey) {
+  EXPECT_NEAR(tone_curve(0.18), 0.19, 1e-9);
+  // About the scene's own contrast there: the slope in a log-log diagram.
+  const double slope = std::log(tone_curve(0.19) / tone_curve(0.17)) / std::log(0.19 / 0.17);
+  EXPECT_GT(slope, 0.95);
+  EXPECT_LT(slope, 1.25);
+}
+
+TEST(ToneCurve, IsContinuousAtTheWhitePoint) {
+  EXPECT_NEAR(tone_curve(kWhitePoint * (1.0 - 1e-9)), 1.0, 1e-6);
+}
+
+TEST(ToneCurve, KeepsDetailInSunlitSnow) {
+  // Snow of albedo 0.9 in the sun (pi) and a patch 3 % darker stay apart in eight bits and below
+  // white.
+  const double lit = 255.0 * srgb_from_linear(tone_curve(0.9));
+  const double darker = 255.0 * srgb_from_linear(tone_curve(0.9 * 0.97));
+  EXPECT_LT(lit, 250.0);
+  EXPECT_GT(lit, 170.0);
+  EXPECT_GT(lit - darker, 1.0);
+}
+
+TEST(ToneMap, KeepsGreysGrey) {
+  for (double x : {0.0, 0.001, 0.18, 0.9, 3.0, 5.9, 100.0}) {
+    const dvec3 display = tone_map(dvec3{x});
+    EXPECT_DOUBLE_EQ(display.x, tone_curve(x));
+    EXPECT_DOUBLE_EQ(display.y, display.x);
+    EXPECT_DOUBLE_EQ(display.z, display.x);
+  }
+}
+
+// Hue as in HSV's circle, by where the middle component lies between the others.
+double middle_share(const dvec3& c) {
+  const double lo = std::min({c.x, c.y, c.z});
+  const double hi = std::max({c.x, c.y, c.z});
+  return (c.x + c.y + c.z - lo - hi - lo) / (hi - lo);
+}
+
+TEST(ToneMap, DoesNotTurnHue) {
+  std::mt19937 random(7);
+  std::uniform_real_distribution<double> uniform(0.01, 4.0);
+  for (int i = 0; i < 1000; ++i) {
+    const dvec3 color{uniform(random), uniform(random), uniform(random)};
+    const dvec3 display = tone_map(color);
+    EXPECT_NEAR(middle_share(display), middle_share(color), 1e-6);
+  }
+}
+
+TEST(ToneMap, DesaturatesTowardsWhiteOnly) {
+  const dvec3 orange{1.0, 0.5, 0.1};
+  double before = 1.0;
+  for (double gain = 0.05; gain < 6.0; gain *= 1.2) {
+    const dvec3 display = tone_map(orange * gain);
+    const double saturation = 1.0 - display.z / display.x;
+    EXPECT_LE(saturation, before + 1e-12);
+    before = saturation;
+  }
+  EXPECT_LT(before, 0.1);
+  const dvec3 dim = tone_map(orange * 0.2);
+  EXPECT_NEAR(dim.y / dim.x, 0.5, 1e-3);
+}
+
+TEST(ToneMap, TakesWhatIsNoColour) {
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  const double infinity = std::numeric_limits<double>::infinity();
+  EXPECT_EQ(tone_map({nan, -1.0, 0.0}), dvec3(0.0));
+  EXPECT_EQ(tone_map({infinity, 0.2, nan}), dvec3(1.0));
+}
+
+TEST(Srgb, HasTheValuesOfTheStandard) {
+  EXPECT_EQ(srgb_from_linear(0.0), 0.0);
+  EXPECT_NEAR(srgb_from_linear(1.0), 1.0, 1e-15);
+  EXPECT_NEAR(srgb_from_linear(0.002), 0.02584, 1e-12);
+  EXPECT_NEAR(srgb_from_linear(0.18), 0.4613561295, 1e-9);
+  EXPECT_NEAR(srgb_from_linear(0.5), 0.7353569831, 1e-9);
+  EXPECT_NEAR(srgb_from_linear(0.0031308), srgb_from_linear(0.0031309), 1e-5);
+  EXPECT_EQ(srgb_from_linear(-1.0), 0.0);
+  EXPECT_NEAR(srgb_from_linear(7.0), 1.0, 1e-15);
+}
+
+TEST(Srgb, IsInvertible) {
+  for (int i = 0; i <= 255; ++i) {
+    EXPECT_NEAR(srgb_from_linear(linear_from_srgb(i / 255.0)), i / 255.0, 2e-8);
+  }
+}
+
+TEST(Dither, KeepsBlackAndWhiteAndEightBitValues) {
+  for (int y = 0; y < 8; ++y) {
+    for (int x = 0; x < 8; ++x) {
+      EXPECT_EQ(quantise(0.0, x, y), 0);
+      EXPECT_EQ(quantise(1.0, x, y), 255);
+      EXPECT_EQ(quantise(100.0 / 255.0, x, y), 100);
+    }
+  }
+}
+
+TEST(Dither, IsRightOnTheMeanAndNeverFartherThanOneStep) {
+  for (double value : {0.3, 17.25, 99.5, 200.99}) {
+    double sum = 0.0;
+    for (int y = 8; y < 16; ++y) {
+      for (int x = 16; x < 24; ++x) {
+        const int step = quantise(value / 255.0, x, y);
+        EXPECT_LE(std::abs(step - value), 1.0);
+        sum += step;
+      }
+    }
+    EXPECT_NEAR(sum / 64.0, value, 1.0 / 64.0);
+  }
+}
+
+TEST(Develop, BreaksUpBands) {
+  // A sky so even that it spans one step of eight bits: rounding alone would be wrong by up to half
+  // a step, over hundreds of pixels at a stretch.
+  Film film;
+  film.width = 512;
+  film.height = 8;
+  for (int i = 0; i < film.width * film.height; ++i) {
+    film.radiance.push_back(vec3(0.3f + 1e-5f * static_cast<float>(i % film.width)));
+  }
+  const Pixels pixels = develop(film, 0.0);
+  for (int block = 0; block < film.width; block += 8) {
+    double sum = 0.0;
+    for (int i = 0; i < 64; ++i) sum += pixels.rgb[3 * (block + i % 8 + i / 8 * film.width)];
+    const double middle = tone_curve(0.3 + 1e-5 * (block + 3.5));
+    EXPECT_NEAR(sum / 64.0, 255.0 * srgb_from_linear(middle), 2.0 / 64.0);
+  }
+}
+
+TEST(Develop, ExposesInStops) {
+  Film film;
+  film.width = film.height = 1;
+  film.radiance = {vec3(0.045f)};
+  const double expected = 255.0 * srgb_from_linear(0.19);
+  EXPECT_NEAR(develop(film, 2.0).rgb[0], expected, 1.0);
+  EXPECT_LT(develop(film, 0.0).rgb[0], expected - 40.0);
+}
+
+TEST(Develop, RefusesAFilmWithoutItsPixels) {
+  Film film;
+  film.width = 4;
+  film.height = 4;
+  film.radiance.resize(15);
+  EXPECT_THROW(develop(film, 0.0), Error);
+}
+
+}  // namespace
+}  // namespace aerostat::image

@@ -1,0 +1,2 @@
+aerostat_test(opencl_test LABEL unit LINKS aerostat::opencl aerostat_kernel_sources
+              SOURCES opencl_cache_test.cpp opencl_run_test.cpp)

@@ -1,0 +1,3 @@
+aerostat_test(scene_test LABEL unit LINKS aerostat::scene)
+aerostat_test(scene_error_test LABEL unit LINKS aerostat::scene)
+aerostat_test(scene_schema_test LABEL unit LINKS aerostat::scene nlohmann_json::nlohmann_json)

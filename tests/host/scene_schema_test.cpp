@@ -1,0 +1,124 @@
+#include <fstream>
+#include <functional>
+#include <set>
+#include <string>
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "scene/io.hpp"
+
+namespace aerostat::scene {
+namespace {
+
+using nlohmann::json;
+
+json schema() {
+  std::ifstream file(AEROSTAT_SOURCE_DIR "/scenes/aerostat-scene.schema.json");
+  return json::parse(file);
+}
+
+const json& follow(const json& rule, const json& root) {
+  if (rule.contains("$ref")) {
+    return root.at(json::json_pointer(rule["$ref"].get<std::string>().substr(1)));
+  }
+  return rule.contains("anyOf") ? rule["anyOf"].back() : rule;
+}
+
+/// Calls `visit` for every rule of a field, with its path.
+void walk(const json& rule, const json& root, const std::string& path,
+          const std::function<void(const std::string&, const json&)>& visit) {
+  const json& resolved = follow(rule, root);
+  visit(path, resolved);
+  if (resolved.contains("properties")) {
+    for (const auto& [key, child] : resolved["properties"].items()) {
+      walk(child, root, path + "/" + key, visit);
+    }
+  }
+  if (resolved.contains("items") && resolved["items"]["type"] == "object") {
+    walk(resolved["items"], root, path + "/0", visit);
+  }
+}
+
+Scene full_scene() {
+  Scene scene = defaults(BiomeKind::snow, View::outside);
+  scene.lights.emplace_back();
+  return scene;
+}
+
+TEST(SceneSchema, DescribesAndBoundsEveryField) {
+  const json root = schema();
+  EXPECT_EQ(root["$schema"], "http://json-schema.org/draft-07/schema#");
+  walk(root, root, "", [](const std::string& path, const json& rule) {
+    EXPECT_TRUE(rule.contains("description")) << path;
+    const std::string type = rule.at("type");
+    EXPECT_EQ(rule.value("additionalProperties", true), type != "object") << path;
+    const bool number = type == "number" || type == "integer";
+    if (number && !rule.contains("enum")) {
+      EXPECT_TRUE(rule.contains("minimum") || rule.contains("exclusiveMinimum")) << path;
+      EXPECT_TRUE(rule.contains("maximum")) << path;
+    }
+    EXPECT_EQ(rule.contains("maxItems"), type == "array") << path;
+  });
+}
+
+TEST(SceneSchema, KnowsExactlyTheKeysThatAreWritten) {
+  const json root = schema();
+  std::set<std::string> known;
+  walk(root, root, "", [&known](const std::string& path, const json& rule) {
+    if (rule["type"] != "object") known.insert(path);
+  });
+  std::set<std::string> written;
+  const json dump = json::parse(write_text(full_scene()));
+  const std::function<void(const json&, const std::string&)> collect =
+      [&](const json& node, const std::string& path) {
+        const bool objects = node.is_array() && !node.empty() && node[0].is_object();
+        if (!node.is_object()) written.insert(path);
+        if (!node.is_object() && !objects) return;
+        for (const auto& [key, child] : node.items()) collect(child, path + "/" + key);
+      };
+  collect(dump, "");
+  for (const char* only_read : {"/$schema", "/sun/azimuth_deg", "/sun/elevation_deg"}) {
+    EXPECT_EQ(known.erase(only_read), 1u) << only_read;
+  }
+  EXPECT_EQ(known, written);
+}
+
+TEST(SceneSchema, AcceptsEveryWordThatItNames) {
+  const json root = schema();
+  int words = 0;
+  walk(root, root, "", [&words](const std::string& path, const json& rule) {
+    for (const json& word : rule.value("enum", json::array())) {
+      const Scene scene = read_text(R"({"version": 1})", "x.json", {{path, word.dump()}});
+      const json dump = json::parse(write_text(scene));
+      EXPECT_EQ(dump.at(json::json_pointer(path)), word) << path;
+      ++words;
+    }
+  });
+  EXPECT_GT(words, 25);
+}
+
+TEST(SceneSchema, BoundsAreEnforcedAtBothEnds) {
+  const json root = schema();
+  walk(root, root, "", [](const std::string& path, const json& rule) {
+    if (path.starts_with("/lights/") || rule.contains("enum")) return;
+    if (rule["type"] != "number" && rule["type"] != "integer") return;
+    const auto accepts = [&path](double value) {
+      try {
+        read_text(R"({"version": 1})", "x.json", {{path, json(value).dump()}});
+        return true;
+      } catch (const std::exception&) {
+        return false;
+      }
+    };
+    const bool open = rule.contains("exclusiveMinimum");
+    const double least = open ? rule["exclusiveMinimum"] : rule["minimum"];
+    EXPECT_EQ(accepts(least), !open) << path;
+    EXPECT_TRUE(accepts(rule["maximum"])) << path;
+    EXPECT_FALSE(accepts(least - 1.0)) << path;
+    EXPECT_FALSE(accepts(rule["maximum"].get<double>() + 1.0)) << path;
+  });
+}
+
+}  // namespace
+}  // namespace aerostat::scene

@@ -1,0 +1,217 @@
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+
+#include <gtest/gtest.h>
+
+#include "scene/io.hpp"
+
+namespace aerostat::scene {
+namespace {
+
+Scene read(const std::string& body, const std::vector<Override>& overrides = {}) {
+  return read_text(R"({"version": 1)" + (body.empty() ? "" : ", " + body) + "}", "test.json",
+                   overrides);
+}
+
+class SceneFile : public testing::TestWithParam<const char*> {
+ protected:
+  static std::filesystem::path path() {
+    return std::filesystem::path(AEROSTAT_SOURCE_DIR) / "scenes" /
+           (std::string(GetParam()) + ".json");
+  }
+};
+
+TEST_P(SceneFile, DumpOfDumpIsTheSameText) {
+  const std::string dump = write_text(read_file(path()));
+  EXPECT_EQ(write_text(read_text(dump, "dump")), dump);
+  EXPECT_EQ(dump.back(), '\n');
+}
+
+TEST_P(SceneFile, IsWhatItsNameSays) {
+  const Scene scene = read_file(path());
+  const std::string name = GetParam();
+  const BiomeKind kind = name.starts_with("snow")       ? BiomeKind::snow
+                         : name.starts_with("tropical") ? BiomeKind::tropical
+                                                        : BiomeKind::sand;
+  EXPECT_EQ(scene.biome.kind, kind);
+  EXPECT_EQ(scene.camera.view, name.ends_with("-basket") ? View::basket : View::outside);
+  EXPECT_EQ(scene.balloon.enabled, !name.ends_with("-empty"));
+  EXPECT_EQ(scene.camera.position_given, scene.camera.view == View::outside);
+}
+
+INSTANTIATE_TEST_SUITE_P(All, SceneFile,
+                         testing::Values("snow", "snow-basket", "tropical", "tropical-basket",
+                                         "sand", "sand-basket", "sand-empty"),
+                         [](const auto& file) {
+                           std::string name = file.param;
+                           std::replace(name.begin(), name.end(), '-', '_');
+                           return name;
+                         });
+
+TEST(SceneDefaults, EveryBiomeBringsItsOwn) {
+  const Scene snow = read(R"("biome": "snow")");
+  const Scene tropical = read(R"("biome": {"kind": "tropical"})");
+  const Scene sand = read(R"("biome": "sand")");
+  EXPECT_EQ(snow.terrain.kind, TerrainKind::mountains);
+  EXPECT_EQ(tropical.terrain.kind, TerrainKind::island);
+  EXPECT_EQ(sand.terrain.kind, TerrainKind::dunes);
+  EXPECT_FALSE(snow.biome.water.enabled);
+  EXPECT_TRUE(tropical.biome.water.enabled);
+  EXPECT_NE(snow.balloon.colors, tropical.balloon.colors);
+  EXPECT_NE(tropical.balloon.colors, sand.balloon.colors);
+  EXPECT_NE(snow.sun.direction, sand.sun.direction);
+  EXPECT_NE(snow.sky.horizon, sand.sky.horizon);
+  EXPECT_NE(snow.haze.visibility_m, tropical.haze.visibility_m);
+  EXPECT_EQ(write_text(read("")), write_text(snow));
+}
+
+TEST(SceneDefaults, ArePlausible) {
+  for (const BiomeKind kind : {BiomeKind::snow, BiomeKind::tropical, BiomeKind::sand}) {
+    const Scene scene = defaults(kind, View::outside);
+    EXPECT_NEAR(glm::length(scene.sun.direction), 1.0, 1e-12);
+    const double elevation = std::asin(scene.sun.direction.y) * 180.0 / kPi;
+    EXPECT_GE(elevation, 8.0);
+    EXPECT_LE(elevation, 25.0);
+    EXPECT_FALSE(scene.balloon.colors.empty());
+    EXPECT_EQ(scene.balloon.height_above, HeightReference::ground);
+    EXPECT_GT(scene.material(ObjectId::flame).emission.x, 1.0f);
+    EXPECT_DOUBLE_EQ(scene.material(ObjectId::envelope).translucency, 0.3);
+  }
+}
+
+TEST(SceneDefaults, BasketViewLeavesTheCameraToTheWorld) {
+  const Scene scene = read(R"("camera": {"view": "basket"})");
+  EXPECT_FALSE(scene.camera.position_given);
+  EXPECT_FALSE(scene.camera.target_given);
+  EXPECT_EQ(write_text(scene).find("\"target\""), std::string::npos);
+
+  const Scene placed = read(R"("camera": {"view": "basket", "position": [1, 2, 3]})");
+  EXPECT_TRUE(placed.camera.position_given);
+  EXPECT_FALSE(placed.camera.target_given);
+  EXPECT_EQ(placed.camera.position, dvec3(1, 2, 3));
+}
+
+TEST(SceneText, FileOverridesDefaults) {
+  const Scene scene = read(R"(
+    // comments of both kinds
+    "image": {"width": 320, "height": 200 /* small */},
+    "terrain": {"kind": "dunes", "seed": 4294967295, "fractal": {"octaves": 5}},
+    "lights": [{"position": [1, 2, 3]}, {"position": [4, 5, 6], "shadows": false}],
+    "materials": {"basket": {"specular": 0.5}},
+    "shading": "gouraud")");
+  EXPECT_EQ(scene.image.width, 320);
+  EXPECT_EQ(scene.terrain.kind, TerrainKind::dunes);
+  EXPECT_EQ(scene.terrain.seed, 4294967295u);
+  EXPECT_EQ(scene.terrain.fractal.octaves, 5);
+  EXPECT_EQ(scene.terrain.fractal.kind, FractalKind::ridged);
+  ASSERT_EQ(scene.lights.size(), 2u);
+  EXPECT_EQ(scene.lights[1].position, dvec3(4, 5, 6));
+  EXPECT_FALSE(scene.lights[1].shadows);
+  EXPECT_DOUBLE_EQ(scene.material(ObjectId::basket).specular, 0.5);
+  EXPECT_EQ(scene.shading, Shading::gouraud);
+}
+
+TEST(SceneText, NumbersKeepTheirShortText) {
+  const std::string dump = write_text(read(R"("sky": {"zenith": [0.35, 0.1, 1e-7]},
+      "haze": {"visibility_m": 12345.678}, "balloon": {"position": [0.1, -0.0, 1e5]})"));
+  EXPECT_NE(dump.find("\"zenith\": [0.35, 0.1, 1e-07]"), std::string::npos) << dump;
+  EXPECT_NE(dump.find("\"visibility_m\": 12345.678"), std::string::npos);
+  EXPECT_NE(dump.find("\"position\": [0.1, 0, 100000]"), std::string::npos);
+}
+
+TEST(SceneText, EveryFieldSurvivesTheRoundTrip) {
+  Scene scene = defaults(BiomeKind::sand, View::basket);
+  scene.camera = {View::basket, {1.5, 2, 3},          {4, 5, 6},    true,
+                  true,         HeightReference::sea, {0, 1, 0.25}, 33};
+  scene.terrain.center = {12.5, -7};
+  scene.terrain.fractal = {FractalKind::fbm, 3, 1.7, 0.7, 0.9};
+  scene.biome.ground.snow_slope_deg[1] = 61;
+  scene.biome.water.absorption_per_m = {0.31f, 0.07f, 0.0123456789f};
+  scene.lights = {{{1, 2, 3}, {0.5f, 1, 1}, 7, false}};
+  scene.shading = Shading::flat;
+  scene.image = {33, 44, 5, 6, Filter::tent, -1.5};
+  const std::string dump = write_text(scene);
+  const Scene back = read_text(dump, "dump");
+  EXPECT_EQ(write_text(back), dump);
+  EXPECT_EQ(back.camera.target, scene.camera.target);
+  EXPECT_EQ(back.camera.height_above, HeightReference::sea);
+  EXPECT_EQ(back.biome.water.absorption_per_m, scene.biome.water.absorption_per_m);
+  EXPECT_EQ(back.lights[0].color, scene.lights[0].color);
+  EXPECT_EQ(back.image.filter, Filter::tent);
+  EXPECT_EQ(back.terrain.center, scene.terrain.center);
+}
+
+TEST(SceneText, WholeNumbersMayHaveAPoint) {
+  EXPECT_EQ(read(R"("image": {"width": 640.0})").image.width, 640);
+}
+
+TEST(SceneSun, AnglesAndDirectionAgree) {
+  const Scene east = read(R"("sun": {"azimuth_deg": 90, "elevation_deg": 0})");
+  EXPECT_NEAR(east.sun.direction.x, 1.0, 1e-12);
+  const Scene north = read(R"("sun": {"azimuth_deg": 0, "elevation_deg": 30})");
+  EXPECT_NEAR(north.sun.direction.y, 0.5, 1e-12);
+  EXPECT_LT(north.sun.direction.z, 0.0);
+  const Scene scaled = read(R"("sun": {"direction": [0, 3, 4]})");
+  EXPECT_NEAR(scaled.sun.direction.y, 0.6, 1e-12);
+  EXPECT_NEAR(scaled.sun.direction.z, 0.8, 1e-12);
+}
+
+TEST(SceneSun, OneAngleKeepsTheOtherOfTheBiome) {
+  const Scene usual = defaults(BiomeKind::snow, View::outside);
+  const Scene turned = read(R"("sun": {"azimuth_deg": 10})");
+  EXPECT_NEAR(turned.sun.direction.y, usual.sun.direction.y, 1e-12);
+  EXPECT_NEAR(std::atan2(turned.sun.direction.x, -turned.sun.direction.z) * 180.0 / kPi, 10.0,
+              1e-6);
+}
+
+TEST(SceneOverride, IsSplitAtTheFirstEqualsSign) {
+  const Override change = parse_override("/a/b=c=d");
+  EXPECT_EQ(change.pointer, "/a/b");
+  EXPECT_EQ(change.value, "c=d");
+  EXPECT_EQ(parse_override("/a=").value, "");
+}
+
+TEST(SceneOverride, SetsValuesOfEveryKind) {
+  const Scene scene = read(R"("biome": "sand", "image": {"width": 10})",
+                           {{"/image/width", "64"},
+                            {"/biome/water/enabled", "true"},
+                            {"/camera/view", "basket"},
+                            {"/camera/up", "[0, 1, 1]"},
+                            {"/lights", R"([{"position": [0, 0, 0]}])"},
+                            {"/lights/0/position/1", "12"},
+                            {"/lights/-", R"({"position": [9, 9, 9]})"}});
+  EXPECT_EQ(scene.image.width, 64);
+  EXPECT_EQ(scene.biome.kind, BiomeKind::sand);
+  EXPECT_TRUE(scene.biome.water.enabled);
+  EXPECT_EQ(scene.camera.view, View::basket);
+  EXPECT_FALSE(scene.camera.position_given);
+  EXPECT_EQ(scene.camera.up, dvec3(0, 1, 1));
+  ASSERT_EQ(scene.lights.size(), 2u);
+  EXPECT_EQ(scene.lights[0].position, dvec3(0, 12, 0));
+}
+
+TEST(SceneOverride, ReachesIntoDefaultArrays) {
+  const Scene usual = defaults(BiomeKind::tropical, View::outside);
+  const Scene scene = read(
+      "", {{"/biome", "tropical"}, {"/balloon/colors/1/0", "0.5"}, {"/camera/position/1", "44"}});
+  EXPECT_EQ(scene.balloon.colors.size(), usual.balloon.colors.size());
+  EXPECT_FLOAT_EQ(scene.balloon.colors[1].x, 0.5f);
+  EXPECT_EQ(scene.balloon.colors[1].y, usual.balloon.colors[1].y);
+  EXPECT_EQ(scene.camera.position, dvec3(usual.camera.position.x, 44, usual.camera.position.z));
+}
+
+TEST(SceneOverride, OfTheSunReplacesTheOtherForm) {
+  const std::string dump = write_text(defaults(BiomeKind::snow, View::outside));
+  const Scene raised = read_text(dump, "dump", {{"/sun/elevation_deg", "60"}});
+  EXPECT_NEAR(raised.sun.direction.y, std::sin(60.0 * kPi / 180.0), 1e-6);
+  const Scene usual = read_text(dump, "dump");
+  EXPECT_NEAR(raised.sun.direction.x / raised.sun.direction.z,
+              usual.sun.direction.x / usual.sun.direction.z, 1e-9);
+  const Scene pointed =
+      read(R"("sun": {"azimuth_deg": 5, "elevation_deg": 6})", {{"/sun/direction", "[0, 2, 0]"}});
+  EXPECT_EQ(pointed.sun.direction, dvec3(0, 1, 0));
+}
+
+}  // namespace
+}  // namespace aerostat::scene

@@ -1,0 +1,2 @@
+aerostat_test(noise_test LABEL unit LINKS aerostat::terrain)
+aerostat_test(terrain_test LABEL unit LINKS aerostat::terrain aerostat::mesh TBB::tbb)

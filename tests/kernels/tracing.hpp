@@ -1,0 +1,79 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "../host/bvh_meshes.hpp"
+#include "bvh/bvh.hpp"
+#include "probe.hpp"
+#include "trace_triangle.h"
+
+/// Rays and meshes on the device, and the answers of brute force in double precision.
+namespace aerostat::test {
+
+inline constexpr std::uint32_t kNoTriangle = 0xffffffffu;
+
+struct Ray {
+  vec3 origin;
+  vec3 direction;  // unit
+  float t_max = kInfinity;
+};
+
+struct Hit {
+  float t = kInfinity;
+  float u = 0.0f;
+  float v = 0.0f;
+  std::uint32_t slot = kNoTriangle;
+
+  bool met() const { return slot != kNoTriangle; }
+};
+
+/// From `origin` towards `target`, the direction rounded once.
+Ray ray_towards(const vec3& origin, const dvec3& target);
+
+/// Unit vector, evenly distributed.
+vec3 random_direction(std::mt19937& random);
+
+/// Rays as the probes take them.
+struct RayBuffers {
+  explicit RayBuffers(const std::vector<Ray>& rays);
+
+  std::size_t elements;
+  opencl::Buffer<float> origins, directions, t_max, tuv;
+  opencl::Buffer<std::uint32_t> slots;
+
+  std::vector<Hit> hits(std::size_t count) const;
+};
+
+/// A soup in the order of its tree's leaves, on the device.
+class TracedMesh {
+ public:
+  explicit TracedMesh(const Soup& soup, const bvh::BuildOptions& options = {});
+
+  std::vector<Hit> trace(const std::vector<Ray>& rays, int lanes, bool any_hit = false) const;
+
+  const bvh::Bvh& tree() const { return tree_; }
+  const std::vector<AeroTriangle>& triangles() const { return triangles_; }
+
+ private:
+  bvh::Bvh tree_;
+  std::vector<AeroTriangle> triangles_;
+  opencl::Buffer<AeroBvhNode> node_buffer_;
+  opencl::Buffer<AeroTriangle> triangle_buffer_;
+};
+
+/// A triangle's answer to a ray by the 3x3 determinants of a, b, c = V0-V1, d, e, f = V0-V2,
+/// g, h, i = D, j, k, l = V0-O in double precision. `slack` is the least of u, v and 1-u-v: below
+/// zero the ray misses.
+struct ExactHit {
+  double t = 0.0;
+  double u = 0.0;
+  double v = 0.0;
+  double slack = -std::numeric_limits<double>::infinity();
+
+  bool met(double t_max) const { return slack >= 0.0 && t >= 0.0 && t <= t_max; }
+};
+
+ExactHit exact_hit(const AeroTriangle& triangle, const Ray& ray);
+
+}  // namespace aerostat::test
