@@ -1,14 +1,15 @@
 #include "report.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
+
+#include <fmt/format.h>
 
 namespace aerostat::bench {
 namespace {
 
 std::string ray_rows(const nlohmann::ordered_json& rays) {
-  std::string text = fmt::format("{:<10}{:<34}{:>10}{:>10}\n", "rays", "tracer", "Mrays/s", "ratio");
+  std::string text =
+      fmt::format("{:<10}{:<34}{:>10}{:>10}\n", "rays", "tracer", "Mrays/s", "ratio");
   for (const auto& [kind, tracers] : rays.items()) {
     for (const auto& [tracer, figures] : tracers.items()) {
       if (!figures.contains("mrays_per_s")) continue;

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "cli/commands.hpp"
+#include "cli/help_text.hpp"
 #include "cli/parse.hpp"
 #include "cli/scene_input.hpp"
 #include "core/error.hpp"
@@ -12,45 +13,6 @@
 namespace aerostat::cli {
 
 namespace {
-
-constexpr const char* kDescription =
-    "Renders pictures of a hot-air balloon before a mountain landscape, by ray tracing on OpenCL.";
-
-constexpr const char* kMainFooter = R"(Examples:
-  aerostat render scenes/snow.json
-  aerostat devices
-  aerostat COMMAND --help
-
-Environment:
-  AEROSTAT_DEVICE      the device, if --device is not given
-  AEROSTAT_KERNEL_DIR  reads the kernels from this folder instead of the program
-  NO_COLOR             if set, nothing is coloured
-
-Exit codes: 0 done, 64 wrong command line, 65 bad scene, 69 no such device, 70 internal fault,
-74 file cannot be read or written, 75 out of memory or device lost, 130 and 143 interrupted.)";
-
-constexpr const char* kRenderFooter = R"(Examples:
-  aerostat render scenes/snow.json
-  aerostat render scenes/tropical.json -o beach.png --width 1920 --height 1080 --spp 16
-  aerostat render scenes/sand.json -o layers.exr --spp 1
-  aerostat render scenes/snow.json --set /sun/elevation_deg=6 --set /balloon/pattern=spiral
-  aerostat render scenes/snow.json --crop 400,200,880,520 --device cpu --stats)";
-
-constexpr const char* kDevicesFooter = R"(Examples:
-  aerostat devices
-  aerostat devices --json)";
-
-constexpr const char* kCheckFooter = R"(Examples:
-  aerostat check scenes/snow.json
-  aerostat check my.json --set /image/width=800)";
-
-constexpr const char* kDumpFooter = R"(Examples:
-  aerostat dump scenes/snow.json
-  aerostat dump scenes/snow.json --set /terrain/seed=7 > seed7.json)";
-
-constexpr const char* kExportFooter = R"(Examples:
-  aerostat export scenes/snow.json -o world.ply
-  aerostat export scenes/sand.json -o dunes.obj --set /terrain/cells=256)";
 
 constexpr int kLargestSide = 32768;
 constexpr int kMostSamples = 65536;

@@ -9,8 +9,8 @@ namespace aerostat::cli {
 
 int export_world(const ExportOptions& options) {
   const MeshFormat format = mesh_format(options.output);
-  const scene::Scene scene = load_scene(options.input);
   image::require_writable(options.output);
+  const scene::Scene scene = load_scene(options.input);
   const world::World world = world::build(scene);
   std::vector<mesh::ExportObject> objects;
   for (const world::Group& group : {world.land, world.balloon}) {

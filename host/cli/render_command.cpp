@@ -1,4 +1,3 @@
-#include <chrono>
 #include <cstdio>
 
 #include <fmt/format.h>
@@ -11,6 +10,7 @@
 #include "cli/scene_input.hpp"
 #include "core/error.hpp"
 #include "core/log.hpp"
+#include "core/stopwatch.hpp"
 #include "image/write.hpp"
 #include "opencl/device.hpp"
 #include "render/session.hpp"
@@ -81,17 +81,17 @@ std::string summary(const fs::path& output, const image::Film& film, int spp,
 }  // namespace
 
 int render(const RenderOptions& options) {
-  const auto begin = std::chrono::steady_clock::now();
+  const Stopwatch watch;
   const fs::path output =
       options.output.empty() ? default_picture(options.input.scene) : options.output;
   const PictureFormat format = picture_format(output);
+  image::require_writable(output);
   const Interrupt interrupt;
   ProgressBar bar(stderr_style(options.quiet), print_stderr);
   const WarningsAbove warnings(bar, options.quiet);
 
   const scene::Scene scene = scene_to_render(options);
   require_encodable(options, scene.image, format);
-  image::require_writable(output);
   const opencl::Device device = opencl::select_device(opencl::effective_selector(options.device));
   render::Session session({device, options.lanes, options.memory_limit_bytes, 0});
   const image::Film film = session.render(
@@ -103,9 +103,8 @@ int render(const RenderOptions& options) {
   if (interrupt.token().stop_requested()) throw Error(ErrorKind::interrupted, "interrupted");
   image::write_file(output, bytes);
 
-  const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - begin;
   if (!options.quiet) {
-    bar.message(summary(output, film, scene.image.spp, device, seconds.count()));
+    bar.message(summary(output, film, scene.image.spp, device, watch.seconds()));
   }
   if (options.stats) print_stderr(stats_text(session.stats(), peak_memory_bytes()));
   return 0;

@@ -1,9 +1,10 @@
 #pragma once
 
 #include <cmath>
-#include <glm/glm.hpp>
 #include <limits>
 #include <numbers>
+
+#include <glm/glm.hpp>
 
 namespace aerostat {
 
@@ -16,8 +17,12 @@ using glm::vec3;
 inline constexpr float kPi = std::numbers::pi_v<float>;
 inline constexpr float kInfinity = std::numeric_limits<float>::infinity();
 
-constexpr float radians_from_degrees(float degrees) { return degrees * (kPi / 180.0f); }
-constexpr float degrees_from_radians(float radians) { return radians * (180.0f / kPi); }
+constexpr float radians_from_degrees(float degrees) {
+  return degrees * (kPi / 180.0f);
+}
+constexpr float degrees_from_radians(float radians) {
+  return radians * (180.0f / kPi);
+}
 
 /// True if no component is NaN or infinite.
 inline bool is_finite(const vec3& v) {

@@ -1,5 +1,6 @@
 #include "model/basket.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <numbers>

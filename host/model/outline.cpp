@@ -1,5 +1,6 @@
 #include "model/outline.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 

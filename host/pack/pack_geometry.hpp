@@ -13,7 +13,7 @@ namespace aerostat::pack {
 struct PackedGroup {
   bvh::Bvh tree;  // `order` is given up: it is what the triangles were sorted by
   std::vector<AeroTriangle> triangles;
-  std::vector<AeroFace> faces;      // vertex indices within this group
+  std::vector<AeroFace> faces;  // vertex indices within this group
   std::vector<AeroVertex> vertices;
 
   std::uint64_t bytes() const;

@@ -1,5 +1,8 @@
 #include "pack/pack_scene.hpp"
 
+#include <algorithm>
+#include <numeric>
+
 #include <fmt/format.h>
 
 #include "core/error.hpp"
@@ -56,9 +59,8 @@ AeroGround pack_ground(const scene::Scene& scene) {
   ground.relief = static_cast<float>(from.relief);
   ground.ripple = static_cast<float>(from.ripple_m);
   ground.canopy = static_cast<float>(from.canopy_m);
-  const vec3 wind =
-      direction_from_angles(radians_from_degrees(static_cast<float>(scene.terrain.dunes.wind_deg)),
-                            0.0f);
+  const vec3 wind = direction_from_angles(
+      radians_from_degrees(static_cast<float>(scene.terrain.dunes.wind_deg)), 0.0f);
   ground.wind[0] = wind.x;
   ground.wind[1] = wind.z;
   ground.seed = scene.terrain.seed;
@@ -99,20 +101,34 @@ AeroPointLight pack_light(const scene::PointLight& from) {
 
 std::uint32_t filter_of(scene::Filter filter) {
   switch (filter) {
-    case scene::Filter::box: return AERO_FILTER_BOX;
-    case scene::Filter::tent: return AERO_FILTER_TENT;
-    case scene::Filter::gaussian: return AERO_FILTER_GAUSSIAN;
+    case scene::Filter::box:
+      return AERO_FILTER_BOX;
+    case scene::Filter::tent:
+      return AERO_FILTER_TENT;
+    case scene::Filter::gaussian:
+      return AERO_FILTER_GAUSSIAN;
   }
   return AERO_FILTER_GAUSSIAN;
 }
 
 std::uint32_t shading_of(scene::Shading shading) {
   switch (shading) {
-    case scene::Shading::flat: return AERO_SHADING_FLAT;
-    case scene::Shading::gouraud: return AERO_SHADING_GOURAUD;
-    case scene::Shading::phong: return AERO_SHADING_PHONG;
+    case scene::Shading::flat:
+      return AERO_SHADING_FLAT;
+    case scene::Shading::gouraud:
+      return AERO_SHADING_GOURAUD;
+    case scene::Shading::phong:
+      return AERO_SHADING_PHONG;
   }
   return AERO_SHADING_PHONG;
+}
+
+/// A stride that visits all of `samples` strata and leaps by about 0.38 of them, so that any first
+/// few of them are spread evenly.
+std::uint32_t spreading_stride(std::uint32_t samples) {
+  auto stride = std::max(1u, static_cast<std::uint32_t>(0.381966 * samples + 0.5));
+  while (std::gcd(stride, samples) != 1) ++stride;
+  return stride;
 }
 
 AeroCamera pack_camera(const scene::Camera& from, int width, int height) {
@@ -164,9 +180,10 @@ AeroFrame pack_frame(const scene::Scene& scene) {
   frame.camera = pack_camera(scene.camera, scene.image.width, scene.image.height);
   frame.width = static_cast<std::uint32_t>(scene.image.width);
   frame.height = static_cast<std::uint32_t>(scene.image.height);
-  frame.seed = scene.image.seed;
   frame.filter = filter_of(scene.image.filter);
   frame.samples = static_cast<std::uint32_t>(scene.image.spp);
+  frame.sample_stride = spreading_stride(frame.samples);
+  frame.sample_shift = scene.image.seed * 0x9e3779b9u;
   frame.pixel_angle = static_cast<float>(
       2.0 * std::tan(scene.camera.fov_y_deg * (std::numbers::pi / 360.0)) / scene.image.height);
   return frame;

@@ -33,7 +33,8 @@ image::Film read_film(const opencl::Buffer<AeroFilmPixel>& buffer, int image_wid
   film.object_id.resize(pixels);
   std::vector<AeroFilmPixel> row(static_cast<std::size_t>(film.width));
   for (int y = 0; y < film.height; ++y) {
-    const auto first = static_cast<std::size_t>(crop.y0 + y) * static_cast<std::size_t>(image_width);
+    const auto first =
+        static_cast<std::size_t>(crop.y0 + y) * static_cast<std::size_t>(image_width);
     buffer.read(std::span(row), first + static_cast<std::size_t>(crop.x0));
     const auto to = static_cast<std::size_t>(y) * row.size();
     for (std::size_t x = 0; x < row.size(); ++x) {

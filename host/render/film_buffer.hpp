@@ -9,8 +9,8 @@
 
 namespace aerostat::render {
 
-/// Reads the pixels of `crop` after `samples` samples each and averages them. Pixels that are NaN or
-/// infinite become black and are counted.
+/// Reads the pixels of `crop` after `samples` samples each and averages them. Pixels that are NaN
+/// or infinite become black and are counted.
 image::Film read_film(const opencl::Buffer<AeroFilmPixel>& film, int image_width, const Crop& crop,
                       int samples);
 

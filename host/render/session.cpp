@@ -99,9 +99,8 @@ void Session::State::prepare(const scene::Scene& scene) {
     building = std::async(std::launch::async, [this] { return build_programs(context, lanes); });
   }
   const auto old = geometry;
-  const auto fresh = background.run(
-      [scene, old] { return build_geometry(scene, old.get()); }, stop,
-      [this] { report(Stage::world, 0.0); });
+  const auto fresh = background.run([scene, old] { return build_geometry(scene, old.get()); }, stop,
+                                    [this] { report(Stage::world, 0.0); });
   stats.worlds_built = fresh->worlds_built;
   stats.trees_built = fresh->trees_built;
   stats.world_seconds = fresh->world_seconds;
@@ -123,8 +122,8 @@ void Session::State::prepare(const scene::Scene& scene) {
   geometry = fresh;
   const AeroScene packed = pack::pack_scene(scene);
   scene_buffer = {context, budget, std::span(&packed, 1), "the scene"};
-  const auto pixels = static_cast<std::size_t>(scene.image.width) *
-                      static_cast<std::size_t>(scene.image.height);
+  const auto pixels =
+      static_cast<std::size_t>(scene.image.width) * static_cast<std::size_t>(scene.image.height);
   if (film.size() != pixels) {
     film = {};
     film = {context, budget, pixels, "the film"};
@@ -176,8 +175,8 @@ void Session::State::retire(bool all) {
     samples_done += work.samples;
     const double now_rate = static_cast<double>(work.samples) / since_retired.restart();
     rate = rate <= 0.0 ? now_rate : 0.7 * rate + 0.3 * now_rate;
-    report(Stage::rays, std::min(1.0, static_cast<double>(samples_done) /
-                                          static_cast<double>(samples_total)));
+    report(Stage::rays,
+           std::min(1.0, static_cast<double>(samples_done) / static_cast<double>(samples_total)));
   }
 }
 
@@ -201,8 +200,8 @@ void Session::State::trace(const scene::Scene& scene, const Crop& crop) {
   launch.frame = pack::pack_frame(scene);
   opencl::launch(context, programs->clear_film, film.size(), film,
                  static_cast<cl_uint>(film.size()));
-  const auto pixels = static_cast<std::uint64_t>(crop.x1 - crop.x0) *
-                      static_cast<std::uint64_t>(crop.y1 - crop.y0);
+  const auto pixels =
+      static_cast<std::uint64_t>(crop.x1 - crop.x0) * static_cast<std::uint64_t>(crop.y1 - crop.y0);
   samples_total = pixels * static_cast<std::uint64_t>(scene.image.spp);
   samples_done = 0;
   passes_done = 0;
@@ -270,6 +269,8 @@ image::Film Session::snapshot() const {
   return state_->latest;
 }
 
-const Stats& Session::stats() const { return state_->stats; }
+const Stats& Session::stats() const {
+  return state_->stats;
+}
 
 }  // namespace aerostat::render

@@ -18,9 +18,9 @@ namespace aerostat::render {
 
 struct Options {
   opencl::Device device;
-  int lanes = 0;                        // 0: what the device prefers
+  int lanes = 0;                         // 0: what the device prefers
   std::uint64_t memory_limit_bytes = 0;  // buffers on the device; 0: what the device reports
-  int tile_pixels = 0;                  // 0: chosen so that launches stay short
+  int tile_pixels = 0;                   // 0: chosen so that launches stay short
 };
 
 /// A part of the image: pixels x0 <= x < x1, y0 <= y < y1.
@@ -34,8 +34,8 @@ struct Progress {
   Stage stage = Stage::world;
   double fraction = 0.0;  // of the stage
   std::uint64_t rays = 0;
-  double seconds = 0.0;   // since the render began
-  int samples_done = 0;   // per pixel, whole passes
+  double seconds = 0.0;  // since the render began
+  int samples_done = 0;  // per pixel, whole passes
 };
 
 /// Called from the rendering thread, at least every 100 ms of it.

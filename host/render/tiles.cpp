@@ -25,8 +25,7 @@ Tiles::Tiles(const Crop& crop, const PacketShape& shape, std::uint32_t first_sam
 AeroTile Tiles::next(std::uint64_t max_packets) {
   const int block_height = 1 << shape_.log2_h;
   const auto left = static_cast<std::uint64_t>((crop_.y1 - y_ + block_height - 1) / block_height);
-  const std::uint64_t rows =
-      std::clamp<std::uint64_t>(max_packets / packets_per_row_, 1, left);
+  const std::uint64_t rows = std::clamp<std::uint64_t>(max_packets / packets_per_row_, 1, left);
   AeroTile tile{};
   tile.x0 = static_cast<std::uint32_t>(crop_.x0);
   tile.y0 = static_cast<std::uint32_t>(y_);

@@ -8,7 +8,7 @@ namespace {
 
 // Depths of a fringing reef: a sandy lagoon, the reef's flat, then the fore reef falls away.
 constexpr float kLagoonDepth = 7.0f;
-constexpr float kReefDepth = 2.0f;
+constexpr float kReefDepth = 2.2f;
 constexpr float kDeep = 160.0f;
 
 class Island : public Relief {
@@ -19,12 +19,14 @@ class Island : public Relief {
 
  private:
   void shore_distance(const Points& points, Block& inland) const;
+  void plain_width(const Points& points, Block& width) const;
   void survey(const Points& points, Bedrock* rock) const;
-  float sea_bed(float offshore, float lagoon, float bumps) const;
+  float sea_bed(float offshore, float reef_at, float bumps) const;
 
   scene::Terrain terrain_;
   Distortion bends_;
   std::vector<Octave> coast_;
+  std::vector<Octave> plain_;
   std::vector<Octave> massif_;
   std::vector<Octave> detail_;
   std::vector<Octave> bumps_;
@@ -32,7 +34,8 @@ class Island : public Relief {
   float radius_m_;
   float island_x_ = 0.0f;
   float island_z_ = 0.0f;
-  float bay_x_ = 0.0f;
+  float origin_x_ = 0.0f;  // where the distortion takes the terrain's centre
+  float origin_z_ = 0.0f;
   float bay_z_ = 0.0f;
   float bay_m_ = 0.0f;
   HeightGrid carved_;
@@ -42,16 +45,23 @@ Island::Island(const scene::Terrain& t)
     : terrain_(t),
       bends_(t.warp_m, t.warp_feature_m, t.seed ^ 0x3C6EF372u, 5),
       coast_(make_soft_octaves(0.8 * t.feature_m, t.seed ^ 0x510E527Fu, 5)),
+      plain_(make_soft_octaves(0.5 * t.feature_m, t.seed ^ 0xCBBB9D5Du)),
       massif_(make_soft_octaves(t.feature_m, t.seed ^ 0xA54FF53Au, 3)),
       bumps_(make_soft_octaves(260.0, t.seed ^ 0x1F83D9ABu, 4)),
-      radius_m_(0.25f * static_cast<float>(t.size_m)) {
+      radius_m_(0.22f * static_cast<float>(t.size_m)) {
   const float turn = static_cast<float>(lattice_hash(t.seed, 7, 11) >> 8) / 16777216.0f;
   // The island lies ahead (-z) and to one side; the bay opens around the centre.
   const float angle = (turn < 0.5f ? -1.0f : 1.0f) * (0.35f + 0.5f * std::fabs(turn - 0.5f));
-  bay_m_ = 0.33f * static_cast<float>(t.feature_m);
-  bay_z_ = 0.35f * bay_m_;
+  bay_m_ = 0.2f * static_cast<float>(t.feature_m);
+  bay_z_ = 0.3f * bay_m_;
   island_x_ = std::sin(angle) * radius_m_ * 0.95f;
   island_z_ = -std::cos(angle) * radius_m_ * 0.95f;
+  Points origin;
+  origin.count = 1;
+  origin.x[0] = origin.z[0] = origin.spacing[0] = 0.0f;
+  bends_.apply(origin);
+  origin_x_ = origin.x[0];
+  origin_z_ = origin.z[0];
   DrainageOptions options;
   options.size_m = t.size_m + 2.0 * t.warp_m;
   options.height_m = t.height_m;
@@ -70,59 +80,82 @@ Island::Island(const scene::Terrain& t)
 void Island::shore_distance(const Points& points, Block& inland) const {
   Block coast;
   fbm(coast_, points, coast);
-  const float headlands = 0.3f * static_cast<float>(terrain_.feature_m);
+  const auto feature = static_cast<float>(terrain_.feature_m);
   for (int i = 0; i < points.count; ++i) {
-    const float island = radius_m_ - std::hypot(points.x[i] - island_x_, points.z[i] - island_z_);
-    const float bay = std::hypot(points.x[i] - bay_x_, points.z[i] - bay_z_) - bay_m_;
-    const float rim = 0.46f * static_cast<float>(terrain_.size_m) -
-                      std::max(std::fabs(points.x[i]), std::fabs(points.z[i]));
-    inland[i] = smooth_min(island + 1.6f * headlands * coast[i], bay + 0.8f * headlands * coast[i],
-                           0.25f * bay_m_);
+    const float x = points.x[i] - origin_x_;
+    const float z = points.z[i] - origin_z_;
+    const float island = radius_m_ - std::hypot(x - island_x_, z - island_z_);
+    const float bay = std::hypot(x, z - bay_z_) - bay_m_;
+    const float rim =
+        0.43f * static_cast<float>(terrain_.size_m) - std::hypot(points.x[i], points.z[i]);
+    const float land = smooth_min(island + 0.95f * feature * coast[i],
+                                  bay + 0.22f * feature * coast[i], 0.5f * bay_m_);
+    inland[i] = smooth_min(land, rim, 0.1f * feature);
+  }
+}
+
+/// Width of the flat land behind the beach: none at headlands, most in the bay.
+void Island::plain_width(const Points& points, Block& width) const {
+  fbm(plain_, points, width);
+  for (int i = 0; i < points.count; ++i) {
+    const float from_bay = std::hypot(points.x[i] - origin_x_, points.z[i] - origin_z_) / bay_m_;
+    const float bay = 1.0f - ramp(1.2f, 3.0f, from_bay);
+    width[i] = 0.11f * static_cast<float>(terrain_.feature_m) *
+               std::max(ramp(-0.2f, 0.5f, width[i]), 0.7f * bay);
   }
 }
 
 void Island::survey(const Points& points, Bedrock* rock) const {
-  Block inland, massif;
+  Block inland, massif, plain;
   shore_distance(points, inland);
+  plain_width(points, plain);
   fbm(massif_, points, massif);
   for (int i = 0; i < points.count; ++i) {
     const float range = ramp(-0.35f, 0.5f, massif[i]);
-    const float rise = ramp(0.0f, 0.35f * radius_m_, inland[i]);
-    rock[i].uplift = 0.25f + 1.5f * range * range + 1.2f * rise;
-    rock[i].steepest = 0.35f + 0.4f * range + 0.45f * rise;
+    const float rise = ramp(0.0f, 0.45f * radius_m_, inland[i]);
+    const float hills = ramp(0.6f * plain[i], plain[i] + 60.0f, inland[i]);
+    rock[i].uplift = (0.2f + 1.4f * range * range + 1.2f * rise) * mix(0.1f, 1.0f, hills);
+    const float from_bay = std::hypot(points.x[i] - origin_x_, points.z[i] - origin_z_) / bay_m_;
+    const float open = 1.0f - ramp(1.3f, 3.4f, from_bay);
+    rock[i].steepest =
+        mix(0.03f, (0.35f + 0.4f * range + 0.45f * rise) * mix(1.0f, 0.65f, open), hills);
     rock[i].outlet = inland[i] < 0.0f;
     rock[i].outlet_m = 0.0f;
   }
 }
 
-float Island::sea_bed(float offshore, float lagoon, float bumps) const {
-  const float reef_at = 700.0f * lagoon;
-  const float slope = 0.07f * offshore;
-  const float inner = smooth_min(slope, kLagoonDepth + 2.0f * bumps, 4.0f);
-  const float reef = ramp(0.7f * reef_at, reef_at, offshore);
-  const float flat = mix(inner, kReefDepth + 0.8f * bumps, 0.75f * reef);
-  const float fall = ramp(reef_at, reef_at + 900.0f, offshore);
-  return -mix(flat, kDeep, fall);
+/// Height of the ground under water: a sandy lagoon with patches, the reef's flat, the fore reef.
+float Island::sea_bed(float offshore, float reef_at, float bumps) const {
+  const float shelf = kLagoonDepth + 2.5f * bumps;
+  const float inner = smooth_min(0.06f * offshore, shelf, 5.0f);
+  const float crest = ramp(0.75f * reef_at, reef_at, offshore);
+  const float flat = mix(inner, std::min(inner, kReefDepth + bumps), crest);
+  return -mix(flat, kDeep, ramp(reef_at, 2.0f * reef_at + 400.0f, offshore));
 }
 
 void Island::heights(const Points& points, Block& height) const {
   Points bent = points;
   bends_.apply(bent);
-  Block inland, slope, detail, bumps, carved;
+  Block inland, slope, detail, bumps, plain;
   shore_distance(bent, inland);
-  sample(carved_, bent, carved, slope);
+  plain_width(bent, plain);
+  sample(carved_, bent, height, slope);
   ridged(detail_, static_cast<float>(terrain_.fractal.ridge_offset), points, detail);
   fbm(bumps_, points, bumps);
+  const auto top = static_cast<float>(terrain_.height_m);
+  const auto sharpness = static_cast<float>(terrain_.sharpness);
   for (int i = 0; i < points.count; ++i) {
+    const float widest = 0.11f * static_cast<float>(terrain_.feature_m);
     if (inland[i] < 0.0f) {
-      height[i] = sea_bed(-inland[i], 1.0f + 0.5f * bumps[i], bumps[i]);
+      height[i] = sea_bed(-inland[i], 1.2f * widest + 1.6f * plain[i], bumps[i]);
       continue;
     }
     const float rough = ramp(0.1f, 0.7f, slope[i]);
-    const float beach = 0.07f * inland[i];
-    const float plain = smooth_min(beach, 2.5f + 0.01f * inland[i], 2.0f);
-    const float hills = carved[i] + detail_m_ * rough * (detail[i] - 0.4f) + 1.5f * bumps[i];
-    height[i] = plain + std::max(hills, 0.0f) * ramp(10.0f, 120.0f, inland[i]);
+    const float hills = top * std::pow(std::max(height[i], 0.0f) / top, sharpness) +
+                        detail_m_ * rough * (detail[i] - 0.4f);
+    const float beach = smooth_min(0.07f * inland[i], 2.5f + 0.008f * inland[i], 2.0f);
+    height[i] = beach + (std::max(hills, 0.0f) + 1.5f * std::max(bumps[i], 0.0f)) *
+                            ramp(8.0f, 60.0f, inland[i]);
   }
 }
 

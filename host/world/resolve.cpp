@@ -21,9 +21,12 @@ double surface_height(const scene::Scene& scene, const terrain::HeightField& fie
 double reference_height(const scene::Scene& scene, const terrain::HeightField& field,
                         scene::HeightReference reference, const dvec3& at) {
   switch (reference) {
-    case scene::HeightReference::sea: return 0.0;
-    case scene::HeightReference::ground: return surface_height(scene, field, at);
-    case scene::HeightReference::balloon: return scene.balloon.position.y;
+    case scene::HeightReference::sea:
+      return 0.0;
+    case scene::HeightReference::ground:
+      return surface_height(scene, field, at);
+    case scene::HeightReference::balloon:
+      return scene.balloon.position.y;
   }
   return 0.0;
 }
@@ -35,8 +38,8 @@ void look_from_basket(scene::Scene& scene) {
   if (!camera.target_given) {
     const double heading = glm::radians(scene.balloon.heading_deg);
     const double dip = std::tan(glm::radians(kBasketDip_deg));
-    camera.target = camera.position +
-                    kBasketLookAhead_m * dvec3(std::sin(heading), -dip, -std::cos(heading));
+    camera.target =
+        camera.position + kBasketLookAhead_m * dvec3(std::sin(heading), -dip, -std::cos(heading));
   }
 }
 

@@ -13,8 +13,7 @@ Group build_land(const scene::Scene& scene) {
   auto objects = std::make_shared<std::vector<Object>>();
   objects->push_back({scene::ObjectId::terrain, terrain::terrain_mesh(scene.terrain)});
   if (scene.biome.water.enabled) {
-    auto water =
-        terrain::water_mesh(scene.terrain, scene.biome.water, objects->front().mesh);
+    auto water = terrain::water_mesh(scene.terrain, scene.biome.water, objects->front().mesh);
     if (!water.empty()) objects->push_back({scene::ObjectId::water, std::move(water)});
   }
   return objects;

@@ -22,13 +22,14 @@ AERO_ASSERT_LAYOUT(AeroCamera, 48);
 typedef struct AeroFrame {
   AeroCamera camera;
   aero_uint width, height;   /* of the image, pixels */
-  aero_uint seed;
   aero_uint filter;          /* AERO_FILTER_... */
   aero_uint samples;         /* per pixel in all; 1 takes the pixel's centre */
+  aero_uint sample_stride;   /* coprime to samples: the order in which strata are taken */
+  aero_uint sample_shift;    /* of the pattern, from the seed; 2^32 is once around */
   aero_float pixel_angle;    /* radians across one pixel in the middle of the image */
 } AeroFrame;
 
-AERO_ASSERT_LAYOUT(AeroFrame, 72);
+AERO_ASSERT_LAYOUT(AeroFrame, 76);
 
 /* The work of one launch: blocks of pixels, one packet of lanes each. A packet holds 2^log2_w x
  * 2^log2_h pixels with 2^log2_samples samples each; their product is LANES. */
@@ -49,6 +50,6 @@ typedef struct AeroLaunch {
   AeroTile tile;
 } AeroLaunch;
 
-AERO_ASSERT_LAYOUT(AeroLaunch, 112);
+AERO_ASSERT_LAYOUT(AeroLaunch, 116);
 
 #endif

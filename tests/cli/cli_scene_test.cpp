@@ -125,7 +125,7 @@ TEST_F(Scenes, TheWorldIsExported) {
   EXPECT_EQ(files(), (std::vector<std::string>{"world.obj", "world.ply"}));
 }
 
-TEST_F(Scenes, ADumpThatDoesNotArriveIsAnError) {
+TEST_F(Scenes, AnExportThatDoesNotArriveIsAnError) {
   std::filesystem::create_symlink("/dev/full", folder_ / "full.ply");
   const Outcome outcome =
       run({"export", scene_path("sand-empty"), "-o", "full.ply", "--set", "/terrain/cells=4"});

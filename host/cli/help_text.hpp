@@ -1,0 +1,45 @@
+#pragma once
+
+/// What --help says beside the options.
+namespace aerostat::cli {
+
+inline constexpr const char* kDescription =
+    "Renders pictures of a hot-air balloon before a mountain landscape, by ray tracing on OpenCL.";
+
+inline constexpr const char* kMainFooter = R"(Examples:
+  aerostat render scenes/snow.json
+  aerostat devices
+  aerostat COMMAND --help
+
+Environment:
+  AEROSTAT_DEVICE      the device, if --device is not given
+  AEROSTAT_KERNEL_DIR  reads the kernels from this folder instead of the program
+  NO_COLOR             if set, nothing is coloured
+
+Exit codes: 0 done, 64 wrong command line, 65 bad scene, 69 no such device, 70 internal fault,
+74 file cannot be read or written, 75 out of memory or device lost, 130 and 143 interrupted.)";
+
+inline constexpr const char* kRenderFooter = R"(Examples:
+  aerostat render scenes/snow.json
+  aerostat render scenes/tropical.json -o beach.png --width 1920 --height 1080 --spp 16
+  aerostat render scenes/sand.json -o layers.exr --spp 1
+  aerostat render scenes/snow.json --set /sun/elevation_deg=6 --set /balloon/pattern=spiral
+  aerostat render scenes/snow.json --crop 400,200,880,520 --device cpu --stats)";
+
+inline constexpr const char* kDevicesFooter = R"(Examples:
+  aerostat devices
+  aerostat devices --json)";
+
+inline constexpr const char* kCheckFooter = R"(Examples:
+  aerostat check scenes/snow.json
+  aerostat check my.json --set /image/width=800)";
+
+inline constexpr const char* kDumpFooter = R"(Examples:
+  aerostat dump scenes/snow.json
+  aerostat dump scenes/snow.json --set /terrain/seed=7 > seed7.json)";
+
+inline constexpr const char* kExportFooter = R"(Examples:
+  aerostat export scenes/snow.json -o world.ply
+  aerostat export scenes/sand.json -o dunes.obj --set /terrain/cells=256)";
+
+}  // namespace aerostat::cli

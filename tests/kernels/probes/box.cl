@@ -1,0 +1,25 @@
+#include "box.clh"
+#include "probe.clh"
+
+/* Every sixteen rays meet one node, at every width. Per ray, bit c says whether child c is met; per
+ * packet, bit c says whether child c is left after culling, with the eight lower bounds. Rays of a
+ * negative t_max are off. */
+__kernel void probe_children(__global const AeroBvhNode* nodes, __global const float* origins,
+                             __global const float* directions, __global const float* reaches,
+                             __global uint* met, __global uint* kept, __global float* enters) {
+  const size_t i = get_global_id(0);
+  __global const AeroBvhNode* node = nodes + i * LANES / 16u;
+  const Lane3 origin = load3(origins);
+  const Lane3 inverse = safe_inverse3(load3(directions));
+  const lane_float t_max = LOAD(reaches);
+  lane_uint bits = (lane_uint)0u;
+  for (uint c = 0u; c < AERO_BVH_WIDTH; ++c) {
+    const lane_int hit = hit_child(node, c, &origin, &inverse, t_max);
+    bits |= lane_select(hit, (lane_uint)(1u << c), (lane_uint)0u);
+  }
+  STORE(bits, met);
+  const PacketBounds bounds = packet_bounds(&origin, &inverse, lane_mask(t_max >= 0.0f));
+  float8 enter;
+  kept[i] = cull_children(node, &bounds, lane_reduce_max(t_max), &enter);
+  vstore8(enter, i, enters);
+}
