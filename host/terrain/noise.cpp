@@ -1,8 +1,18 @@
 #include "noise.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <numbers>
+
+// The block loops exist twice, for plain x86-64 and for AVX2, and are chosen at run time. Neither
+// fuses multiplications and additions, so that both give the same bits.
+#if defined(__x86_64__) && defined(__GNUC__)
+#define AEROSTAT_NOISE_AVX2 1
+#else
+#define AEROSTAT_NOISE_AVX2 0
+#endif
+#define AEROSTAT_INLINE inline __attribute__((always_inline))
 
 namespace aerostat::terrain {
 namespace {
@@ -18,7 +28,10 @@ std::array<Real, kAngles> make_cosines() {
 }
 
 template <class Real>
-const std::array<Real, kAngles> kCosines = make_cosines<Real>();
+const Real* cosines() {
+  static const std::array<Real, kAngles> table = make_cosines<Real>();
+  return table.data();
+}
 
 template <class Real>
 struct Sample {
@@ -26,39 +39,40 @@ struct Sample {
 };
 
 template <class Real>
-Real lerp(Real a, Real b, Real t) {
+AEROSTAT_INLINE Real lerp(Real a, Real b, Real t) {
   return a + t * (b - a);
 }
 
-// sin t = cos(t - pi / 2): one table serves both.
+// sin t = cos(t - pi / 2): one table serves both. The index is signed because compilers gather
+// with signed indices only.
 template <class Real>
 struct Corner {
   Real gx, gy, dot;
 
-  Corner(const Real* cosines, std::uint32_t hash, Real u, Real v) {
-    const std::uint32_t angle = hash >> (32 - kAngleBits);
-    gx = cosines[angle];
-    gy = cosines[(angle + 3u * kAngles / 4u) & (kAngles - 1u)];
+  AEROSTAT_INLINE Corner(const Real* table, std::uint32_t hash, Real u, Real v) {
+    const auto angle = static_cast<std::int32_t>(hash >> (32 - kAngleBits));
+    gx = table[angle];
+    gy = table[(angle + 3 * kAngles / 4) & (kAngles - 1)];
     dot = gx * u + gy * v;
   }
 };
 
 template <class Real>
-Sample<Real> evaluate(const Real* cosines, Real x, Real y, std::uint32_t seed) {
+AEROSTAT_INLINE Sample<Real> evaluate(const Real* table, Real x, Real y, std::uint32_t seed) {
   // Truncation corrected to the floor, because SSE2 has no instruction for the latter.
   auto ix = static_cast<std::int32_t>(x);
   auto iy = static_cast<std::int32_t>(y);
-  ix -= static_cast<Real>(ix) > x ? 1 : 0;
-  iy -= static_cast<Real>(iy) > y ? 1 : 0;
+  ix -= static_cast<std::int32_t>(static_cast<Real>(ix) > x);
+  iy -= static_cast<std::int32_t>(static_cast<Real>(iy) > y);
   const Real u = x - static_cast<Real>(ix);
   const Real v = y - static_cast<Real>(iy);
   const auto jx = static_cast<std::int32_t>(static_cast<std::uint32_t>(ix) + 1u);
   const auto jy = static_cast<std::int32_t>(static_cast<std::uint32_t>(iy) + 1u);
 
-  const Corner<Real> c00(cosines, lattice_hash(seed, ix, iy), u, v);
-  const Corner<Real> c10(cosines, lattice_hash(seed, jx, iy), u - 1, v);
-  const Corner<Real> c01(cosines, lattice_hash(seed, ix, jy), u, v - 1);
-  const Corner<Real> c11(cosines, lattice_hash(seed, jx, jy), u - 1, v - 1);
+  const Corner<Real> c00(table, lattice_hash(seed, ix, iy), u, v);
+  const Corner<Real> c10(table, lattice_hash(seed, jx, iy), u - 1, v);
+  const Corner<Real> c01(table, lattice_hash(seed, ix, jy), u, v - 1);
+  const Corner<Real> c11(table, lattice_hash(seed, jx, jy), u - 1, v - 1);
 
   const Real fu = u * u * u * (u * (u * 6 - 15) + 10);
   const Real fv = v * v * v * (v * (v * 6 - 15) + 10);
@@ -72,22 +86,80 @@ Sample<Real> evaluate(const Real* cosines, Real x, Real y, std::uint32_t seed) {
           gy + dv * (high - low)};
 }
 
-struct LatticePoint {
-  float x, y;
+// Everything that is written is local: otherwise it might be the table or the points, and no
+// compiler would vectorise the loops.
+AEROSTAT_INLINE void value_loop(const NoiseLayer& layer, const Points& points, Block& value) {
+  const NoiseLayer l = layer;
+  const float* table = cosines<float>();
+  const int count = points.count;
+  Block out;
+  for (int i = 0; i < count; ++i) {
+    const float x = l.along_x * points.x[i] - l.along_z * points.z[i] + l.offset_x;
+    const float y = l.along_z * points.x[i] + l.along_x * points.z[i] + l.offset_y;
+    out[i] = evaluate(table, x, y, l.seed).value;
+  }
+  std::copy_n(out.begin(), count, value.begin());
+}
+
+AEROSTAT_INLINE void slope_loop(const NoiseLayer& layer, const Points& points, Block& value,
+                                Block& dx, Block& dz) {
+  const NoiseLayer l = layer;
+  const float* table = cosines<float>();
+  const int count = points.count;
+  Block out, out_dx, out_dz;
+  for (int i = 0; i < count; ++i) {
+    const float x = l.along_x * points.x[i] - l.along_z * points.z[i] + l.offset_x;
+    const float y = l.along_z * points.x[i] + l.along_x * points.z[i] + l.offset_y;
+    const Sample<float> n = evaluate(table, x, y, l.seed);
+    out[i] = n.value;
+    out_dx[i] = l.along_x * n.dx + l.along_z * n.dy;
+    out_dz[i] = l.along_x * n.dy - l.along_z * n.dx;
+  }
+  std::copy_n(out.begin(), count, value.begin());
+  std::copy_n(out_dx.begin(), count, dx.begin());
+  std::copy_n(out_dz.begin(), count, dz.begin());
+}
+
+struct Loops {
+  void (*value)(const NoiseLayer&, const Points&, Block&);
+  void (*slope)(const NoiseLayer&, const Points&, Block&, Block&, Block&);
 };
 
-LatticePoint lattice_point(const NoiseLayer& l, float x, float z) {
-  return {l.along_x * x - l.along_z * z + l.offset_x, l.along_z * x + l.along_x * z + l.offset_y};
+void value_plain(const NoiseLayer& l, const Points& p, Block& v) { value_loop(l, p, v); }
+
+void slope_plain(const NoiseLayer& l, const Points& p, Block& v, Block& dx, Block& dz) {
+  slope_loop(l, p, v, dx, dz);
+}
+
+#if AEROSTAT_NOISE_AVX2
+__attribute__((target("avx2"))) void value_avx2(const NoiseLayer& l, const Points& p, Block& v) {
+  value_loop(l, p, v);
+}
+
+__attribute__((target("avx2"))) void slope_avx2(const NoiseLayer& l, const Points& p, Block& v,
+                                                Block& dx, Block& dz) {
+  slope_loop(l, p, v, dx, dz);
+}
+#endif
+
+const Loops& loops() {
+  static const Loops chosen = [] {
+#if AEROSTAT_NOISE_AVX2
+    if (__builtin_cpu_supports("avx2")) return Loops{value_avx2, slope_avx2};
+#endif
+    return Loops{value_plain, slope_plain};
+  }();
+  return chosen;
 }
 
 }  // namespace
 
 double perlin(double x, double y, std::uint32_t seed) {
-  return evaluate(kCosines<double>.data(), x, y, seed).value;
+  return evaluate(cosines<double>(), x, y, seed).value;
 }
 
 NoiseSample perlin_with_slope(double x, double y, std::uint32_t seed) {
-  const Sample<double> n = evaluate(kCosines<double>.data(), x, y, seed);
+  const Sample<double> n = evaluate(cosines<double>(), x, y, seed);
   return {n.value, n.dx, n.dy};
 }
 
@@ -105,22 +177,11 @@ NoiseLayer make_layer(double wavelength_m, std::uint32_t seed, std::uint32_t ind
 }
 
 void sample(const NoiseLayer& layer, const Points& points, Block& value) {
-  const NoiseLayer l = layer;
-  for (int i = 0; i < points.count; ++i) {
-    const LatticePoint p = lattice_point(l, points.x[i], points.z[i]);
-    value[i] = evaluate(kCosines<float>.data(), p.x, p.y, l.seed).value;
-  }
+  loops().value(layer, points, value);
 }
 
 void sample(const NoiseLayer& layer, const Points& points, Block& value, Block& dx, Block& dz) {
-  const NoiseLayer l = layer;
-  for (int i = 0; i < points.count; ++i) {
-    const LatticePoint p = lattice_point(l, points.x[i], points.z[i]);
-    const Sample<float> n = evaluate(kCosines<float>.data(), p.x, p.y, l.seed);
-    value[i] = n.value;
-    dx[i] = l.along_x * n.dx + l.along_z * n.dy;
-    dz[i] = l.along_x * n.dy - l.along_z * n.dx;
-  }
+  loops().slope(layer, points, value, dx, dz);
 }
 
 }  // namespace aerostat::terrain
