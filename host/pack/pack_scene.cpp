@@ -35,6 +35,8 @@ AeroSky pack_sky(const scene::Scene& scene) {
   // Koschmieder: contrast falls to 2 % at the visibility.
   sky.haze_extinction = static_cast<float>(3.912 / scene.haze.visibility_m);
   sky.haze_height = static_cast<float>(scene.haze.scale_height_m);
+  sky.cloud_cover = static_cast<float>(scene.sky.cloud_cover);
+  sky.cloud_height = static_cast<float>(scene.sky.cloud_height_m);
   sky.sun_shadows = scene.sun.shadows ? 1u : 0u;
   return sky;
 }
@@ -58,6 +60,9 @@ AeroGround pack_ground(const scene::Scene& scene) {
   ground.pattern = static_cast<float>(from.pattern_m);
   ground.relief = static_cast<float>(from.relief);
   ground.ripple = static_cast<float>(from.ripple_m);
+  copy(ground.forest, from.forest);
+  ground.forest_top = static_cast<float>(from.forest_top_m);
+  ground.forest_share = static_cast<float>(from.forest_share);
   ground.canopy = static_cast<float>(from.canopy_m);
   const vec3 wind = direction_from_angles(
       radians_from_degrees(static_cast<float>(scene.terrain.dunes.wind_deg)), 0.0f);

@@ -15,8 +15,12 @@ void make_snow(Scene& scene) {
   ground.rock_a = {0.15f, 0.14f, 0.135f};
   ground.rock_b = {0.27f, 0.255f, 0.24f};
   ground.snow = {0.8f, 0.82f, 0.85f};
-  ground.snow_line_m = 450.0;
+  ground.snow_line_m = -200.0;
   ground.snow_fuzz_m = 300.0;
+  ground.forest = {0.035f, 0.05f, 0.037f};
+  ground.forest_top_m = 900.0;
+  ground.forest_share = 0.62;
+  ground.canopy_m = 9.0;
   ground.pattern_m = 140.0;
   scene.balloon.position = {0.0, 320.0, 0.0};
   scene.balloon.pattern = Pattern::stripes;
@@ -53,6 +57,10 @@ void make_tropical(Scene& scene) {
   ground.beach_top_m = 4.0;
   ground.pattern_m = 60.0;
   ground.relief = 0.8;
+  ground.forest = {0.045f, 0.095f, 0.025f};
+  ground.forest_top_m = 1500.0;
+  ground.forest_share = 0.85;
+  ground.canopy_m = 14.0;
   scene.biome.water.enabled = true;
   scene.balloon.position = {0.0, 150.0, 0.0};
   scene.balloon.pattern = Pattern::chevrons;

@@ -58,6 +58,9 @@ void fields(Archive& archive, Ground& ground) {
   archive("pattern_m", ground.pattern_m);
   archive("relief", ground.relief);
   archive("ripple_m", ground.ripple_m);
+  archive("forest", ground.forest);
+  archive("forest_top_m", ground.forest_top_m);
+  archive("forest_share", ground.forest_share);
   archive("canopy_m", ground.canopy_m);
 }
 
@@ -125,6 +128,8 @@ void fields(Archive& archive, Sky& sky) {
   archive("glow_strength", sky.glow_strength);
   archive("ambient_up", sky.ambient_up);
   archive("ambient_down", sky.ambient_down);
+  archive("cloud_cover", sky.cloud_cover);
+  archive("cloud_height_m", sky.cloud_height_m);
 }
 
 template <class Archive>

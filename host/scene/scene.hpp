@@ -77,7 +77,10 @@ struct Ground {
   double pattern_m = 120.0;   // largest wavelength of colour and relief detail
   double relief = 0.5;        // strength of the detail in the normal, 0 = none
   double ripple_m = 0.0;      // wavelength of wind ripples, 0 = none
-  double canopy_m = 0.0;      // width of tree crowns on the cover, 0 = none
+  vec3 forest{0.03f, 0.05f, 0.03f};
+  double forest_top_m = 0.0;  // trees grow below this height
+  double forest_share = 0.0;  // of the ground that trees cover, 0 to 1
+  double canopy_m = 7.0;      // width of a tree's crown
 };
 
 /// The sea: a plane at `level_m`, present if enabled.
@@ -147,6 +150,8 @@ struct Sky {
   double glow_strength = 0.3;
   vec3 ambient_up{0.25f, 0.35f, 0.55f};    // irradiance / pi on a plane that faces up
   vec3 ambient_down{0.08f, 0.08f, 0.08f};  // on a plane that faces down
+  double cloud_cover = 0.4;        // of the sky by thin high cloud, 0 to 1
+  double cloud_height_m = 7000.0;  // above the eye
 };
 
 /// Aerial perspective: extinction 3.912 / visibility at sea level, falling off with height.

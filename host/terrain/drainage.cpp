@@ -204,6 +204,9 @@ std::vector<Bedrock> survey(const HeightGrid& grid,
     }
     bedrock(points, &result[static_cast<std::size_t>(begin)]);
   }
+  const bool drained =
+      std::any_of(result.begin(), result.end(), [](const Bedrock& rock) { return rock.outlet; });
+  if (!drained) result.front().outlet = true;
   return result;
 }
 

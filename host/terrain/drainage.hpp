@@ -32,8 +32,9 @@ struct DrainageOptions {
 ///     slope = k uplift / discharge^concavity, at most `steepest`,
 /// solved over the drainage tree as in Cordonnier et al., "Large scale terrain generation from
 /// tectonic uplift and fluvial erosion" (2016), basins filled by priority flood (Barnes et al.
-/// 2014). k is chosen to reach `height_m`. `bedrock` gets x and z in metres from the centre; the
-/// grid's rim are outlets wherever it says so, and always drains. One thread, the same bits always.
+/// 2014). k is chosen to reach `height_m`, and the result scaled to meet it; `bedrock` fills one
+/// entry per point. Where it names no outlet at all, the first corner is one. Every other node lies
+/// above one of its neighbours. Runs on all cores; the bits do not depend on how many.
 HeightGrid carve_valleys(const DrainageOptions& options,
                          const std::function<void(const Points&, Bedrock*)>& bedrock);
 

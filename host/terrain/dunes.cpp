@@ -46,19 +46,22 @@ DuneSet::DuneSet(const scene::Dunes& dunes, double scale, double turn_deg, std::
   wind_z_ = static_cast<float>(-std::cos(azimuth));
 }
 
-/// Height of a windward side at share t of its length: concave at the foot, convex below the crest.
+/// Height of a windward side at share t of its length: concave at the foot, convex below the crest,
+/// straight on beyond it.
 float windward(float t) {
-  const float rounded = t * t * (3.0f - 2.0f * t);
-  return mix(t, rounded, 0.65f);
+  constexpr float kCurved = 0.65f;
+  if (t > 1.0f) return 1.0f + (1.0f - kCurved) * (t - 1.0f);
+  return mix(t, t * t * (3.0f - 2.0f * t), kCurved);
 }
 
-/// Height of a slip face at share t of its length, from the crest down: straight, with a short
-/// concave foot.
+/// Share of a slip face, at its end, that curves into the plain.
+constexpr float kFoot = 0.25f;
+
+/// Height of a slip face at share t of its length, from the crest down; straight on before it.
 float slip_face(float t) {
-  constexpr float kFoot = 0.25f;
   const float left = 1.0f - t;
-  if (left >= kFoot) return (left - 0.5f * kFoot) / (1.0f - 0.5f * kFoot);
-  return 0.5f * left * left / kFoot / (1.0f - 0.5f * kFoot);
+  const float rise = left >= kFoot ? left - 0.5f * kFoot : 0.5f * left * left / kFoot;
+  return rise / (1.0f - 0.5f * kFoot);
 }
 
 void DuneSet::evaluate(const Points& points, DuneBlock& out) const {
@@ -79,13 +82,17 @@ void DuneSet::evaluate(const Points& points, DuneBlock& out) const {
     // Crests come to an end where the size falls to nothing; closely packed dunes are lower.
     const float height = height_m_ * ramp(-0.55f, 0.6f, size[i]) *
                          std::min(1.0f, 1.2f * per_m / std::max(gradient, 1e-6f));
-    const float face = std::min(height * gradient / kReposeTangent * 1.14286f, 0.6f);
-    const bool lee = t > 1.0f - face;
-    const float across = lee ? (t - (1.0f - face)) / std::max(face, 1e-6f) : t / (1.0f - face);
+    const float face =
+        std::clamp(height * gradient / (kReposeTangent * (1.0f - 0.5f * kFoot)), 1e-4f, 0.6f);
+    const float up = t / (1.0f - face);
+    const float down = (t - (1.0f - face)) / face;
+    // A crest sharper than the samples are dense would turn into a row of teeth.
+    const float rounding = std::min(kReposeTangent * points.spacing[i], 0.5f * height) + 1e-3f;
     const float share = band_share(0.5f * wavelength_m_, points.spacing[i]);
-    out.height[i] = share * height * (lee ? slip_face(across) : windward(across)) +
+    out.height[i] = share * smooth_min(height * windward(up), height * slip_face(down), rounding) +
                     (1.0f - share) * 0.45f * height;
-    out.slip[i] = lee ? 1.0f - ramp(0.75f, 1.0f, across) : ramp(0.7f, 0.95f, across);
+    const bool lee = down > 0.0f;
+    out.slip[i] = lee ? 1.0f - ramp(0.75f, 1.0f, down) : ramp(0.7f, 0.95f, up);
   }
 }
 
@@ -128,7 +135,8 @@ void DuneSea::heights(const Points& points, Block& height) const {
   const float unit = static_cast<float>(terrain_.dunes.height_m);
   for (int i = 0; i < points.count; ++i) {
     const float sand = smooth_max(large.height[i], crossing.height[i], 0.05f * unit);
-    const float slip = large.height[i] > crossing.height[i] ? large.slip[i] : crossing.slip[i];
+    const float lead = (large.height[i] - crossing.height[i]) / unit;
+    const float slip = mix(crossing.slip[i], large.slip[i], ramp(-0.15f, 0.15f, lead));
     height[i] = sand + 0.6f * unit * (swell[i] + 0.5f) + 0.6f * small.height[i] * (1.0f - slip);
   }
   add_hills(points, height);

@@ -142,7 +142,7 @@ void Island::heights(const Points& points, Block& height) const {
   sample(carved_, bent, height, slope);
   ridged(detail_, static_cast<float>(terrain_.fractal.ridge_offset), points, detail);
   fbm(bumps_, points, bumps);
-  const auto top = static_cast<float>(terrain_.height_m);
+  const float top = std::max(static_cast<float>(terrain_.height_m), 1.0f);
   const auto sharpness = static_cast<float>(terrain_.sharpness);
   for (int i = 0; i < points.count; ++i) {
     const float widest = 0.11f * static_cast<float>(terrain_.feature_m);

@@ -8,6 +8,9 @@
 namespace aerostat::terrain {
 namespace {
 
+constexpr float kFloorRelief = 20.0f;  // metres; valley floors are not quite flat
+constexpr float kLeastHeight = 1.0f;
+
 class Mountains : public Relief {
  public:
   explicit Mountains(const scene::Terrain& terrain);
@@ -51,7 +54,7 @@ Mountains::Mountains(const scene::Terrain& terrain)
   options.seed = terrain.seed;
   const double cell = options.size_m / ((options.coarse_nodes - 1) << (options.rounds.size() - 1));
   split_octaves(terrain, static_cast<float>(6.0 * cell), massif_, detail_);
-  if (!detail_.empty()) detail_m_ = 0.3f * detail_.front().layer.wavelength_m;
+  if (!detail_.empty()) detail_m_ = 0.24f * detail_.front().layer.wavelength_m;
   const float turn = static_cast<float>(lattice_hash(terrain.seed, 7, 11) >> 8) / 16777216.0f;
   const float angle = (turn - 0.5f) * 1.0f;
   axis_x_ = std::sin(angle);
@@ -94,7 +97,7 @@ void Mountains::survey(const Points& points, Bedrock* rock) const {
     const float along = points.x[i] * axis_x_ + points.z[i] * axis_z_;
     const float open = 1.0f - ramp(0.06f, 0.45f, std::hypot(distance, 0.4f * along) / feature);
     rock[i].uplift = (0.1f + 4.0f * massif[i] * massif[i] * massif[i]) * mix(1.0f, 0.4f, open);
-    rock[i].steepest = (0.5f + 0.7f * massif[i] + 0.4f * strength[i]) * mix(1.0f, 0.5f, open);
+    rock[i].steepest = (0.4f + 0.7f * massif[i] + 0.35f * strength[i]) * mix(1.0f, 0.5f, open);
     rock[i].outlet = distance < 0.07f * feature * (1.0f + 0.9f * strength[i]);
     rock[i].outlet_m = 0.004f * along + 0.0025f * static_cast<float>(terrain_.size_m);
   }
@@ -109,13 +112,13 @@ void Mountains::heights(const Points& points, Block& height) const {
   ridged(detail_, static_cast<float>(terrain_.fractal.ridge_offset), points, detail);
   Block floor;
   fbm(floor_, points, floor);
-  const auto top = static_cast<float>(terrain_.height_m);
+  const float top = std::max(static_cast<float>(terrain_.height_m), kLeastHeight);
   const auto sharpness = static_cast<float>(terrain_.sharpness);
   for (int i = 0; i < points.count; ++i) {
     const float share = std::max(height[i], 0.0f) / top;
     const float rough = ramp(0.1f, 0.8f, slope[i]);
     height[i] = top * std::pow(share, sharpness) + detail_m_ * rough * (detail[i] - 0.4f) +
-                12.0f * (1.0f - rough) * floor[i];
+                kFloorRelief * (1.0f - rough) * floor[i];
   }
 }
 

@@ -125,7 +125,9 @@ struct Loops {
   void (*slope)(const NoiseLayer&, const Points&, Block&, Block&, Block&);
 };
 
-void value_plain(const NoiseLayer& l, const Points& p, Block& v) { value_loop(l, p, v); }
+void value_plain(const NoiseLayer& l, const Points& p, Block& v) {
+  value_loop(l, p, v);
+}
 
 void slope_plain(const NoiseLayer& l, const Points& p, Block& v, Block& dx, Block& dz) {
   slope_loop(l, p, v, dx, dz);

@@ -44,10 +44,12 @@ typedef struct AeroSky {
   aero_float sun_cos;          /* of the disc's angular radius */
   aero_float haze_extinction;  /* per metre at sea level */
   aero_float haze_height;      /* scale height */
+  aero_float cloud_cover;      /* 0 to 1 */
+  aero_float cloud_height;     /* metres above the eye */
   aero_uint sun_shadows;
 } AeroSky;
 
-AERO_ASSERT_LAYOUT(AeroSky, 100);
+AERO_ASSERT_LAYOUT(AeroSky, 108);
 
 /* Colour rules of the ground. */
 typedef struct AeroGround {
@@ -60,11 +62,13 @@ typedef struct AeroGround {
   aero_float relief;
   aero_float ripple;
   aero_float wind[2];      /* unit, x and z */
+  aero_float forest[3];
+  aero_float forest_top, forest_share;
   aero_float canopy;
   aero_uint seed;
 } AeroGround;
 
-AERO_ASSERT_LAYOUT(AeroGround, 128);
+AERO_ASSERT_LAYOUT(AeroGround, 148);
 
 typedef struct AeroWater {
   aero_float absorption[3]; /* per metre */
@@ -84,6 +88,6 @@ typedef struct AeroScene {
   aero_uint shading; /* AERO_SHADING_... */
 } AeroScene;
 
-AERO_ASSERT_LAYOUT(AeroScene, 1216);
+AERO_ASSERT_LAYOUT(AeroScene, 1244);
 
 #endif

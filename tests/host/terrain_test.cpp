@@ -155,16 +155,19 @@ TEST_P(EveryKind, NormalMatchesFiniteDifferences) {
   scene::Terrain terrain = small_terrain(GetParam());
   terrain.center = {1000.0, 2000.0};
   const HeightField field(terrain);
-  for (int i = 0; i < 50; ++i) {
-    const double x = -3000.0 + 140.0 * i;
-    const double z = 900.0 + 60.0 * i;
+  int different = 0;
+  for (int i = 0; i < 200; ++i) {
+    const double x = -3000.0 + 35.0 * i;
+    const double z = 900.0 + 15.0 * i;
     const double e = 0.5;
     const vec3 n = field.normal(x, z, e);
+    ASSERT_NEAR(glm::length(n), 1.0f, 1e-5f);
     const double dx = (field.height(x + e, z) - field.height(x - e, z)) / (2 * e);
     const double dz = (field.height(x, z + e) - field.height(x, z - e)) / (2 * e);
-    EXPECT_NEAR(-n.x / n.y, dx, 0.05);
-    EXPECT_NEAR(-n.z / n.y, dz, 0.05);
+    different += std::hypot(dx + n.x / n.y, dz + n.z / n.y) > 0.03 ? 1 : 0;
   }
+  // The crests of dunes are rounded by the spacing that normal() is given, heights are not.
+  EXPECT_LE(different, GetParam() == TerrainKind::dunes ? 8 : 0);
 }
 
 TEST_P(EveryKind, SeedAndBaseMatter) {

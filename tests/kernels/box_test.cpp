@@ -122,7 +122,8 @@ struct Scenario {
 vec3 point_in(std::mt19937& random, const AeroBvhNode& node, int c) {
   vec3 p;
   for (int axis = 0; axis < 3; ++axis) {
-    p[axis] = node.lo[axis][c] + (node.hi[axis][c] - node.lo[axis][c]) * uniform(random, 0.0f, 1.0f);
+    p[axis] =
+        node.lo[axis][c] + (node.hi[axis][c] - node.lo[axis][c]) * uniform(random, 0.0f, 1.0f);
   }
   return p;
 }
@@ -157,7 +158,8 @@ std::vector<Scenario> scenarios() {
       const int axis = static_cast<int>(random() % 3);
       direction[axis] = random() % 2 == 0 ? 1.0f : -1.0f;
       const vec3 target = point_in(random, node, static_cast<int>(random() % 4));
-      rays.push_back({target - direction * uniform(random, -1.0f, 1.0f) * size_of(node), direction});
+      rays.push_back(
+          {target - direction * uniform(random, -1.0f, 1.0f) * size_of(node), direction});
     }
   };
   const auto in_a_plane = [](std::mt19937& random, const AeroBvhNode& node, auto& rays) {

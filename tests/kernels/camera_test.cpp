@@ -1,4 +1,6 @@
 // Which pixel and sample a lane works on, where in the pixel it looks, and the ray it sends.
+#include "camera.h"
+
 #include <algorithm>
 #include <bit>
 #include <map>
@@ -8,7 +10,6 @@
 #include <set>
 #include <tuple>
 
-#include "camera.h"
 #include "probe.hpp"
 
 namespace aerostat::test {

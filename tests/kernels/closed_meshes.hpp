@@ -1,5 +1,7 @@
 #pragma once
 
+#include <algorithm>
+#include <array>
 #include <map>
 #include <utility>
 
@@ -9,9 +11,9 @@
 /// counter-clockwise seen from outside.
 namespace aerostat::test {
 
-inline std::uint32_t middle_of(Soup& soup,
-                               std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t>& known,
-                               std::uint32_t a, std::uint32_t b) {
+inline std::uint32_t middle_of(
+    Soup& soup, std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t>& known,
+    std::uint32_t a, std::uint32_t b) {
   const auto next = static_cast<std::uint32_t>(soup.positions.size());
   const auto [place, is_new] = known.emplace(std::minmax(a, b), next);
   if (is_new) soup.positions.push_back(glm::normalize(soup.positions[a] + soup.positions[b]));
@@ -77,7 +79,8 @@ inline Soup torus(std::uint32_t around, std::uint32_t tube) {
       const float r = 1.0f + 0.4f * std::cos(q);
       soup.positions.push_back({r * std::cos(p), 0.4f * std::sin(q), r * std::sin(p)});
       const std::uint32_t i1 = (i + 1) % around, j1 = (j + 1) % tube;
-      const std::uint32_t a = i * tube + j, b = i1 * tube + j, c = i1 * tube + j1, d = i * tube + j1;
+      const std::uint32_t a = i * tube + j, b = i1 * tube + j, c = i1 * tube + j1,
+                          d = i * tube + j1;
       soup.triangles.insert(soup.triangles.end(), {{a, c, b}, {a, d, c}});
     }
   }

@@ -19,7 +19,7 @@ struct Entry {
 std::vector<Entry> host_layout() {
   return {
 #define STRUCT(type) {"size of " #type, sizeof(type)},
-#define FIELD(type, field)                             \
+#define FIELD(type, field)                                \
   {"offset of " #type "." #field, offsetof(type, field)}, \
       {"size of " #type "." #field, sizeof(type::field)},
 #include "probes/layout_fields.h"

@@ -51,7 +51,8 @@ std::vector<float> planes(const std::vector<vec3>& vectors) {
   std::vector<float> values(3 * count);
   for (std::size_t i = 0; i < count; ++i) {
     const vec3& v = vectors[std::min(i, vectors.size() - 1)];
-    for (int axis = 0; axis < 3; ++axis) values[static_cast<std::size_t>(axis) * count + i] = v[axis];
+    for (int axis = 0; axis < 3; ++axis)
+      values[static_cast<std::size_t>(axis) * count + i] = v[axis];
   }
   return values;
 }

@@ -13,8 +13,8 @@
 /// Runs probe kernels: thin adapters between scalar arrays and the lane functions under test.
 namespace aerostat::test {
 
-/// The device that AEROSTAT_DEVICE names or the default one. Throws Error{no_device}: a test without
-/// a device fails.
+/// The device that AEROSTAT_DEVICE names or the default one. Throws Error{no_device}: a test
+/// without a device fails.
 const opencl::Context& context();
 
 /// `count` rounded up to whole packets of the widest lane type.
@@ -72,7 +72,7 @@ class Probe {
 /// A test that runs at every lane width.
 class LaneTest : public testing::TestWithParam<int> {};
 
-#define AEROSTAT_AT_EVERY_WIDTH(fixture)                                   \
+#define AEROSTAT_AT_EVERY_WIDTH(fixture)                                 \
   INSTANTIATE_TEST_SUITE_P(Lanes, fixture, testing::Values(1, 4, 8, 16), \
                            testing::PrintToStringParamName())
 

@@ -143,9 +143,9 @@ TEST_P(Triangles, OfAnUnusableDeterminantGiveNoHitAtInfinity) {
 
 TEST_P(Triangles, BehindTheOriginOrBeyondTheReachAreNotMet) {
   const AeroTriangle triangle = triangle_of({-1, -1, 0}, {1, -1, 0}, {0, 1, 0});
-  const std::vector<Ray> rays{{{0, 0, 3}, {0, 0, -1}, 3.0f},    {{0, 0, 3}, {0, 0, -1}, 2.9999f},
+  const std::vector<Ray> rays{{{0, 0, 3}, {0, 0, -1}, 3.0f},     {{0, 0, 3}, {0, 0, -1}, 2.9999f},
                               {{0, 0, 3}, {0, 0, 1}, kInfinity}, {{0, 0, 0}, {0, 0, 1}, 1.0f},
-                              {{0, 0, 3}, {0, 0, -1}, -1.0f},   {{0, 0, 1e-5f}, {0, 0, 1}, 1.0f}};
+                              {{0, 0, 3}, {0, 0, -1}, -1.0f},    {{0, 0, 1e-5f}, {0, 0, 1}, 1.0f}};
   const std::vector<Hit> hits = all({triangle}, rays);
   const bool expected[] = {true, false, false, true, false, false};
   for (std::size_t i = 0; i < rays.size(); ++i) EXPECT_EQ(hits[i].met(), expected[i]) << i;

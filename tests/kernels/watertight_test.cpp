@@ -146,6 +146,37 @@ TEST_P(Watertight, NoRayAtAnEdgeOrAVertexIsLost) {
   }
 }
 
+// Straight along an axis, or in a plane of the grid, rays run exactly along the faces of the tree's
+// boxes.
+TEST(WatertightGrid, RaysInThePlanesOfTheGridHitItsVertices) {
+  const int cells = 12;
+  const vec3 offset(3.0f, -7.0f, 11.0f);
+  const TracedMesh mesh(placed(subdivided_box(cells), 1.0f, offset));
+  std::vector<Ray> rays;
+  std::vector<float> distances;
+  for (int i = 0; i < 6 * 2 * 11 * 11; ++i) {
+    const int axis = i / 2 % 3, u = (axis + 1) % 3, v = (axis + 2) % 3;
+    const float side = i / 6 % 2 == 0 ? 1.0f : -1.0f;
+    const auto at = [](int step) { return static_cast<float>(1 + step) * (2.0f / cells) - 1.0f; };
+    vec3 target;
+    target[axis] = side;
+    target[u] = at(i / 12 % 11);
+    target[v] = at(i / 132 % 11);
+    vec3 eye = target;
+    eye[axis] = side * 6.0f;
+    if (i % 2 == 1) eye[u] = 0.25f;
+    rays.push_back(ray_towards(offset + eye, dvec3(offset + target)));
+    distances.push_back(glm::distance(eye, target));
+  }
+  for (const int lanes : {1, 16}) {
+    const std::vector<Hit> hits = mesh.trace(rays, lanes);
+    for (std::size_t i = 0; i < hits.size(); ++i) {
+      ASSERT_TRUE(hits[i].met()) << i << " at " << lanes << " lanes";
+      ASSERT_NEAR(hits[i].t, distances[i], 1e-4f) << i << " at " << lanes << " lanes";
+    }
+  }
+}
+
 INSTANTIATE_TEST_SUITE_P(Meshes, Watertight, testing::ValuesIn(kCases),
                          [](const auto& test) { return std::string(test.param.name); });
 

@@ -1,0 +1,177 @@
+// Phong's light model where its answer is known in closed form.
+#include <cmath>
+
+#include "shading_scene.hpp"
+
+namespace aerostat::test {
+namespace {
+
+/// Looks that share their material: position, normal, direction to the viewer, lights that arrive.
+struct Looks {
+  std::vector<vec3> positions, normals, viewers;
+  std::vector<std::uint32_t> visible;
+
+  void add(const vec3& normal, const vec3& viewer, std::uint32_t lights,
+           const vec3& position = vec3(0.0f)) {
+    positions.push_back(position);
+    normals.push_back(normal);
+    viewers.push_back(viewer);
+    visible.push_back(lights);
+  }
+};
+
+struct Material {
+  float ambient = 0.0f, diffuse = 0.0f, specular = 0.0f, shininess = 1.0f, translucency = 0.0f;
+  vec3 albedo{1.0f};
+};
+
+class Phong : public LaneTest {
+ protected:
+  const Probe probe{"shading.cl", GetParam()};
+
+  std::vector<vec3> shade(const AeroScene& scene, const Material& m, const Looks& looks) const {
+    const std::vector<float> coefficients{m.ambient,      m.diffuse,  m.specular, m.shininess,
+                                          m.translucency, m.albedo.x, m.albedo.y, m.albedo.z};
+    const std::size_t count = whole_packets(looks.normals.size());
+    std::vector<std::uint32_t> visible = looks.visible;
+    visible.resize(count, 0u);
+    const auto radiance = output<float>(3 * count);
+    probe.run("probe_phong", count, uploaded(scene), input(coefficients),
+              input(planes(looks.positions)), input(planes(looks.normals)),
+              input(planes(looks.viewers)), input(visible), radiance);
+    const auto values = radiance.read();
+    std::vector<vec3> result;
+    for (std::size_t i = 0; i < looks.normals.size(); ++i) result.push_back(from_planes(values, i));
+    return result;
+  }
+};
+
+void expect_color(const vec3& actual, const vec3& expected, float tolerance, const char* what) {
+  for (int i = 0; i < 3; ++i) EXPECT_NEAR(actual[i], expected[i], tolerance) << what << " " << i;
+}
+
+TEST_P(Phong, DiffuseFollowsLambertsCosine) {
+  AeroScene scene = bare_scene();
+  set3(scene.sky.sun_irradiance, vec3(1.0f, 2.0f, 3.0f) * kPi);
+  Material material;
+  material.diffuse = 0.8f;
+  material.albedo = {0.5f, 0.25f, 1.0f};
+  Looks looks;
+  for (int degrees = 0; degrees <= 180; degrees += 5) {
+    looks.add(tilted(static_cast<float>(degrees)), {0, 0, 1}, 1u);
+  }
+  const auto radiance = shade(scene, material, looks);
+  for (std::size_t i = 0; i < radiance.size(); ++i) {
+    const float cosine = std::max(looks.normals[i].y, 0.0f);
+    expect_color(radiance[i], 0.8f * cosine * vec3(0.5f, 0.5f, 3.0f), 2e-6f, "lit");
+  }
+}
+
+TEST_P(Phong, ShadowLeavesExactlyTheAmbientLight) {
+  AeroScene scene = bare_scene();
+  set3(scene.sky.ambient_up, {0.5f, 1.0f, 2.0f});
+  set3(scene.sky.ambient_down, {0.25f, 0.25f, 0.25f});
+  Material material{0.5f, 1.0f, 1.0f, 20.0f, 0.0f, {1.0f, 0.5f, 0.25f}};
+  Looks looks;
+  looks.add({0, 1, 0}, {0, 1, 0}, 0u);
+  looks.add({0, -1, 0}, {0, 1, 0}, 0u);
+  looks.add({1, 0, 0}, {0, 1, 0}, 0u);
+  const auto radiance = shade(scene, material, looks);
+  EXPECT_EQ(radiance[0], 0.5f * material.albedo * vec3(0.5f, 1.0f, 2.0f));
+  EXPECT_EQ(radiance[1], 0.5f * material.albedo * vec3(0.25f));
+  EXPECT_EQ(radiance[2], 0.5f * material.albedo * vec3(0.375f, 0.625f, 1.125f));
+}
+
+TEST_P(Phong, SpecularPeaksInTheMirrorDirection) {
+  const AeroScene scene = bare_scene();
+  Material material;
+  material.specular = 0.7f;
+  material.shininess = 50.0f;
+  // The sun is above, the normal leans by 30 degrees: its mirror image is at 60.
+  Looks looks;
+  for (int degrees = 0; degrees <= 150; ++degrees) {
+    looks.add(tilted(30.0f), tilted(static_cast<float>(degrees)), 1u);
+  }
+  const auto radiance = shade(scene, material, looks);
+  for (std::size_t i = 0; i < radiance.size(); ++i) {
+    const double off = (static_cast<double>(i) - 60.0) * std::numbers::pi / 180.0;
+    const auto expected = static_cast<float>(0.7 * std::pow(std::max(std::cos(off), 0.0), 50.0));
+    expect_color(radiance[i], vec3(expected), 2e-5f, "lobe");
+  }
+  expect_color(radiance[60], vec3(0.7f), 1e-5f, "peak");
+}
+
+TEST_P(Phong, NoGlossFromLightBehindTheSurface) {
+  Material material;
+  material.specular = 1.0f;
+  material.shininess = 2.0f;
+  Looks looks;
+  looks.add(tilted(100.0f), tilted(170.0f), 1u);
+  expect_color(shade(bare_scene(), material, looks)[0], vec3(0.0f), 0.0f, "behind");
+}
+
+TEST_P(Phong, ClothGlowsWithLightFromBehind) {
+  Material material;
+  material.diffuse = 0.6f;
+  material.translucency = 0.3f;
+  material.albedo = {1.0f, 0.5f, 0.25f};
+  Looks looks;
+  looks.add({0, -1, 0}, {0, -1, 0}, 1u);  // the sun behind, nothing between
+  looks.add(tilted(120.0f), {0, -1, 0}, 1u);
+  looks.add({0, -1, 0}, {0, -1, 0}, 0u);  // another layer of the cloth between
+  looks.add({0, 1, 0}, {0, 1, 0}, 1u);    // the sun in front
+  const auto radiance = shade(bare_scene(), material, looks);
+  expect_color(radiance[0], 0.3f * material.albedo, 1e-6f, "through");
+  expect_color(radiance[1], 0.15f * material.albedo, 1e-6f, "through at 60 degrees");
+  expect_color(radiance[2], 0.09f * material.albedo, 1e-6f, "through two layers");
+  expect_color(radiance[3], 0.6f * material.albedo, 1e-6f, "in front");
+}
+
+AeroScene with_point_lights() {
+  AeroScene scene = bare_scene();
+  scene.light_count = 2;
+  set3(scene.lights[0].position, {0, 4, 0});
+  set3(scene.lights[0].intensity, vec3(16.0f * kPi));
+  set3(scene.lights[1].position, {0, 0, 3});
+  set3(scene.lights[1].intensity, vec3(9.0f * kPi, 0.0f, 0.0f));
+  return scene;
+}
+
+TEST_P(Phong, PointLightsFallOffWithTheSquareOfTheDistance) {
+  Material material;
+  material.diffuse = 1.0f;
+  Looks looks;
+  for (const float height : {3.0f, 2.0f, 0.0f, -4.0f, -12.0f}) {
+    looks.add({0, 1, 0}, {0, 1, 0}, 2u, {0, height, 0});
+  }
+  const auto radiance = shade(with_point_lights(), material, looks);
+  for (std::size_t i = 0; i < radiance.size(); ++i) {
+    const float distance = 4.0f - looks.positions[i].y;
+    const float expected = 16.0f / (distance * distance);
+    expect_color(radiance[i], vec3(expected), expected * 2e-6f, "point light");
+  }
+}
+
+TEST_P(Phong, LightsAddAndEachHasItsOwnShadow) {
+  const Material material{1.0f, 0.75f, 0.5f, 8.0f, 0.0f, {0.5f, 0.5f, 0.5f}};
+  const vec3 normal = glm::normalize(vec3(0, 1, 1));
+  Looks looks;
+  for (std::uint32_t lights = 0; lights < 8; ++lights) looks.add(normal, normal, lights);
+  AeroScene scene = with_point_lights();
+  set3(scene.sky.ambient_up, vec3(0.125f));
+  const auto radiance = shade(scene, material, looks);
+  for (std::uint32_t lights = 0; lights < 8; ++lights) {
+    vec3 expected = radiance[0];
+    for (const std::uint32_t one : {1u, 2u, 4u}) {
+      if ((lights & one) != 0) expected += radiance[one] - radiance[0];
+    }
+    expect_color(radiance[lights], expected, 2e-6f, "sum");
+  }
+  EXPECT_GT(radiance[4].x, radiance[0].x);
+  EXPECT_EQ(radiance[4].y, radiance[0].y) << "a red light";
+}
+
+AEROSTAT_AT_EVERY_WIDTH(Phong);
+
+}  // namespace
+}  // namespace aerostat::test

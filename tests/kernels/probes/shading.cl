@@ -1,0 +1,67 @@
+#include "probe.clh"
+#include "shade.clh"
+
+/* A look whose scalars stand in `coefficients`: ambient, diffuse, specular, shininess,
+ * translucency, then the albedo. */
+inline Look load_look(__global const float* coefficients, __global const float* positions,
+                      __global const float* normals, __global const float* viewers) {
+  Look look;
+  look.position = load3(positions);
+  look.normal = load3(normals);
+  look.to_viewer = load3(viewers);
+  look.ambient = (lane_float)coefficients[0];
+  look.diffuse = (lane_float)coefficients[1];
+  look.specular = (lane_float)coefficients[2];
+  look.shininess = (lane_float)coefficients[3];
+  look.translucency = (lane_float)coefficients[4];
+  look.albedo = lane3_from(coefficients + 5);
+  return look;
+}
+
+__kernel void probe_phong(__global const AeroScene* scene, __global const float* coefficients,
+                          __global const float* positions, __global const float* normals,
+                          __global const float* viewers, __global const uint* visible,
+                          __global float* radiance) {
+  const Look look = load_look(coefficients, positions, normals, viewers);
+  store3_planes(phong(scene, &look, LOAD(visible)), radiance);
+}
+
+__kernel void probe_sky(__global const AeroScene* scene, __global const float* directions,
+                        __global float* gradient, __global float* radiance) {
+  const Lane3 direction = load3(directions);
+  store3_planes(sky_gradient(&scene->sky, direction), gradient);
+  store3_planes(sky_radiance(&scene->sky, direction), radiance);
+}
+
+__kernel void probe_haze(__global const AeroScene* scene, __global const float* origins,
+                         __global const float* directions, __global const float* distances,
+                         __global const float* radiance, __global float* depth,
+                         __global float* arriving) {
+  Ray ray;
+  ray.origin = load3(origins);
+  ray.direction = load3(directions);
+  ray.t_max = (lane_float)INFINITY;
+  const lane_float distance = LOAD(distances);
+  const lane_float end = lane_fma(ray.direction.y, distance, ray.origin.y);
+  STORE(haze_optical_depth(&scene->sky, ray.origin.y, end, distance), depth);
+  store3_planes(through_haze(&scene->sky, load3(radiance), &ray, distance), arriving);
+}
+
+__kernel void probe_fresnel(__global const float* cosines, __global float* reflectance) {
+  STORE(fresnel(LOAD(cosines)), reflectance);
+}
+
+__kernel void probe_water(__global const AeroScene* scene, __global const float* depths,
+                          __global const float* cosines, __global const float* light,
+                          __global float* radiance) {
+  const Lane3 body = water_body(&scene->water, LOAD(depths), LOAD(cosines), load3(light));
+  store3_planes(body, radiance);
+}
+
+__kernel void probe_waves(__global const AeroScene* scene, __global const float* positions,
+                          __global const float* footprints, __global float* normals,
+                          __global float* roughness) {
+  lane_float rough;
+  store3_planes(wave_normal(&scene->water, load3(positions), LOAD(footprints), &rough), normals);
+  STORE(rough, roughness);
+}
