@@ -136,7 +136,86 @@ TEST_P(NoiseProbe, FractalDropsOctavesThatThePixelCannotResolve) {
   for (const float value : fbm(points, 8.0f, 4, 4.0f)) ASSERT_EQ(value, 0.0f);
 }
 
+class SolidNoiseProbe : public LaneTest {
+ protected:
+  struct Field {
+    std::vector<float> values, gradients;
+  };
+
+  Field sample(const std::vector<vec3>& points, int octaves, bool ridges, float footprint) const {
+    const std::size_t count = whole_packets(points.size());
+    const auto values = output<float>(count), gradients = output<float>(3 * count);
+    const std::vector<float> footprints(count, footprint);
+    Probe("noise.cl", GetParam())
+        .run("probe_solid", count, 23u, octaves, ridges ? 1 : 0, input(planes(points)),
+             input(footprints), values, gradients);
+    return {values.read(), gradients.read()};
+  }
+};
+
+std::vector<vec3> random_space(unsigned seed, float reach) {
+  std::mt19937 random(seed);
+  std::uniform_real_distribution<float> coordinate(-reach, reach);
+  std::vector<vec3> points;
+  for (std::size_t i = 0; i < kPoints; ++i) {
+    const float x = coordinate(random), y = coordinate(random);
+    points.push_back({x, y, coordinate(random)});
+  }
+  return points;
+}
+
+TEST_P(SolidNoiseProbe, IsZeroAtLatticePointsAndBounded) {
+  std::vector<vec3> points = random_space(86, 200.0f);
+  for (std::size_t i = 0; i < kPoints; i += 2) points[i] = glm::floor(points[i]);
+  const Field field = sample(points, 0, false, 0.0f);
+  float largest = 0.0f;
+  for (std::size_t i = 0; i < kPoints; ++i) {
+    if (i % 2 == 0) {
+      ASSERT_EQ(field.values[i], 0.0f) << i;
+    }
+    largest = std::max(largest, std::abs(field.values[i]));
+  }
+  EXPECT_LE(largest, 1.1f);
+  EXPECT_GT(largest, 0.4f);
+}
+
+// Central differences over a step that crosses cells now and then.
+TEST_P(SolidNoiseProbe, GradientIsTheSlopeOfTheValue) {
+  const float step = 1.0f / 128.0f;
+  const std::vector<vec3> points = random_space(87, 20.0f);
+  for (const int octaves : {0, 3}) {
+    const Field field = sample(points, octaves, false, 0.0f);
+    for (int axis = 0; axis < 3; ++axis) {
+      std::vector<vec3> before = points, after = points;
+      for (vec3& p : before) p[axis] -= step;
+      for (vec3& p : after) p[axis] += step;
+      const Field low = sample(before, octaves, false, 0.0f);
+      const Field high = sample(after, octaves, false, 0.0f);
+      for (std::size_t i = 0; i < kPoints; ++i) {
+        const float slope = (high.values[i] - low.values[i]) / (2.0f * step);
+        ASSERT_NEAR(from_planes(field.gradients, i)[axis], slope, 2e-3f) << i << " axis " << axis;
+      }
+    }
+  }
+}
+
+TEST_P(SolidNoiseProbe, RidgesFoldEachOctaveAtZero) {
+  const std::vector<vec3> points = random_space(88, 50.0f);
+  const Field plain = sample(points, 1, false, 0.0f), ridged = sample(points, 1, true, 0.0f);
+  for (std::size_t i = 0; i < kPoints; ++i) {
+    ASSERT_NEAR(ridged.values[i], 0.5f - 2.0f * std::abs(plain.values[i]), 1e-6f) << i;
+    const float side = plain.values[i] < 0.0f ? 2.0f : -2.0f;
+    ASSERT_LT(
+        glm::distance(from_planes(ridged.gradients, i), side * from_planes(plain.gradients, i)),
+        1e-5f)
+        << i;
+  }
+  // A pixel of one metre sees the wavelengths 8 and 4 in full, and nothing below.
+  EXPECT_EQ(sample(points, 4, true, 1.0f).values, sample(points, 2, true, 0.0f).values);
+}
+
 AEROSTAT_AT_EVERY_WIDTH(NoiseProbe);
+AEROSTAT_AT_EVERY_WIDTH(SolidNoiseProbe);
 
 }  // namespace
 }  // namespace aerostat::test

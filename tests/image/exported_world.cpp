@@ -1,0 +1,105 @@
+#include "exported_world.hpp"
+
+#include <cstring>
+#include <sstream>
+#include <stdexcept>
+
+#include <nlohmann/json.hpp>
+
+#include "mesh/export.hpp"
+#include "scene/io.hpp"
+#include "world/world.hpp"
+
+namespace aerostat::test {
+namespace {
+
+std::vector<std::uint8_t> ply_of(const scene::Scene& scene) {
+  const world::World world = world::build(scene);
+  std::vector<mesh::ExportObject> objects;
+  for (const world::Group& group : {world.land, world.balloon}) {
+    if (!group) continue;
+    for (const world::Object& object : *group) {
+      objects.push_back(
+          {static_cast<std::uint32_t>(object.id), scene::object_name(object.id), &object.mesh});
+    }
+  }
+  return mesh::ply_bytes(objects);
+}
+
+struct Header {
+  std::size_t vertices = 0, faces = 0, vertex_bytes = 0, bytes = 0;
+};
+
+/// The header's lines; of the properties it needs only how long a vertex is.
+Header read_header(const std::string& text) {
+  Header header;
+  std::istringstream lines(text.substr(0, 4096));
+  std::string line, element;
+  while (std::getline(lines, line)) {
+    std::istringstream words(line);
+    std::string word, kind;
+    words >> word >> kind;
+    if (word == "element") {
+      element = kind;
+      words >> (element == "vertex" ? header.vertices : header.faces);
+    } else if (word == "property" && element == "vertex") {
+      header.vertex_bytes += kind == "uchar" ? 1 : 4;
+    } else if (word == "end_header") {
+      header.bytes = static_cast<std::size_t>(lines.tellg());
+      return header;
+    }
+  }
+  throw std::runtime_error("a PLY without an end of its header");
+}
+
+dvec3 triple(const nlohmann::json& json) {
+  return {json.at(0).get<double>(), json.at(1).get<double>(), json.at(2).get<double>()};
+}
+
+}  // namespace
+
+ExportedWorld exported_world(const scene::Scene& scene) {
+  const std::vector<std::uint8_t> file = ply_of(scene);
+  const Header header =
+      read_header(std::string(file.begin(), file.begin() + std::min<std::ptrdiff_t>(
+                                                               4096, std::ssize(file))));
+  constexpr std::size_t kFaceBytes = 1 + 3 * 4 + 4;
+  if (file.size() != header.bytes + header.vertices * header.vertex_bytes + header.faces * kFaceBytes)
+    throw std::runtime_error("a PLY of another length than its header says");
+  ExportedWorld world;
+  world.positions.resize(header.vertices);
+  world.triangles.resize(header.faces);
+  world.objects.resize(header.faces);
+  const std::uint8_t* at = file.data() + header.bytes;
+  for (vec3& position : world.positions) {
+    std::memcpy(&position, at, sizeof(position));
+    at += header.vertex_bytes;
+  }
+  for (std::size_t i = 0; i < header.faces; ++i) {
+    std::memcpy(&world.triangles[i], at + 1, sizeof(uvec3));
+    std::memcpy(&world.objects[i], at + 13, sizeof(std::uint32_t));
+    at += kFaceBytes;
+  }
+  return world;
+}
+
+DumpedCamera::DumpedCamera(const scene::Scene& scene) {
+  const auto dump = nlohmann::json::parse(scene::write_text(scene));
+  const auto& camera = dump.at("camera");
+  origin_ = triple(camera.at("position"));
+  forward_ = glm::normalize(triple(camera.at("target")) - origin_);
+  right_ = glm::normalize(glm::cross(forward_, triple(camera.at("up"))));
+  up_ = glm::cross(right_, forward_);
+  width_ = dump.at("image").at("width").get<int>();
+  height_ = dump.at("image").at("height").get<int>();
+  tangent_ = std::tan(glm::radians(0.5 * camera.at("fov_y_deg").get<double>()));
+}
+
+dvec3 DumpedCamera::direction(int x, int y) const {
+  const double half = 0.5 * height_;
+  const double across = (x + 0.5 - 0.5 * width_) / half * tangent_;
+  const double upwards = (half - (y + 0.5)) / half * tangent_;
+  return glm::normalize(forward_ + across * right_ + upwards * up_);
+}
+
+}  // namespace aerostat::test

@@ -1,0 +1,112 @@
+// The seven pictures as they were when somebody last looked at them. AEROSTAT_UPDATE_GOLDENS=1
+// renews the files in tests/image/golden; look at them before they are kept.
+//
+// Tolerance, in steps of 1/255 after development: mean 1.5 and 12 for 99 of 100 values. Other
+// devices and lane widths stay far below it; a change of colour, light or shape that an eye would
+// notice does not.
+#include <cstdlib>
+
+#include "compare_pixels.hpp"
+#include "small_films.hpp"
+
+namespace aerostat::test {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr double kMeanSteps = 1.5;
+constexpr int kPercentileSteps = 12;
+
+bool within_tolerance(const PixelDifference& d) {
+  return d.mean <= kMeanSteps && d.percentile_99 <= kPercentileSteps;
+}
+
+std::string in_words(const PixelDifference& d) {
+  char text[96];
+  std::snprintf(text, sizeof(text), "mean %.3f, 99th percentile %d, largest %d steps of 1/255",
+                d.mean, d.percentile_99, d.largest);
+  return text;
+}
+
+bool renewing() {
+  const char* value = std::getenv("AEROSTAT_UPDATE_GOLDENS");
+  return value != nullptr && std::string(value) == "1";
+}
+
+/// Whether `actual` is the golden picture `name`; if not, both and their difference are written.
+testing::AssertionResult is_golden(const image::Pixels& actual, const std::string& name) {
+  const fs::path golden_file = fs::path(AEROSTAT_GOLDEN_DIR) / (name + ".png");
+  const fs::path report = fs::path(AEROSTAT_GOLDEN_REPORT_DIR);
+  const fs::path actual_file = report / (name + "-actual.png");
+  const auto golden = read_png(golden_file);
+  if (!golden || golden->width != actual.width || golden->height != actual.height) {
+    write_png(actual_file, actual);
+    return testing::AssertionFailure()
+           << golden_file << (golden ? " has another size" : " is missing") << "; actual: "
+           << actual_file << ". Look at it; AEROSTAT_UPDATE_GOLDENS=1 makes it the golden one.";
+  }
+  const PixelDifference d = difference(*golden, actual);
+  if (within_tolerance(d)) return testing::AssertionSuccess() << in_words(d);
+  const fs::path difference_file = report / (name + "-difference.png");
+  write_png(actual_file, actual);
+  write_png(difference_file, difference_picture(*golden, actual));
+  return testing::AssertionFailure()
+         << in_words(d) << "\n  golden:     " << golden_file << "\n  actual:     " << actual_file
+         << "\n  difference: " << difference_file << " (8 times as bright)";
+}
+
+image::Pixels developed(const std::string& name) {
+  return image::develop(small_film(name), small_scene(name, kGoldenSize).image.exposure_ev);
+}
+
+class Golden : public testing::TestWithParam<const char*> {};
+
+TEST_P(Golden, LooksAsItDid) {
+  const image::Pixels actual = developed(GetParam());
+  if (renewing()) {
+    write_png(fs::path(AEROSTAT_GOLDEN_DIR) / (std::string(GetParam()) + ".png"), actual);
+    std::printf("renewed the golden picture of %s\n", GetParam());
+  }
+  EXPECT_TRUE(is_golden(actual, GetParam()));
+}
+
+INSTANTIATE_TEST_SUITE_P(Scenes, Golden, testing::ValuesIn(kScenes), scene_test_name);
+
+TEST(GoldenTolerance, LetsNoChangedColourPass) {
+  auto scene = small_scene("snow", kGoldenSize);
+  const image::Pixels expected = developed("snow");
+  EXPECT_TRUE(within_tolerance(difference(expected, expected)));
+  const auto changed = [&](const char* what) {
+    const image::Pixels actual =
+        image::develop(shared_session().render(scene), scene.image.exposure_ev);
+    const PixelDifference d = difference(expected, actual);
+    EXPECT_FALSE(within_tolerance(d)) << what << ": " << in_words(d);
+    scene = small_scene("snow", kGoldenSize);
+  };
+  scene.balloon.colors[0] = vec3(0.1f, 0.1f, 0.6f);
+  changed("one colour of the envelope");
+  scene.biome.ground.snow *= 0.8f;
+  changed("the snow a fifth darker");
+  scene.sky.zenith *= 1.25f;
+  scene.sky.horizon *= 1.25f;
+  changed("the sky a quarter brighter");
+  scene.sun.shadows = false;
+  changed("no shadows");
+  scene.camera.fov_y_deg *= 1.03;
+  changed("the view three per cent wider");
+}
+
+TEST(GoldenTolerance, MissesNoPictureThatIsNotThere) {
+  const image::Pixels actual = developed("snow");
+  const auto result = is_golden(actual, "no-such-scene");
+  EXPECT_FALSE(result);
+  EXPECT_NE(std::string(result.message()).find("is missing"), std::string::npos);
+  const fs::path written = fs::path(AEROSTAT_GOLDEN_REPORT_DIR) / "no-such-scene-actual.png";
+  const auto kept = read_png(written);
+  ASSERT_TRUE(kept.has_value()) << written;
+  EXPECT_EQ(kept->rgb, actual.rgb);
+  fs::remove(written);
+}
+
+}  // namespace
+}  // namespace aerostat::test

@@ -1,0 +1,78 @@
+// One kernel source at any lane width: the same picture from 1, 4, 8 and 16 rays a work-item.
+//
+// The widths run the same operations; only the library's functions (exp, pow, sin ...) round
+// differently in scalar and vector form, by some units in the last place. On all but a few pixels
+// that stays at 1e-4 of the radiance. Where a ray passes an edge so closely that the last bit
+// decides, a sample may fall on the other side: few pixels may differ by more.
+#include <map>
+
+#include "pictures.hpp"
+
+namespace aerostat::test {
+namespace {
+
+constexpr double kMeanTolerance = 2e-5;    // of linear radiance, over all pixels and channels
+constexpr double kPixelTolerance = 2e-3;   // of linear radiance, relative above 1
+constexpr double kPixelsBeyond = 1e-3;     // share of the pixels that may differ by more
+constexpr double kDistanceTolerance = 1e-4;  // relative
+constexpr double kDistancesBeyond = 1e-3;    // share of the pixels
+
+struct Difference {
+  double mean = 0.0, largest = 0.0;
+  double pixels_beyond = 0.0, distances_beyond = 0.0;  // shares
+};
+
+bool same_distance(float a, float b) {
+  if (std::isinf(a) || std::isinf(b)) return a == b;
+  return std::abs(a - b) <= kDistanceTolerance * std::max(a, b);
+}
+
+Difference difference(const image::Film& a, const image::Film& b) {
+  Difference result;
+  const auto pixels = static_cast<double>(a.radiance.size());
+  for (std::size_t i = 0; i < a.radiance.size(); ++i) {
+    double worst = 0.0;
+    for (int c = 0; c < 3; ++c) {
+      const double x = a.radiance[i][c], y = b.radiance[i][c];
+      const double off = std::abs(x - y) / std::max(1.0, std::max(x, y));
+      result.mean += off / (3.0 * pixels);
+      worst = std::max(worst, off);
+    }
+    result.largest = std::max(result.largest, worst);
+    if (!(worst <= kPixelTolerance)) result.pixels_beyond += 1.0 / pixels;
+    if (!same_distance(a.distance_m[i], b.distance_m[i])) result.distances_beyond += 1.0 / pixels;
+  }
+  return result;
+}
+
+/// The films of all scenes at one width; the sessions live no longer than needed.
+const std::vector<image::Film>& films(int lanes) {
+  static std::map<int, std::vector<image::Film>> all;
+  auto& these = all[lanes];
+  if (these.empty()) {
+    render::Session session(options(lanes));
+    for (const char* name : kScenes) these.push_back(session.render(small_scene(name)));
+  }
+  return these;
+}
+
+class LaneWidth : public testing::TestWithParam<int> {};
+
+TEST_P(LaneWidth, GivesThePictureOfOneRayAWorkItem) {
+  const auto& expected = films(1);
+  const auto& actual = films(GetParam());
+  for (std::size_t i = 0; i < kScenes.size(); ++i) {
+    const Difference d = difference(expected[i], actual[i]);
+    std::printf("%-16s mean %.2g largest %.2g, beyond: %.3f %% of pixels, %.3f %% of distances\n",
+                kScenes[i], d.mean, d.largest, 100.0 * d.pixels_beyond, 100.0 * d.distances_beyond);
+    EXPECT_LE(d.mean, kMeanTolerance) << kScenes[i];
+    EXPECT_LE(d.pixels_beyond, kPixelsBeyond) << kScenes[i];
+    EXPECT_LE(d.distances_beyond, kDistancesBeyond) << kScenes[i];
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(All, LaneWidth, testing::Values(4, 8, 16),
+                         [](const auto& info) { return "Lanes" + std::to_string(info.param); });
+
+}  // namespace
+}  // namespace aerostat::test

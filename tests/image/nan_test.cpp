@@ -1,0 +1,49 @@
+// No pixel of any scene is no number, negative or infinite.
+#include "small_films.hpp"
+
+namespace aerostat::test {
+namespace {
+
+class CleanFilm : public testing::TestWithParam<const char*> {};
+
+TEST_P(CleanFilm, HoldsNumbersThatCanBe) {
+  const image::Film& film = small_film(GetParam());
+  EXPECT_EQ(film.nan_pixels, 0u);
+  ASSERT_EQ(film.radiance.size(), 96u * 64u);
+  for (std::size_t i = 0; i < film.radiance.size(); ++i) {
+    SCOPED_TRACE("pixel " + std::to_string(i % 96) + ", " + std::to_string(i / 96));
+    const vec3 radiance = film.radiance[i];
+    ASSERT_TRUE(is_finite(radiance));
+    ASSERT_GE(std::min({radiance.x, radiance.y, radiance.z}), 0.0f);
+    ASSERT_TRUE(film.alpha[i] >= 0.0f && film.alpha[i] <= 1.0f) << film.alpha[i];
+    const bool sky = film.object_id[i] == 0;
+    ASSERT_LT(film.object_id[i], scene::kObjectCount);
+    ASSERT_EQ(sky, film.alpha[i] == 0.0f);
+    ASSERT_EQ(sky, std::isinf(film.distance_m[i]));
+    ASSERT_GT(film.distance_m[i], 0.0f);
+    ASSERT_NEAR(glm::length(film.normal_ws[i]), sky ? 0.0f : 1.0f, 1e-4f);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Scenes, CleanFilm, testing::ValuesIn(kScenes), scene_test_name);
+
+/// Lights and cameras at the rim of what a scene may ask for.
+TEST(CleanFilm, SurvivesExtremeLight) {
+  const auto count_bad = [](const scene::Scene& scene) {
+    return shared_session().render(scene).nan_pixels;
+  };
+  auto scene = small_scene("tropical", {96, 64, 4, 128});
+  scene.sun.direction = {0.0, 1.0, 0.0};
+  EXPECT_EQ(count_bad(scene), 0u) << "sun at the zenith";
+  scene.sun.direction = {1.0, 0.0, 0.0};
+  EXPECT_EQ(count_bad(scene), 0u) << "sun on the horizon";
+  scene.sun.direction = {0.0, -1.0, 0.0};
+  EXPECT_EQ(count_bad(scene), 0u) << "sun below the ground";
+  scene.lights = {{scene.camera.position, vec3(1.0f), 1e6, true}};
+  EXPECT_EQ(count_bad(scene), 0u) << "a lamp in the eye";
+  scene.haze.visibility_m = 10.0;
+  EXPECT_EQ(count_bad(scene), 0u) << "fog";
+}
+
+}  // namespace
+}  // namespace aerostat::test

@@ -1,0 +1,80 @@
+// An independent ray tracer on the exported mesh, with the camera of the dump, agrees with the
+// distances and objects of the film on 99.9 % of the pixels within 0.1 %.
+#include "oracle.hpp"
+
+#include <algorithm>
+
+#include "pictures.hpp"
+
+namespace aerostat::test {
+namespace {
+
+constexpr double kAgree = 0.999;
+constexpr double kRelative = 1e-3;
+
+struct Count {
+  int asked = 0, distances = 0, objects = 0;  // asked, and that agree
+
+  double share(int agreed) const { return static_cast<double>(agreed) / asked; }
+};
+
+Count compare(const scene::Scene& scene, const image::Film& film) {
+  const ExportedWorld world = exported_world(scene);
+  const Oracle oracle(world);
+  const DumpedCamera camera(scene);
+  Count count;
+  for (int y = 0; y < film.height; y += Oracle::stride()) {
+    for (int x = 0; x < film.width; x += Oracle::stride()) {
+      const auto i = static_cast<std::size_t>(y) * static_cast<std::size_t>(film.width) +
+                     static_cast<std::size_t>(x);
+      const Oracle::Answer answer = oracle.nearest(camera.origin(), camera.direction(x, y));
+      const double found = film.distance_m[i];
+      const bool same = std::isinf(answer.distance)
+                            ? std::isinf(found)
+                            : std::abs(found - answer.distance) <= kRelative * answer.distance;
+      ++count.asked;
+      count.distances += same ? 1 : 0;
+      count.objects += film.object_id[i] == answer.object ? 1 : 0;
+    }
+  }
+  return count;
+}
+
+class OracleAgrees : public testing::TestWithParam<const char*> {};
+
+TEST_P(OracleAgrees, OnDistancesAndObjects) {
+  const auto scene = small_scene(GetParam(), {320, 180, 1, 256});
+  const Count count = compare(scene, shared_session().render(scene));
+  std::printf("%d pixels: %.3f %% of the distances, %.3f %% of the objects agree\n", count.asked,
+              100.0 * count.share(count.distances), 100.0 * count.share(count.objects));
+  EXPECT_GE(count.share(count.distances), kAgree);
+  EXPECT_GE(count.share(count.objects), kAgree);
+}
+
+TEST(Oracle, WithATiltedCameraOffTheMiddle) {
+  auto scene = small_scene("snow", {173, 251, 1, 128});
+  scene.camera.up = glm::normalize(dvec3(0.4, 1.0, 0.2));
+  scene.camera.fov_y_deg = 95.0;
+  const Count count = compare(scene, shared_session().render(scene));
+  EXPECT_GE(count.share(count.distances), kAgree);
+  EXPECT_GE(count.share(count.objects), kAgree);
+}
+
+TEST(Oracle, NotWithAnotherPicture) {
+  auto scene = small_scene("snow", {160, 90, 1, 64});
+  const image::Film film = shared_session().render(scene);
+  scene.camera.fov_y_deg *= 1.02;
+  const Count count = compare(scene, film);
+  EXPECT_LT(count.share(count.distances), kAgree) << "the comparison sees nothing";
+}
+
+std::string test_name(const testing::TestParamInfo<const char*>& info) {
+  std::string name = info.param;
+  std::replace(name.begin(), name.end(), '-', '_');
+  return name;
+}
+
+INSTANTIATE_TEST_SUITE_P(Scenes, OracleAgrees, testing::ValuesIn(kScenes), test_name);
+
+}  // namespace
+}  // namespace aerostat::test

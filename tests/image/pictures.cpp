@@ -1,0 +1,94 @@
+#include "pictures.hpp"
+
+#include <cstring>
+
+#include "world/world.hpp"
+
+namespace aerostat::test {
+namespace {
+
+template <typename T>
+std::size_t first_difference(const std::vector<T>& a, const std::vector<T>& b) {
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    if (std::memcmp(&a[i], &b[i], sizeof(T)) != 0) return i;
+  }
+  return a.size();
+}
+
+template <typename T>
+testing::AssertionResult same_layer(const char* name, const std::vector<T>& a,
+                                    const std::vector<T>& b, int width) {
+  if (a.size() != b.size()) {
+    return testing::AssertionFailure() << name << ": " << a.size() << " and " << b.size() << " pixels";
+  }
+  const std::size_t at = first_difference(a, b);
+  if (at == a.size()) return testing::AssertionSuccess();
+  const auto row = static_cast<std::size_t>(width);
+  return testing::AssertionFailure() << name << " differs at pixel " << at % row << ", " << at / row;
+}
+
+template <typename T>
+std::vector<T> cut_layer(const std::vector<T>& layer, int width, const render::Crop& crop) {
+  std::vector<T> part;
+  for (int y = crop.y0; y < crop.y1; ++y) {
+    const auto row = layer.begin() + static_cast<std::ptrdiff_t>(y) * width;
+    part.insert(part.end(), row + crop.x0, row + crop.x1);
+  }
+  return part;
+}
+
+}  // namespace
+
+scene::Scene small_scene(const std::string& name, const Size& size) {
+  const auto text = [](int value) { return std::to_string(value); };
+  scene::Scene scene = scene::read_file(std::string(AEROSTAT_SOURCE_DIR "/scenes/") + name + ".json",
+                                        {{"/image/width", text(size.width)},
+                                         {"/image/height", text(size.height)},
+                                         {"/image/spp", text(size.spp)},
+                                         {"/terrain/cells", text(size.cells)}});
+  world::resolve(scene);
+  return scene;
+}
+
+const opencl::Device& device() {
+  static const opencl::Device chosen = opencl::select_device(opencl::effective_selector(""));
+  return chosen;
+}
+
+render::Options options(int lanes) {
+  render::Options chosen;
+  chosen.device = device();
+  chosen.lanes = lanes;
+  return chosen;
+}
+
+render::Session& shared_session() {
+  static render::Session session(options());
+  return session;
+}
+
+testing::AssertionResult same_bits(const image::Film& a, const image::Film& b) {
+  if (a.width != b.width || a.height != b.height) {
+    return testing::AssertionFailure() << "sizes " << a.width << " x " << a.height << " and "
+                                       << b.width << " x " << b.height;
+  }
+  if (auto r = same_layer("radiance", a.radiance, b.radiance, a.width); !r) return r;
+  if (auto r = same_layer("alpha", a.alpha, b.alpha, a.width); !r) return r;
+  if (auto r = same_layer("distance", a.distance_m, b.distance_m, a.width); !r) return r;
+  if (auto r = same_layer("normal", a.normal_ws, b.normal_ws, a.width); !r) return r;
+  return same_layer("object", a.object_id, b.object_id, a.width);
+}
+
+image::Film cut(const image::Film& film, const render::Crop& crop) {
+  image::Film part;
+  part.width = crop.x1 - crop.x0;
+  part.height = crop.y1 - crop.y0;
+  part.radiance = cut_layer(film.radiance, film.width, crop);
+  part.alpha = cut_layer(film.alpha, film.width, crop);
+  part.distance_m = cut_layer(film.distance_m, film.width, crop);
+  part.normal_ws = cut_layer(film.normal_ws, film.width, crop);
+  part.object_id = cut_layer(film.object_id, film.width, crop);
+  return part;
+}
+
+}  // namespace aerostat::test

@@ -1,0 +1,252 @@
+// The library's promises: progress, re-use, pictures that depend on the scene alone.
+#include <map>
+#include <set>
+#include <thread>
+
+#include "core/error.hpp"
+#include "pictures.hpp"
+
+namespace aerostat::test {
+namespace {
+
+using render::Crop;
+using render::Progress;
+using render::Session;
+using render::Stage;
+
+std::vector<Progress> watched_render(Session& session, const scene::Scene& scene) {
+  std::vector<Progress> seen;
+  session.render(scene, {}, [&](const Progress& progress) { seen.push_back(progress); });
+  return seen;
+}
+
+TEST(Progress, NeverGoesBackAndEndsWithDone) {
+  Session session(options());
+  const auto scene = small_scene("snow", {320, 180, 9, 128});
+  const auto seen = watched_render(session, scene);
+  ASSERT_GE(seen.size(), 4u);
+  for (std::size_t i = 0; i < seen.size(); ++i) {
+    EXPECT_GE(seen[i].fraction, 0.0);
+    EXPECT_LE(seen[i].fraction, 1.0);
+    if (i == 0) continue;
+    const Progress &before = seen[i - 1], &now = seen[i];
+    EXPECT_GE(now.stage, before.stage) << "report " << i;
+    if (now.stage == before.stage) EXPECT_GE(now.fraction, before.fraction) << "report " << i;
+    EXPECT_GE(now.rays, before.rays) << "report " << i;
+    EXPECT_GE(now.seconds, before.seconds) << "report " << i;
+    EXPECT_GE(now.samples_done, before.samples_done) << "report " << i;
+  }
+  EXPECT_EQ(seen.front().stage, Stage::world);
+  EXPECT_EQ(seen.back().stage, Stage::done);
+  EXPECT_EQ(seen.back().fraction, 1.0);
+  EXPECT_EQ(seen.back().samples_done, 9);
+  EXPECT_EQ(seen.back().rays, session.stats().primary_rays + session.stats().shadow_rays);
+}
+
+TEST(Progress, ReportsEveryStageOfAFirstRender) {
+  Session session(options());
+  std::set<Stage> stages;
+  for (const Progress& p : watched_render(session, small_scene("sand"))) stages.insert(p.stage);
+  for (const Stage stage :
+       {Stage::world, Stage::kernels, Stage::upload, Stage::rays, Stage::done}) {
+    EXPECT_TRUE(stages.count(stage)) << "stage " << static_cast<int>(stage);
+  }
+}
+
+/// One session for the tests of re-use; each begins with a render of the same scene.
+class Reuse : public testing::Test {
+ protected:
+  Reuse() : scene_(small_scene("snow")) { before_ = session().render(scene_); }
+
+  static Session& session() {
+    static Session one(options());
+    return one;
+  }
+
+  /// What the next render of `scene` had to build: worlds, trees, programs.
+  std::array<int, 3> built_by(const scene::Scene& scene) {
+    after_ = session().render(scene);
+    const render::Stats& stats = session().stats();
+    return {stats.worlds_built, stats.trees_built, stats.programs_built};
+  }
+
+  /// The session's picture must be that of a session which knows nothing else.
+  testing::AssertionResult as_if_new(const scene::Scene& scene) const {
+    Session fresh(options());
+    return same_bits(after_, fresh.render(scene));
+  }
+
+  scene::Scene scene_;
+  image::Film before_, after_;
+};
+
+constexpr std::array<int, 3> kNothing = {0, 0, 0};
+
+TEST_F(Reuse, TheSameSceneIsBuiltOnceAndLooksTheSame) {
+  EXPECT_EQ(built_by(scene_), kNothing);
+  EXPECT_TRUE(same_bits(before_, after_));
+}
+
+TEST_F(Reuse, AMovedCameraBuildsNothing) {
+  scene_.camera.position += dvec3(3.0, 1.0, -5.0);
+  EXPECT_EQ(built_by(scene_), kNothing);
+  EXPECT_FALSE(same_bits(before_, after_));
+  EXPECT_TRUE(as_if_new(scene_));
+}
+
+TEST_F(Reuse, AMovedSunBuildsNothing) {
+  scene_.sun.direction = glm::normalize(dvec3(-0.6, 0.5, 0.3));
+  EXPECT_EQ(built_by(scene_), kNothing);
+  EXPECT_FALSE(same_bits(before_, after_));
+  EXPECT_TRUE(as_if_new(scene_));
+}
+
+TEST_F(Reuse, AnotherSizeOrSampleCountBuildsNothing) {
+  scene_.image.width = 61;
+  scene_.image.height = 37;
+  scene_.image.spp = 3;
+  EXPECT_EQ(built_by(scene_), kNothing);
+  EXPECT_EQ(after_.width, 61);
+  EXPECT_EQ(after_.height, 37);
+  EXPECT_TRUE(as_if_new(scene_));
+}
+
+TEST_F(Reuse, AMovedBalloonBuildsTheBalloonAlone) {
+  scene_.balloon.position += dvec3(4.0, 2.0, 1.0);
+  EXPECT_EQ(built_by(scene_), (std::array<int, 3>{1, 1, 0}));
+  EXPECT_FALSE(same_bits(before_, after_));
+  EXPECT_TRUE(as_if_new(scene_));
+}
+
+TEST_F(Reuse, ARemovedBalloonBuildsNothingAndIsGone) {
+  scene_.balloon.enabled = false;
+  EXPECT_EQ(built_by(scene_), kNothing);
+  EXPECT_TRUE(as_if_new(scene_));
+  for (const std::uint32_t id : after_.object_id) {
+    ASSERT_LE(id, static_cast<std::uint32_t>(scene::ObjectId::water));
+  }
+}
+
+TEST_F(Reuse, AnotherLandBuildsTheLandAlone) {
+  scene_.terrain.seed += 1;
+  EXPECT_EQ(built_by(scene_), (std::array<int, 3>{1, 1, 0}));
+  EXPECT_FALSE(same_bits(before_, after_));
+  EXPECT_TRUE(as_if_new(scene_));
+}
+
+TEST_F(Reuse, SurvivesASceneThatCannotBeRendered) {
+  scene::Scene broken = scene_;
+  broken.camera.target = broken.camera.position;
+  EXPECT_THROW(session().render(broken), Error);
+  EXPECT_EQ(built_by(scene_), kNothing);
+  EXPECT_TRUE(same_bits(before_, after_));
+}
+
+/// A film that can be told from any other: what `snapshot` returned at one moment.
+TEST(Snapshot, RefinesWhileTheRenderRuns) {
+  Session session(options());
+  const auto scene = small_scene("snow", {320, 180, 64, 128});
+  EXPECT_EQ(session.snapshot().width, 0) << "before the first render";
+  std::map<float, image::Film> seen;  // by the radiance of one pixel, which every pass changes
+  std::jthread watcher([&](const std::stop_token& end) {
+    while (!end.stop_requested()) {
+      const image::Film film = session.snapshot();
+      if (film.width != 0) seen.emplace(film.radiance[320 * 100 + 160].x, film);
+      std::this_thread::sleep_for(std::chrono::milliseconds(2));
+    }
+  });
+  const image::Film last = session.render(scene);
+  watcher.request_stop();
+  watcher.join();
+  EXPECT_TRUE(same_bits(session.snapshot(), last));
+  EXPECT_GE(seen.size(), 2u) << "no picture before the last one was seen";
+  for (const auto& [key, film] : seen) {
+    ASSERT_EQ(film.width, 320);
+    ASSERT_EQ(film.height, 180);
+    double difference = 0.0;
+    for (std::size_t i = 0; i < film.radiance.size(); ++i) {
+      const vec3 d = glm::abs(film.radiance[i] - last.radiance[i]);
+      difference += static_cast<double>(d.x + d.y + d.z) / 3.0;
+    }
+    // Whole passes only: an early picture is rougher than the last, never darker or half-empty.
+    EXPECT_LT(difference / static_cast<double>(film.radiance.size()), 0.02);
+  }
+}
+
+TEST(Crop, IsTheSameRegionOfTheWholeBitForBit) {
+  Session& session = shared_session();
+  for (const int spp : {1, 4, 5}) {
+    const auto scene = small_scene("tropical", {97, 61, spp, 128});
+    const image::Film whole = session.render(scene);
+    for (const Crop crop : {Crop{13, 7, 61, 44}, Crop{96, 60, 97, 61}, Crop{0, 30, 97, 31},
+                            Crop{50, 0, 51, 61}}) {
+      EXPECT_TRUE(same_bits(cut(whole, crop), session.render(scene, {}, {}, crop)))
+          << "crop " << crop.x0 << "," << crop.y0 << "," << crop.x1 << "," << crop.y1 << " at "
+          << spp << " spp";
+    }
+  }
+}
+
+TEST(Crop, OutsideThePictureIsAnErrorOfUsage) {
+  const auto scene = small_scene("sand-empty");
+  for (const Crop crop : {Crop{0, 0, 97, 64}, Crop{-1, 0, 5, 5}, Crop{5, 5, 5, 9}, Crop{9, 5, 3, 9}}) {
+    try {
+      shared_session().render(scene, {}, {}, crop);
+      FAIL() << "accepted " << crop.x0 << "," << crop.y0 << "," << crop.x1 << "," << crop.y1;
+    } catch (const Error& error) {
+      EXPECT_EQ(error.kind(), ErrorKind::usage);
+    }
+  }
+}
+
+TEST(Tiles, DoNotShowInThePicture) {
+  const auto scene = small_scene("snow", {97, 61, 5, 128});
+  const image::Film expected = shared_session().render(scene);
+  for (const int pixels : {1, 100, 777, 4096, 1 << 20}) {
+    render::Options cut = options();
+    cut.tile_pixels = pixels;
+    Session session(cut);
+    EXPECT_TRUE(same_bits(expected, session.render(scene))) << pixels << " pixels a tile";
+  }
+}
+
+TEST(Memory, TooSmallALimitIsSaidAndLeavesTheSessionUsable) {
+  render::Options tight = options();
+  tight.memory_limit_bytes = 24u << 20;
+  Session session(tight);
+  try {
+    session.render(small_scene("snow", {96, 64, 1, 512}));
+    FAIL() << "a world of half a million triangles fitted into 24 MiB";
+  } catch (const Error& error) {
+    EXPECT_EQ(error.kind(), ErrorKind::exhausted);
+    EXPECT_NE(std::string(error.what()).find("memory-limit"), std::string::npos) << error.what();
+  }
+  const auto scene = small_scene("sand-empty", {96, 64, 1, 64});
+  EXPECT_TRUE(same_bits(session.render(scene), shared_session().render(scene)));
+}
+
+TEST(Stats, CountWhatWasTraced) {
+  Session session(options());
+  auto scene = small_scene("snow", {96, 64, 4, 128});
+  scene.lights = {{scene.balloon.position, vec3(1.0f), 100.0, true},
+                  {scene.balloon.position, vec3(1.0f), 100.0, false}};
+  const image::Film film = session.render(scene);
+  const render::Stats& stats = session.stats();
+  std::uint64_t hits = 0;
+  for (const float alpha : film.alpha) hits += static_cast<std::uint64_t>(std::lround(alpha * 4.0f));
+  EXPECT_EQ(stats.primary_rays, 96u * 64u * 4u);
+  EXPECT_EQ(stats.shadow_rays, 2 * hits) << "the sun and the one lamp that casts shadows";
+  EXPECT_GT(stats.triangles, 2u * 128u * 128u);
+  EXPECT_EQ(stats.tree.input_triangles,
+            stats.triangles + stats.tree.dropped_degenerate + stats.tree.dropped_non_finite);
+  EXPECT_GT(stats.device_bytes, stats.triangles * 36);
+  EXPECT_GT(stats.primary_device_seconds, 0.0);
+  EXPECT_GT(stats.shadow_device_seconds, 0.0);
+  EXPECT_GT(stats.shade_device_seconds, 0.0);
+  EXPECT_GE(stats.rays_seconds, 0.0);
+  EXPECT_GT(stats.world_seconds, 0.0);
+  EXPECT_GT(stats.tree_seconds, 0.0);
+}
+
+}  // namespace
+}  // namespace aerostat::test
