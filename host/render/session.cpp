@@ -1,7 +1,10 @@
 #include "render/session.hpp"
 
 #include <algorithm>
+#include <chrono>
+#include <cmath>
 #include <deque>
+#include <future>
 #include <mutex>
 
 #include <fmt/format.h>
@@ -34,6 +37,17 @@ struct Launch {
   std::uint64_t samples = 0;
 };
 
+/// Every sample that met something has sent one ray to each light that casts shadows.
+std::uint64_t shadow_rays_of(const image::Film& film, const scene::Scene& scene, int samples) {
+  std::uint64_t hits = 0;
+  for (const float alpha : film.alpha) {
+    hits += static_cast<std::uint64_t>(std::lround(alpha * static_cast<float>(samples)));
+  }
+  const auto lamps = std::count_if(scene.lights.begin(), scene.lights.end(),
+                                   [](const scene::PointLight& light) { return light.shadows; });
+  return hits * (static_cast<std::uint64_t>(lamps) + (scene.sun.shadows ? 1 : 0));
+}
+
 }  // namespace
 
 struct Session::State {
@@ -45,12 +59,14 @@ struct Session::State {
                                                : options.device.memory_bytes) {}
 
   void prepare(const scene::Scene& scene);
+  void begin_programs();
+  void await_programs();
   void trace(const scene::Scene& scene, const Crop& crop);
   void trace_pass(AeroLaunch& launch, const Crop& crop, const PacketShape& shape);
   void enqueue_tile(const AeroLaunch& launch);
   void retire(bool all);
   void report(Stage stage, double fraction);
-  void publish(int width, const Crop& crop, int samples);
+  void publish(const scene::Scene& scene, const Crop& crop);
   void stop_if_asked() const;
   std::uint64_t samples_per_launch() const;
 
@@ -59,6 +75,7 @@ struct Session::State {
   opencl::Context context;
   opencl::MemoryBudget budget;
   std::optional<Programs> programs;
+  std::future<Programs> programs_to_come;  // outlives a render that is given up
   std::shared_ptr<const HostGeometry> geometry;
   DeviceGeometry device;
   opencl::Buffer<AeroScene> scene_buffer;
@@ -91,13 +108,29 @@ void Session::State::report(Stage stage, double fraction) {
   progress({stage, fraction, stats.primary_rays + stats.shadow_rays, watch.seconds(), passes_done});
 }
 
+void Session::State::begin_programs() {
+  if (programs || programs_to_come.valid()) return;
+  programs_to_come =
+      std::async(std::launch::async, [this] { return build_programs(context, lanes); });
+}
+
+/// A driver's compiler knows no interruption: a render that is stopped leaves it at work for the
+/// next one.
+void Session::State::await_programs() {
+  if (programs) return;
+  do {
+    stop_if_asked();
+    report(Stage::kernels, 0.0);
+  } while (programs_to_come.wait_for(std::chrono::milliseconds(20)) != std::future_status::ready);
+  programs = programs_to_come.get();
+  stats.programs_built = 3;
+  stats.kernel_seconds = programs->seconds;
+}
+
 /// Everything before the first ray: world, trees, kernels, buffers, as far as they are not there.
 void Session::State::prepare(const scene::Scene& scene) {
   report(Stage::world, 0.0);
-  std::future<Programs> building;
-  if (!programs) {
-    building = std::async(std::launch::async, [this] { return build_programs(context, lanes); });
-  }
+  begin_programs();
   const auto old = geometry;
   const auto fresh = background.run([scene, old] { return build_geometry(scene, old.get()); }, stop,
                                     [this] { report(Stage::world, 0.0); });
@@ -105,12 +138,7 @@ void Session::State::prepare(const scene::Scene& scene) {
   stats.trees_built = fresh->trees_built;
   stats.world_seconds = fresh->world_seconds;
   stats.tree_seconds = fresh->tree_seconds;
-  if (building.valid()) {
-    report(Stage::kernels, 0.0);
-    programs = building.get();
-    stats.programs_built = 3;
-    stats.kernel_seconds = programs->seconds;
-  }
+  await_programs();
   stop_if_asked();
   report(Stage::upload, 0.0);
   const Stopwatch upload_watch;
@@ -211,13 +239,14 @@ void Session::State::trace(const scene::Scene& scene, const Crop& crop) {
     launch.tile.first_sample = static_cast<cl_uint>(passes_done);
     trace_pass(launch, crop, shape);
     passes_done += 1 << shape.log2_samples;
-    publish(scene.image.width, crop, passes_done);
+    publish(scene, crop);
   }
   stats.rays_seconds = rays_watch.seconds();
 }
 
-void Session::State::publish(int width, const Crop& crop, int samples) {
-  image::Film read = read_film(film, width, crop, samples);
+void Session::State::publish(const scene::Scene& scene, const Crop& crop) {
+  image::Film read = read_film(film, scene.image.width, crop, passes_done);
+  stats.shadow_rays = shadow_rays_of(read, scene, passes_done);
   const std::lock_guard lock(snapshot_mutex);
   latest = std::move(read);
 }

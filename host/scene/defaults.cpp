@@ -8,7 +8,11 @@ namespace {
 
 /// High mountains in winter: rock and snow over dark conifers, a low clear morning sun.
 void make_snow(Scene& scene) {
-  scene.terrain = Terrain{};
+  Terrain& terrain = scene.terrain;
+  terrain.warp_m = 2000.0;
+  terrain.warp_feature_m = 9000.0;
+  terrain.sharpness = 1.15;
+  terrain.grading = 10.0;
   Ground& ground = scene.biome.ground;
   ground.cover_a = {0.045f, 0.065f, 0.04f};
   ground.cover_b = {0.12f, 0.115f, 0.07f};
@@ -20,7 +24,7 @@ void make_snow(Scene& scene) {
   ground.forest = {0.035f, 0.05f, 0.037f};
   ground.forest_top_m = 900.0;
   ground.forest_share = 0.62;
-  ground.canopy_m = 9.0;
+  ground.canopy_m = 6.0;
   ground.pattern_m = 140.0;
   scene.balloon.position = {0.0, 320.0, 0.0};
   scene.balloon.pattern = Pattern::stripes;
@@ -41,11 +45,11 @@ void make_tropical(Scene& scene) {
   Terrain& terrain = scene.terrain;
   terrain.kind = TerrainKind::island;
   terrain.size_m = 24000.0;
-  terrain.height_m = 950.0;
-  terrain.feature_m = 4200.0;
-  terrain.warp_m = 600.0;
-  terrain.warp_feature_m = 3600.0;
-  terrain.fractal = {FractalKind::ridged, 11, 2.1, 0.48, 1.0};
+  terrain.height_m = 850.0;
+  terrain.feature_m = 4000.0;
+  terrain.warp_m = 700.0;
+  terrain.warp_feature_m = 3500.0;
+  terrain.grading = 10.0;
   Ground& ground = scene.biome.ground;
   ground.cover_a = {0.04f, 0.105f, 0.022f};
   ground.cover_b = {0.105f, 0.17f, 0.04f};
@@ -60,7 +64,7 @@ void make_tropical(Scene& scene) {
   ground.forest = {0.045f, 0.095f, 0.025f};
   ground.forest_top_m = 1500.0;
   ground.forest_share = 0.85;
-  ground.canopy_m = 14.0;
+  ground.canopy_m = 9.0;
   scene.biome.water.enabled = true;
   scene.balloon.position = {0.0, 150.0, 0.0};
   scene.balloon.pattern = Pattern::chevrons;
@@ -81,12 +85,13 @@ void make_tropical(Scene& scene) {
 void make_sand(Scene& scene) {
   Terrain& terrain = scene.terrain;
   terrain.kind = TerrainKind::dunes;
-  terrain.size_m = 30000.0;
-  terrain.height_m = 900.0;
-  terrain.feature_m = 6000.0;
-  terrain.warp_m = 500.0;
-  terrain.warp_feature_m = 4500.0;
-  terrain.fractal = {FractalKind::ridged, 10, 2.1, 0.46, 1.0};
+  terrain.size_m = 24000.0;
+  terrain.height_m = 320.0;
+  terrain.feature_m = 4500.0;
+  terrain.warp_m = 300.0;
+  terrain.warp_feature_m = 1800.0;
+  terrain.grading = 12.0;
+  terrain.dunes = {250.0, 460.0, 75.0};
   Ground& ground = scene.biome.ground;
   ground.cover_a = {0.47f, 0.29f, 0.15f};
   ground.cover_b = {0.56f, 0.38f, 0.21f};

@@ -11,7 +11,7 @@
 
 /* A child reference: an inner node's index, or with the top bit set a leaf: bits 27..30 hold the
  * number of triangles less one, bits 0..26 the index of the first. An empty slot is
- * AERO_BVH_EMPTY; its bounds are lo = +inf, hi = -inf, which no ray hits. */
+ * AERO_BVH_EMPTY, which a traversal must pass over; its bounds are lo = +inf, hi = -inf. */
 #define AERO_BVH_LEAF 0x80000000u
 #define AERO_BVH_COUNT_SHIFT 27
 #define AERO_BVH_COUNT_MASK 0xfu

@@ -9,8 +9,8 @@ namespace aerostat::test {
 
 /// How two 8-bit pictures of one size differ, in steps of 1/255.
 struct PixelDifference {
-  double mean = 0.0;        // absolute, over all values
-  int percentile_99 = 0;    // 99 of 100 values differ by no more
+  double mean = 0.0;      // absolute, over all values
+  int percentile_99 = 0;  // 99 of 100 values differ by no more
   int largest = 0;
 };
 

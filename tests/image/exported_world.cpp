@@ -60,11 +60,11 @@ dvec3 triple(const nlohmann::json& json) {
 
 ExportedWorld exported_world(const scene::Scene& scene) {
   const std::vector<std::uint8_t> file = ply_of(scene);
-  const Header header =
-      read_header(std::string(file.begin(), file.begin() + std::min<std::ptrdiff_t>(
-                                                               4096, std::ssize(file))));
+  const Header header = read_header(
+      std::string(file.begin(), file.begin() + std::min<std::ptrdiff_t>(4096, std::ssize(file))));
   constexpr std::size_t kFaceBytes = 1 + 3 * 4 + 4;
-  if (file.size() != header.bytes + header.vertices * header.vertex_bytes + header.faces * kFaceBytes)
+  if (file.size() !=
+      header.bytes + header.vertices * header.vertex_bytes + header.faces * kFaceBytes)
     throw std::runtime_error("a PLY of another length than its header says");
   ExportedWorld world;
   world.positions.resize(header.vertices);

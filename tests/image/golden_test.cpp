@@ -42,8 +42,9 @@ testing::AssertionResult is_golden(const image::Pixels& actual, const std::strin
   if (!golden || golden->width != actual.width || golden->height != actual.height) {
     write_png(actual_file, actual);
     return testing::AssertionFailure()
-           << golden_file << (golden ? " has another size" : " is missing") << "; actual: "
-           << actual_file << ". Look at it; AEROSTAT_UPDATE_GOLDENS=1 makes it the golden one.";
+           << golden_file << (golden ? " has another size" : " is missing")
+           << "; actual: " << actual_file
+           << ". Look at it; AEROSTAT_UPDATE_GOLDENS=1 makes it the golden one.";
   }
   const PixelDifference d = difference(*golden, actual);
   if (within_tolerance(d)) return testing::AssertionSuccess() << in_words(d);

@@ -1,9 +1,10 @@
 // One kernel source at any lane width: the same picture from 1, 4, 8 and 16 rays a work-item.
 //
 // The widths run the same operations; only the library's functions (exp, pow, sin ...) round
-// differently in scalar and vector form, by some units in the last place. On all but a few pixels
-// that stays at 1e-4 of the radiance. Where a ray passes an edge so closely that the last bit
-// decides, a sample may fall on the other side: few pixels may differ by more.
+// differently in scalar and vector form, by some units in the last place. Measured with PoCL: 1e-7
+// at most, so that 1e-4 of the radiance leaves room for other drivers. Where a ray passes an edge
+// so closely that the last bit decides, a sample may fall on the other side: few pixels may differ
+// by more.
 #include <map>
 
 #include "pictures.hpp"
@@ -11,9 +12,9 @@
 namespace aerostat::test {
 namespace {
 
-constexpr double kMeanTolerance = 2e-5;    // of linear radiance, over all pixels and channels
-constexpr double kPixelTolerance = 2e-3;   // of linear radiance, relative above 1
-constexpr double kPixelsBeyond = 1e-3;     // share of the pixels that may differ by more
+constexpr double kMeanTolerance = 1e-6;      // of linear radiance, over all pixels and channels
+constexpr double kPixelTolerance = 1e-4;     // of linear radiance, relative above 1
+constexpr double kPixelsBeyond = 1e-3;       // share of the pixels that may differ by more
 constexpr double kDistanceTolerance = 1e-4;  // relative
 constexpr double kDistancesBeyond = 1e-3;    // share of the pixels
 
@@ -72,7 +73,7 @@ TEST_P(LaneWidth, GivesThePictureOfOneRayAWorkItem) {
 }
 
 INSTANTIATE_TEST_SUITE_P(All, LaneWidth, testing::Values(4, 8, 16),
-                         [](const auto& info) { return "Lanes" + std::to_string(info.param); });
+                         [](const auto& width) { return "Lanes" + std::to_string(width.param); });
 
 }  // namespace
 }  // namespace aerostat::test

@@ -43,6 +43,12 @@ TEST(CleanFilm, SurvivesExtremeLight) {
   EXPECT_EQ(count_bad(scene), 0u) << "a lamp in the eye";
   scene.haze.visibility_m = 10.0;
   EXPECT_EQ(count_bad(scene), 0u) << "fog";
+  scene.haze.scale_height_m = 1.0;
+  EXPECT_EQ(count_bad(scene), 0u) << "air that ends below the eye";
+  scene.biome.ground.snow_fuzz_m = 0.0;
+  scene.biome.ground.rock_slope_deg[0] = scene.biome.ground.rock_slope_deg[1];
+  scene.biome.ground.snow_slope_deg[0] = scene.biome.ground.snow_slope_deg[1];
+  EXPECT_EQ(count_bad(scene), 0u) << "borders without width";
 }
 
 }  // namespace

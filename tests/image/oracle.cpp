@@ -14,12 +14,12 @@ struct Oracle::State {
   explicit State(const ExportedWorld& given)
       : world(given), device(rtcNewDevice(nullptr)), scene(rtcNewScene(device)) {
     const RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE);
-    auto* positions = static_cast<vec3*>(
-        rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3,
-                                sizeof(vec3), world.positions.size()));
+    auto* positions = static_cast<vec3*>(rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX,
+                                                                 0, RTC_FORMAT_FLOAT3, sizeof(vec3),
+                                                                 world.positions.size()));
     auto* triangles = static_cast<uvec3*>(
-        rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3,
-                                sizeof(uvec3), world.triangles.size()));
+        rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, sizeof(uvec3),
+                                world.triangles.size()));
     std::copy(world.positions.begin(), world.positions.end(), positions);
     std::copy(world.triangles.begin(), world.triangles.end(), triangles);
     rtcCommitGeometry(geometry);

@@ -19,12 +19,14 @@ template <typename T>
 testing::AssertionResult same_layer(const char* name, const std::vector<T>& a,
                                     const std::vector<T>& b, int width) {
   if (a.size() != b.size()) {
-    return testing::AssertionFailure() << name << ": " << a.size() << " and " << b.size() << " pixels";
+    return testing::AssertionFailure()
+           << name << ": " << a.size() << " and " << b.size() << " pixels";
   }
   const std::size_t at = first_difference(a, b);
   if (at == a.size()) return testing::AssertionSuccess();
   const auto row = static_cast<std::size_t>(width);
-  return testing::AssertionFailure() << name << " differs at pixel " << at % row << ", " << at / row;
+  return testing::AssertionFailure()
+         << name << " differs at pixel " << at % row << ", " << at / row;
 }
 
 template <typename T>
@@ -41,11 +43,12 @@ std::vector<T> cut_layer(const std::vector<T>& layer, int width, const render::C
 
 scene::Scene small_scene(const std::string& name, const Size& size) {
   const auto text = [](int value) { return std::to_string(value); };
-  scene::Scene scene = scene::read_file(std::string(AEROSTAT_SOURCE_DIR "/scenes/") + name + ".json",
-                                        {{"/image/width", text(size.width)},
-                                         {"/image/height", text(size.height)},
-                                         {"/image/spp", text(size.spp)},
-                                         {"/terrain/cells", text(size.cells)}});
+  scene::Scene scene =
+      scene::read_file(std::string(AEROSTAT_SOURCE_DIR "/scenes/") + name + ".json",
+                       {{"/image/width", text(size.width)},
+                        {"/image/height", text(size.height)},
+                        {"/image/spp", text(size.spp)},
+                        {"/terrain/cells", text(size.cells)}});
   world::resolve(scene);
   return scene;
 }
@@ -69,8 +72,8 @@ render::Session& shared_session() {
 
 testing::AssertionResult same_bits(const image::Film& a, const image::Film& b) {
   if (a.width != b.width || a.height != b.height) {
-    return testing::AssertionFailure() << "sizes " << a.width << " x " << a.height << " and "
-                                       << b.width << " x " << b.height;
+    return testing::AssertionFailure()
+           << "sizes " << a.width << " x " << a.height << " and " << b.width << " x " << b.height;
   }
   if (auto r = same_layer("radiance", a.radiance, b.radiance, a.width); !r) return r;
   if (auto r = same_layer("alpha", a.alpha, b.alpha, a.width); !r) return r;

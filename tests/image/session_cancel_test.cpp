@@ -77,15 +77,15 @@ TEST(Cancel, WhileTheWorldIsBuiltAndKernelsCompile) {
   EXPECT_LT(seconds_to_stop(session, small, Stage::kernels, 0.05), kPatience_s);
   EXPECT_EQ(session.snapshot().width, 0);
   EXPECT_EQ(session.render(small).width, 96) << "the session goes on";
-  EXPECT_EQ(session.stats().programs_built, 3);
+  EXPECT_EQ(session.stats().programs_built, 3) << "what compiled meanwhile is used";
 }
 
 TEST(Cancel, WhileRaysAreTraced) {
   Session session(options());
-  const auto endless = small_scene("snow", {1280, 720, 4096, 128});
-  EXPECT_LT(seconds_to_stop(session, endless, Stage::rays, 0.7), kPatience_s);
+  const auto endless = small_scene("snow", {640, 360, 4096, 128});
+  EXPECT_LT(seconds_to_stop(session, endless, Stage::rays, 1.5), kPatience_s);
   const image::Film kept = session.snapshot();
-  ASSERT_EQ(kept.width, 1280) << "what was done stays readable";
+  ASSERT_EQ(kept.width, 640) << "what was done stays readable";
   EXPECT_EQ(kept.nan_pixels, 0u);
 
   const auto scene = small_scene("snow");

@@ -31,7 +31,7 @@ TEST(Progress, NeverGoesBackAndEndsWithDone) {
     if (i == 0) continue;
     const Progress &before = seen[i - 1], &now = seen[i];
     EXPECT_GE(now.stage, before.stage) << "report " << i;
-    if (now.stage == before.stage) EXPECT_GE(now.fraction, before.fraction) << "report " << i;
+    EXPECT_TRUE(now.stage > before.stage || now.fraction >= before.fraction) << "report " << i;
     EXPECT_GE(now.rays, before.rays) << "report " << i;
     EXPECT_GE(now.seconds, before.seconds) << "report " << i;
     EXPECT_GE(now.samples_done, before.samples_done) << "report " << i;
@@ -178,8 +178,8 @@ TEST(Crop, IsTheSameRegionOfTheWholeBitForBit) {
   for (const int spp : {1, 4, 5}) {
     const auto scene = small_scene("tropical", {97, 61, spp, 128});
     const image::Film whole = session.render(scene);
-    for (const Crop crop : {Crop{13, 7, 61, 44}, Crop{96, 60, 97, 61}, Crop{0, 30, 97, 31},
-                            Crop{50, 0, 51, 61}}) {
+    for (const Crop crop :
+         {Crop{13, 7, 61, 44}, Crop{96, 60, 97, 61}, Crop{0, 30, 97, 31}, Crop{50, 0, 51, 61}}) {
       EXPECT_TRUE(same_bits(cut(whole, crop), session.render(scene, {}, {}, crop)))
           << "crop " << crop.x0 << "," << crop.y0 << "," << crop.x1 << "," << crop.y1 << " at "
           << spp << " spp";
@@ -189,7 +189,8 @@ TEST(Crop, IsTheSameRegionOfTheWholeBitForBit) {
 
 TEST(Crop, OutsideThePictureIsAnErrorOfUsage) {
   const auto scene = small_scene("sand-empty");
-  for (const Crop crop : {Crop{0, 0, 97, 64}, Crop{-1, 0, 5, 5}, Crop{5, 5, 5, 9}, Crop{9, 5, 3, 9}}) {
+  for (const Crop crop :
+       {Crop{0, 0, 97, 64}, Crop{-1, 0, 5, 5}, Crop{5, 5, 5, 9}, Crop{9, 5, 3, 9}}) {
     try {
       shared_session().render(scene, {}, {}, crop);
       FAIL() << "accepted " << crop.x0 << "," << crop.y0 << "," << crop.x1 << "," << crop.y1;
@@ -233,7 +234,8 @@ TEST(Stats, CountWhatWasTraced) {
   const image::Film film = session.render(scene);
   const render::Stats& stats = session.stats();
   std::uint64_t hits = 0;
-  for (const float alpha : film.alpha) hits += static_cast<std::uint64_t>(std::lround(alpha * 4.0f));
+  for (const float alpha : film.alpha)
+    hits += static_cast<std::uint64_t>(std::lround(alpha * 4.0f));
   EXPECT_EQ(stats.primary_rays, 96u * 64u * 4u);
   EXPECT_EQ(stats.shadow_rays, 2 * hits) << "the sun and the one lamp that casts shadows";
   EXPECT_GT(stats.triangles, 2u * 128u * 128u);

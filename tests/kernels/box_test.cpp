@@ -137,6 +137,28 @@ float size_of(const AeroBvhNode& node) {
   return std::abs(node.lo[0][0]) + std::abs(node.hi[1][0]) + std::abs(node.lo[2][1]);
 }
 
+void along_axes(std::mt19937& random, const AeroBvhNode& node, std::vector<BoxRay>& rays) {
+  for (std::size_t i = 0; i < kPacket; ++i) {
+    vec3 direction(random() % 2 == 0 ? 0.0f : -0.0f);
+    const int axis = static_cast<int>(random() % 3);
+    direction[axis] = random() % 2 == 0 ? 1.0f : -1.0f;
+    const vec3 target = point_in(random, node, static_cast<int>(random() % 4));
+    rays.push_back({target - direction * uniform(random, -1.0f, 1.0f) * size_of(node), direction});
+  }
+}
+
+void in_a_plane(std::mt19937& random, const AeroBvhNode& node, std::vector<BoxRay>& rays) {
+  const vec3 eye = unit(random) * size_of(node);
+  for (std::size_t i = 0; i < kPacket; ++i) {
+    BoxRay ray = aimed(random, node, eye);
+    const int axis = static_cast<int>(random() % 3);
+    ray.origin[axis] = point_in(random, node, static_cast<int>(random() % 4))[axis];
+    ray.direction[axis] = 0.0f;
+    ray.direction = glm::normalize(ray.direction);
+    rays.push_back(ray);
+  }
+}
+
 std::vector<Scenario> scenarios() {
   const auto coherent = [](std::mt19937& random, const AeroBvhNode& node, auto& rays) {
     const vec3 eye = unit(random) * 3.0f * size_of(node);
@@ -150,27 +172,6 @@ std::vector<Scenario> scenarios() {
   const auto inside = [](std::mt19937& random, const AeroBvhNode& node, auto& rays) {
     for (std::size_t i = 0; i < kPacket; ++i) {
       rays.push_back({point_in(random, node, static_cast<int>(random() % 4)), unit(random)});
-    }
-  };
-  const auto along_axes = [](std::mt19937& random, const AeroBvhNode& node, auto& rays) {
-    for (std::size_t i = 0; i < kPacket; ++i) {
-      vec3 direction(random() % 2 == 0 ? 0.0f : -0.0f);
-      const int axis = static_cast<int>(random() % 3);
-      direction[axis] = random() % 2 == 0 ? 1.0f : -1.0f;
-      const vec3 target = point_in(random, node, static_cast<int>(random() % 4));
-      rays.push_back(
-          {target - direction * uniform(random, -1.0f, 1.0f) * size_of(node), direction});
-    }
-  };
-  const auto in_a_plane = [](std::mt19937& random, const AeroBvhNode& node, auto& rays) {
-    const vec3 eye = unit(random) * size_of(node);
-    for (std::size_t i = 0; i < kPacket; ++i) {
-      BoxRay ray = aimed(random, node, eye);
-      const int axis = static_cast<int>(random() % 3);
-      ray.origin[axis] = point_in(random, node, static_cast<int>(random() % 4))[axis];
-      ray.direction[axis] = 0.0f;
-      ray.direction = glm::normalize(ray.direction);
-      rays.push_back(ray);
     }
   };
   const auto one_lane = [=](std::mt19937& random, const AeroBvhNode& node, auto& rays) {

@@ -12,14 +12,16 @@ __kernel void probe_children(__global const AeroBvhNode* nodes, __global const f
   const Lane3 origin = load3(origins);
   const Lane3 inverse = safe_inverse3(load3(directions));
   const lane_float t_max = LOAD(reaches);
+  const PacketBounds bounds = packet_bounds(&origin, &inverse, lane_mask(t_max >= 0.0f));
+  const float room = BOX_WIDENING * farthest_corner(node, &bounds);
+  ChildReach reach;
+  kept[i] = cull_children(node, &bounds, room, lane_reduce_max(t_max), &reach);
+  vstore8(reach.enter, i, enters);
+  const WideOrigin wide = widen_origin(&origin, room);
   lane_uint bits = (lane_uint)0u;
   for (uint c = 0u; c < AERO_BVH_WIDTH; ++c) {
-    const lane_int hit = hit_child(node, c, &origin, &inverse, t_max);
+    const lane_int hit = hit_child(node, c, &wide, &inverse, t_max);
     bits |= lane_select(hit, (lane_uint)(1u << c), (lane_uint)0u);
   }
   STORE(bits, met);
-  const PacketBounds bounds = packet_bounds(&origin, &inverse, lane_mask(t_max >= 0.0f));
-  float8 enter;
-  kept[i] = cull_children(node, &bounds, lane_reduce_max(t_max), &enter);
-  vstore8(enter, i, enters);
 }

@@ -46,7 +46,8 @@ __kernel void probe_convert(__global const float* numbers, __global int* ints, _
   STORE(whole, ints);
   STORE(lane_as_uint(x), bits);
   STORE(lane_from_int(whole) + lane_from_uint(lane_to_uint(fabs(x))) +
-            lane_as_float(lane_as_int((lane_float)0.25f)), back);
+            lane_as_float(lane_as_int((lane_float)0.25f)),
+        back);
   STORE(LANE_INDEX, index);
   LaneArray as_array;
   as_array.lanes = x;

@@ -6,8 +6,8 @@
 #include "trace_triangle.h"
 
 #define STRUCT(type) out[n++] = (uint)sizeof(type);
-#define FIELD(type, field)                                   \
-  out[n++] = (uint)(size_t)(&((__global type*)0)->field);    \
+#define FIELD(type, field)                                \
+  out[n++] = (uint)(size_t)(&((__global type*)0)->field); \
   out[n++] = (uint)sizeof(((__global type*)0)->field);
 
 /* Sizes of the structs, offsets and sizes of their fields, in the order of the list. */

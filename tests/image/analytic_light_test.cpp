@@ -1,0 +1,133 @@
+// Pixels whose value is known in closed form: gloss, lamps, air.
+#include <numbers>
+
+#include "flat_land.hpp"
+
+namespace aerostat::test {
+namespace {
+
+constexpr double kPi64 = std::numbers::pi;
+
+scene::Material& ground_material(scene::Scene& scene) {
+  return scene.materials[static_cast<std::size_t>(scene::ObjectId::terrain)];
+}
+
+/// Phong: L = E / pi (albedo cos + k_s (r . v)^m), brightest where the mirrored sun is seen.
+TEST(Specular, HasItsPeakAndShapeWhereTheyMustBe) {
+  auto scene = flat_land();
+  scene.sun.irradiance = kPi64;
+  scene.sun.direction = glm::normalize(dvec3(0.25, 1.0, -0.15));
+  ground_material(scene).specular = 0.7;
+  ground_material(scene).shininess = 80.0;
+  const dvec3 sun = scene.sun.direction;
+  const dvec3 mirrored(-sun.x, sun.y, -sun.z);
+  dvec3 brightest_point(0.0);
+  double brightest = 0.0;
+  for_pixels(scene, [&](const dvec3& point, const dvec3& radiance) {
+    const dvec3 to_eye = glm::normalize(scene.camera.position - point);
+    const double lobe = std::pow(std::max(glm::dot(mirrored, to_eye), 0.0), 80.0);
+    expect_radiance(kAlbedo * sun.y + 0.7 * lobe, radiance, 1e-4);
+    if (radiance.x > brightest) {
+      brightest = radiance.x;
+      brightest_point = point;
+    }
+  });
+  // The eye is seen in the mirror from where the sun's mirrored ray leaves for it.
+  const dvec3 peak = dvec3(sun.x, 0.0, sun.z) * (kEyeHeight / sun.y);
+  const double pixel = glm::distance(point_under(scene, 0, 0), point_under(scene, 1, 0));
+  EXPECT_LT(glm::distance(brightest_point, peak), pixel);
+  EXPECT_NEAR(brightest, kAlbedo.x * sun.y + 0.7, 0.01);
+}
+
+TEST(Specular, IsNotSeenInTheShadow) {
+  auto scene = flat_land();
+  scene.sun.irradiance = kPi64;
+  scene.sun.direction = {0.0, 1.0, 0.0};
+  scene.balloon.enabled = true;
+  scene.balloon.position = {0.0, kEyeHeight + 5.0, 0.0};
+  scene.camera.fov_y_deg = 20.0;  // nothing but the shadow
+  ground_material(scene).specular = 1.0;
+  for_pixels(scene, [](const dvec3&, const dvec3& radiance) { EXPECT_EQ(radiance, dvec3(0.0)); });
+}
+
+/// A lamp: L = albedo / pi * I * cos / d^2.
+TEST(Lamp, FallsOffWithTheSquareOfTheDistance) {
+  auto scene = flat_land();
+  const dvec3 lamp(4.0, 6.0, -3.0);
+  const dvec3 color(1.0, 0.5, 0.25);
+  for (const bool shadows : {false, true}) {
+    scene.lights = {{lamp, vec3(color), 250.0, shadows}};
+    for_pixels(scene, [&](const dvec3& point, const dvec3& radiance) {
+      const dvec3 towards = lamp - point;
+      const double squared = glm::dot(towards, towards);
+      const double cosine = lamp.y / std::sqrt(squared);
+      expect_radiance(kAlbedo * color * (250.0 * cosine / squared / kPi64), radiance);
+    });
+  }
+}
+
+TEST(Lamp, AddsToTheOthers) {
+  auto scene = flat_land();
+  const std::vector<scene::PointLight> lamps = {{{4.0, 6.0, -3.0}, vec3(1.0f), 250.0, true},
+                                                {{-5.0, 3.0, 2.0}, vec3(1.0f), 90.0, true},
+                                                {{0.0, 9.0, 8.0}, vec3(1.0f), 400.0, true}};
+  const auto render_with = [&](std::vector<scene::PointLight> lights) {
+    scene.lights = std::move(lights);
+    return shared_session().render(scene);
+  };
+  const image::Film all = render_with(lamps);
+  std::vector<image::Film> single;
+  for (const auto& lamp : lamps) single.push_back(render_with({lamp}));
+  for (std::size_t i = 0; i < all.radiance.size(); ++i) {
+    const vec3 sum = single[0].radiance[i] + single[1].radiance[i] + single[2].radiance[i];
+    expect_radiance(dvec3(sum), dvec3(all.radiance[i]), 1e-5);
+  }
+}
+
+/// What a white ground sends through the air beyond what a black one does is its radiance times the
+/// transmittance: the air's own light falls out. Green is the colour that visibility speaks of.
+void expect_transmittance(double visibility_m, double scale_height_m) {
+  auto scene = flat_land();
+  scene.sky.ambient_up = vec3(1.0f);
+  scene.haze = {visibility_m, scale_height_m};
+  auto& albedo = ground_material(scene).albedo;
+  scene::Ground& ground = scene.biome.ground;
+  ground.cover_a = ground.cover_b = ground.rock_a = ground.rock_b = ground.snow = ground.beach =
+      vec3(1.0f);
+  albedo = vec3(1.0f);
+  const image::Film white = shared_session().render(scene);
+  ground.cover_a = ground.cover_b = ground.rock_a = ground.rock_b = ground.snow = ground.beach =
+      vec3(0.0f);
+  const image::Film black = shared_session().render(scene);
+  for (int y = 0; y < 48; ++y) {
+    for (int x = 0; x < 64; ++x) {
+      const auto i = static_cast<std::size_t>(y * 64 + x);
+      const double distance = glm::distance(point_under(scene, x, y), scene.camera.position);
+      // Koschmieder's extinction, integrated along the ray over exp(-height / scale height).
+      const double share = kEyeHeight / scale_height_m;
+      const double tau = 3.912 / visibility_m * distance * (1.0 - std::exp(-share)) / share;
+      const double found = static_cast<double>(white.radiance[i].y) - black.radiance[i].y;
+      ASSERT_NEAR(found, std::exp(-tau), 1e-5) << x << ", " << y;
+    }
+  }
+}
+
+TEST(Haze, DimsByBeersLaw) {
+  expect_transmittance(60.0, 1e6);
+}
+
+TEST(Haze, ThinsOutWithHeight) {
+  expect_transmittance(60.0, 12.0);
+}
+
+TEST(Haze, HasTheAirsColourAtTheFarEnd) {
+  auto scene = flat_land();
+  scene.haze = {1.0, 1e6};
+  scene.sky.glow_strength = 0.0;
+  for_pixels(scene, [&](const dvec3&, const dvec3& radiance) {
+    expect_radiance(dvec3(scene.sky.horizon), radiance, 1e-5);
+  });
+}
+
+}  // namespace
+}  // namespace aerostat::test

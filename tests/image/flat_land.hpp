@@ -1,0 +1,36 @@
+#pragma once
+
+#include "pictures.hpp"
+
+/// A world whose pictures are known in closed form: a level plane of one colour at y = 0, seen from
+/// straight above through clear air. Light, air, balloon and gloss are off until a test wants them.
+namespace aerostat::test {
+
+inline constexpr dvec3 kAlbedo{0.5, 0.25, 0.125};
+inline constexpr double kEyeHeight = 25.0;
+
+/// The eye is at (0, kEyeHeight, 0); -z is up in the picture, 64 x 48 pixels, one sample each.
+scene::Scene flat_land();
+
+/// The point of the plane that is seen through the middle of pixel (x, y).
+dvec3 point_under(const scene::Scene& scene, int x, int y);
+
+/// Renders and calls `check(x, y, point, radiance)` for every pixel; stops at the first that fails.
+template <typename Check>
+void for_pixels(const scene::Scene& scene, Check check) {
+  const image::Film film = shared_session().render(scene);
+  for (int y = 0; y < film.height; ++y) {
+    for (int x = 0; x < film.width; ++x) {
+      SCOPED_TRACE("pixel " + std::to_string(x) + ", " + std::to_string(y));
+      const auto i = static_cast<std::size_t>(y) * static_cast<std::size_t>(film.width) +
+                     static_cast<std::size_t>(x);
+      check(point_under(scene, x, y), dvec3(film.radiance[i]));
+      if (testing::Test::HasFailure()) return;
+    }
+  }
+}
+
+/// Within `relative` of the expected value, plus what single precision makes of nothing.
+void expect_radiance(const dvec3& expected, const dvec3& found, double relative = 2e-5);
+
+}  // namespace aerostat::test
