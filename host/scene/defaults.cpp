@@ -19,25 +19,29 @@ void make_snow(Scene& scene) {
   ground.rock_a = {0.15f, 0.14f, 0.135f};
   ground.rock_b = {0.27f, 0.255f, 0.24f};
   ground.snow = {0.8f, 0.82f, 0.85f};
-  ground.snow_line_m = -200.0;
+  ground.rock_slope_deg[0] = 37.0;
+  ground.rock_slope_deg[1] = 50.0;
+  ground.snow_slope_deg[0] = 38.0;
+  ground.snow_line_m = -1000.0;
   ground.snow_fuzz_m = 300.0;
   ground.forest = {0.035f, 0.05f, 0.037f};
   ground.forest_top_m = 900.0;
   ground.forest_share = 0.62;
   ground.canopy_m = 6.0;
   ground.pattern_m = 140.0;
-  scene.balloon.position = {0.0, 320.0, 0.0};
+  scene.balloon.position = {0.0, 420.0, 0.0};
   scene.balloon.pattern = Pattern::stripes;
   scene.balloon.colors = {{0.62f, 0.03f, 0.03f}, {0.8f, 0.36f, 0.02f}, {0.82f, 0.66f, 0.06f}};
-  scene.sun.direction = detail::direction_of({128.0, 15.0});
+  scene.sun.direction = detail::direction_of({230.0, 15.0});
   scene.sun.color = {1.0f, 0.86f, 0.68f};
   scene.sun.irradiance = 3.4;
-  scene.sky.zenith = {0.09f, 0.22f, 0.55f};
-  scene.sky.horizon = {0.56f, 0.7f, 0.88f};
+  scene.sky.zenith = {0.045f, 0.15f, 0.43f};
+  scene.sky.horizon = {0.55f, 0.7f, 0.86f};
   scene.sky.glow = {1.0f, 0.78f, 0.5f};
   scene.sky.ambient_up = {0.24f, 0.33f, 0.5f};
   scene.sky.ambient_down = {0.16f, 0.19f, 0.25f};
   scene.haze = {70000.0, 1600.0};
+  scene.image.exposure_ev = 0.5;
 }
 
 /// A green island in a warm sea: steep ridges under forest, pale beaches, moist air.
@@ -58,27 +62,28 @@ void make_tropical(Scene& scene) {
   ground.rock_slope_deg[0] = 44.0;
   ground.rock_slope_deg[1] = 58.0;
   ground.beach = {0.56f, 0.49f, 0.36f};
-  ground.beach_top_m = 4.0;
+  ground.beach_top_m = 3.0;
   ground.pattern_m = 60.0;
   ground.relief = 0.8;
-  ground.forest = {0.045f, 0.095f, 0.025f};
+  ground.forest = {0.065f, 0.135f, 0.03f};
   ground.forest_top_m = 1500.0;
   ground.forest_share = 0.85;
   ground.canopy_m = 9.0;
   scene.biome.water.enabled = true;
-  scene.balloon.position = {0.0, 150.0, 0.0};
+  scene.balloon.position = {0.0, 210.0, 300.0};
   scene.balloon.pattern = Pattern::chevrons;
   scene.balloon.colors = {
       {0.78f, 0.05f, 0.08f}, {0.85f, 0.6f, 0.04f}, {0.02f, 0.3f, 0.42f}, {0.8f, 0.78f, 0.7f}};
-  scene.sun.direction = detail::direction_of({140.0, 24.0});
+  scene.sun.direction = detail::direction_of({150.0, 23.0});
   scene.sun.color = {1.0f, 0.89f, 0.72f};
   scene.sun.irradiance = 3.6;
-  scene.sky.zenith = {0.08f, 0.25f, 0.58f};
-  scene.sky.horizon = {0.6f, 0.76f, 0.88f};
+  scene.sky.zenith = {0.045f, 0.17f, 0.45f};
+  scene.sky.horizon = {0.52f, 0.7f, 0.84f};
   scene.sky.glow = {1.0f, 0.84f, 0.6f};
   scene.sky.ambient_up = {0.27f, 0.37f, 0.5f};
   scene.sky.ambient_down = {0.08f, 0.1f, 0.07f};
-  scene.haze = {45000.0, 1300.0};
+  scene.haze = {90000.0, 1300.0};
+  scene.image.exposure_ev = 0.5;
 }
 
 /// A sea of dunes before reddish rock: dust in the air, a low golden sun.
@@ -101,27 +106,30 @@ void make_sand(Scene& scene) {
   ground.rock_slope_deg[1] = 48.0;
   ground.pattern_m = 160.0;
   ground.relief = 0.35;
-  ground.ripple_m = 1.6;
-  scene.balloon.position = {0.0, 110.0, 0.0};
+  ground.ripple_m = 0.9;
+  scene.balloon.position = {0.0, 150.0, 0.0};
   scene.balloon.pattern = Pattern::rainbow;
   scene.balloon.colors = {{0.05f, 0.09f, 0.4f},  {0.03f, 0.38f, 0.5f},  {0.82f, 0.8f, 0.72f},
                           {0.84f, 0.55f, 0.05f}, {0.75f, 0.16f, 0.03f}, {0.42f, 0.02f, 0.06f}};
-  scene.sun.direction = detail::direction_of({112.0, 13.0});
+  scene.sun.direction = detail::direction_of({80.0, 12.0});
   scene.sun.color = {1.0f, 0.78f, 0.52f};
   scene.sun.irradiance = 3.5;
-  scene.sky.zenith = {0.13f, 0.27f, 0.52f};
-  scene.sky.horizon = {0.82f, 0.74f, 0.62f};
+  scene.sky.zenith = {0.07f, 0.2f, 0.45f};
+  scene.sky.horizon = {0.78f, 0.71f, 0.6f};
   scene.sky.glow = {1.0f, 0.72f, 0.4f};
-  scene.sky.ambient_up = {0.28f, 0.33f, 0.42f};
+  scene.sky.ambient_up = {0.22f, 0.25f, 0.32f};
   scene.sky.ambient_down = {0.17f, 0.12f, 0.08f};
-  scene.haze = {38000.0, 900.0};
+  scene.haze = {60000.0, 900.0};
+  scene.image.exposure_ev = 0.6;
 }
 
-/// Across the gap from the balloon: it stands left of the middle and fills a third of the height.
-void make_outside(Scene& scene) {
+/// Across the gap from the balloon, which fills a third of the height. The camera stands at
+/// `stand` and aims at `look`, both counted from the basket's floor.
+void make_outside(Scene& scene, const dvec3& stand, const dvec3& look) {
+  const dvec3 below(scene.balloon.position.x, 0.0, scene.balloon.position.z);
   scene.camera.height_above = HeightReference::balloon;
-  scene.camera.position = {0.0, 12.0, 86.0};
-  scene.camera.target = {14.0, 9.0, 0.0};
+  scene.camera.position = below + stand;
+  scene.camera.target = below + look;
   scene.camera.fov_y_deg = 45.0;
 }
 
@@ -143,19 +151,18 @@ Scene defaults(BiomeKind biome, View view) {
   switch (biome) {
     case BiomeKind::snow:
       make_snow(scene);
+      make_outside(scene, {-10.0, -4.0, 86.0}, {16.0, 12.0, 0.0});
       break;
     case BiomeKind::tropical:
       make_tropical(scene);
+      make_outside(scene, {-80.0, 10.0, 40.0}, {0.0, 5.0, 11.0});
       break;
     case BiomeKind::sand:
       make_sand(scene);
+      make_outside(scene, {0.0, 8.0, 86.0}, {13.0, 1.0, 0.0});
       break;
   }
-  if (view == View::basket) {
-    make_basket(scene);
-  } else {
-    make_outside(scene);
-  }
+  if (view == View::basket) make_basket(scene);
   return scene;
 }
 

@@ -75,7 +75,7 @@ struct Ground {
   vec3 beach{0.35f};
   double beach_top_m = -1e6;  // sand up to this height above the sea
   double pattern_m = 120.0;   // largest wavelength of colour and relief detail
-  double relief = 0.5;        // strength of the detail in the normal, 0 = none
+  double relief = 0.9;        // strength of the detail in the normal, 0 = none
   double ripple_m = 0.0;      // wavelength of wind ripples, 0 = none
   vec3 forest{0.03f, 0.05f, 0.03f};
   double forest_top_m = 0.0;  // trees grow below this height

@@ -47,8 +47,12 @@ testing::AssertionResult is_golden(const image::Pixels& actual, const std::strin
            << ". Look at it; AEROSTAT_UPDATE_GOLDENS=1 makes it the golden one.";
   }
   const PixelDifference d = difference(*golden, actual);
-  if (within_tolerance(d)) return testing::AssertionSuccess() << in_words(d);
   const fs::path difference_file = report / (name + "-difference.png");
+  if (within_tolerance(d)) {
+    fs::remove(actual_file);
+    fs::remove(difference_file);
+    return testing::AssertionSuccess() << in_words(d);
+  }
   write_png(actual_file, actual);
   write_png(difference_file, difference_picture(*golden, actual));
   return testing::AssertionFailure()

@@ -1,5 +1,6 @@
 // No pixel of any scene is no number, negative or infinite.
 #include "small_films.hpp"
+#include "world/world.hpp"
 
 namespace aerostat::test {
 namespace {
@@ -26,6 +27,24 @@ TEST_P(CleanFilm, HoldsNumbersThatCanBe) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Scenes, CleanFilm, testing::ValuesIn(kScenes), scene_test_name);
+
+/// A land may be asked for without any height: a plane.
+TEST(CleanFilm, SurvivesALandOfNoHeight) {
+  for (const char* name : {"snow", "tropical", "sand"}) {
+    scene::Scene scene =
+        scene::read_file(std::string(AEROSTAT_SOURCE_DIR "/scenes/") + name + ".json",
+                         {{"/image/width", "96"},
+                          {"/image/height", "64"},
+                          {"/terrain/cells", "64"},
+                          {"/terrain/height_m", "0"},
+                          {"/terrain/dunes/height_m", "0"}});
+    world::resolve(scene);
+    ASSERT_TRUE(std::isfinite(scene.camera.position.y)) << name;
+    const image::Film film = shared_session().render(scene);
+    EXPECT_EQ(film.nan_pixels, 0u) << name;
+    EXPECT_EQ(shared_session().stats().tree.dropped_non_finite, 0u) << name;
+  }
+}
 
 /// Lights and cameras at the rim of what a scene may ask for.
 TEST(CleanFilm, SurvivesExtremeLight) {

@@ -95,6 +95,12 @@ TEST(Cancel, WhileRaysAreTraced) {
   EXPECT_TRUE(same_bits(after, fresh.render(scene))) << "nothing of the stopped render is left";
 }
 
+TEST(Cancel, WhileBuffersAreUploaded) {
+  Session session(options());
+  const auto large = small_scene("snow", {96, 64, 4096, 1024});
+  EXPECT_LT(seconds_to_stop(session, large, Stage::upload, 0.01), kPatience_s);
+}
+
 TEST(Cancel, BeforeItBegins) {
   std::stop_source stop;
   stop.request_stop();
