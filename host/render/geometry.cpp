@@ -49,16 +49,36 @@ std::uint64_t DeviceGeometry::bytes() const {
   return nodes.bytes() + triangles.bytes() + faces.bytes() + vertices.bytes();
 }
 
+pack::PackedGeometry join(const HostGeometry& geometry) {
+  try {
+    return pack::join_groups({geometry.land.get(), geometry.balloon.get()});
+  } catch (const std::bad_alloc&) {
+    throw Error(ErrorKind::exhausted,
+                "not enough memory to upload the world; a smaller /terrain/cells needs less");
+  }
+}
+
 DeviceGeometry upload(const opencl::Context& context, const opencl::MemoryBudget& budget,
-                      const HostGeometry& geometry) {
-  const auto all = pack::join_groups({geometry.land.get(), geometry.balloon.get()});
+                      const pack::PackedGeometry& all, const std::function<void()>& between) {
+  const auto pause = [&between] {
+    if (between) between();
+  };
   DeviceGeometry device;
   device.tree = all.tree;
   device.nodes = {context, budget, std::span(all.nodes), "the tree"};
+  pause();
   device.triangles = {context, budget, std::span(all.triangles), "the triangles"};
+  pause();
   device.faces = {context, budget, std::span(all.faces), "the triangles' indices"};
+  pause();
   device.vertices = {context, budget, std::span(all.vertices), "the vertices"};
+  pause();
   return device;
+}
+
+DeviceGeometry upload(const opencl::Context& context, const opencl::MemoryBudget& budget,
+                      const HostGeometry& geometry) {
+  return upload(context, budget, join(geometry));
 }
 
 }  // namespace aerostat::render

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <memory>
 
 #include "opencl/buffer.hpp"
@@ -23,6 +24,9 @@ struct HostGeometry {
 std::shared_ptr<const HostGeometry> build_geometry(const scene::Scene& scene,
                                                    const HostGeometry* previous);
 
+/// The buffers of a frame, still on the host.
+pack::PackedGeometry join(const HostGeometry& geometry);
+
 /// The same on the device.
 struct DeviceGeometry {
   opencl::Buffer<AeroBvhNode> nodes;
@@ -34,6 +38,12 @@ struct DeviceGeometry {
   std::uint64_t bytes() const;
 };
 
+/// Copies geometry to the device. `between` is called from time to time and may give up by
+/// throwing.
+DeviceGeometry upload(const opencl::Context& context, const opencl::MemoryBudget& budget,
+                      const pack::PackedGeometry& all, const std::function<void()>& between = {});
+
+/// Both in one.
 DeviceGeometry upload(const opencl::Context& context, const opencl::MemoryBudget& budget,
                       const HostGeometry& geometry);
 

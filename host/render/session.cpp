@@ -75,8 +75,9 @@ struct Session::State {
   opencl::Context context;
   opencl::MemoryBudget budget;
   std::optional<Programs> programs;
-  std::future<Programs> programs_to_come;  // outlives a render that is given up
-  std::shared_ptr<const HostGeometry> geometry;
+  std::future<Programs> programs_to_come;         // outlives a render that is given up
+  std::shared_ptr<const HostGeometry> geometry;   // the newest that was built
+  std::shared_ptr<const HostGeometry> on_device;  // what `device` holds
   DeviceGeometry device;
   opencl::Buffer<AeroScene> scene_buffer;
   opencl::Buffer<AeroFilmPixel> film;
@@ -91,7 +92,6 @@ struct Session::State {
   std::uint64_t samples_total = 0, samples_done = 0;
   int passes_done = 0;  // samples per pixel
   double rate = 0.0;    // samples per second, smoothed
-  Stopwatch since_retired;
 
   mutable std::mutex snapshot_mutex;
   image::Film latest;
@@ -134,6 +134,7 @@ void Session::State::prepare(const scene::Scene& scene) {
   const auto old = geometry;
   const auto fresh = background.run([scene, old] { return build_geometry(scene, old.get()); }, stop,
                                     [this] { report(Stage::world, 0.0); });
+  geometry = fresh;
   stats.worlds_built = fresh->worlds_built;
   stats.trees_built = fresh->trees_built;
   stats.world_seconds = fresh->world_seconds;
@@ -142,12 +143,14 @@ void Session::State::prepare(const scene::Scene& scene) {
   stop_if_asked();
   report(Stage::upload, 0.0);
   const Stopwatch upload_watch;
-  if (!old || fresh->land != old->land || fresh->balloon != old->balloon) {
+  if (!on_device || fresh->land != on_device->land || fresh->balloon != on_device->balloon) {
+    on_device = nullptr;
     device = {};
-    geometry = nullptr;
-    device = upload(context, budget, *fresh);
+    const auto all = background.run([fresh] { return join(*fresh); }, stop,
+                                    [this] { report(Stage::upload, 0.0); });
+    device = upload(context, budget, all, [this] { stop_if_asked(); });
   }
-  geometry = fresh;
+  on_device = fresh;
   const AeroScene packed = pack::pack_scene(scene);
   scene_buffer = {context, budget, std::span(&packed, 1), "the scene"};
   const auto pixels =
@@ -197,12 +200,19 @@ void Session::State::retire(bool all) {
   while (in_flight.size() >= (all ? 1 : kLaunchesInFlight)) {
     const Launch work = in_flight.front();
     in_flight.pop_front();
-    stats.shade_device_seconds += opencl::device_seconds(work.shade);
-    stats.primary_device_seconds += opencl::device_seconds(work.camera);
-    stats.shadow_device_seconds += opencl::device_seconds(work.shadow);
+    const double shade = opencl::device_seconds(work.shade);
+    const double camera = opencl::device_seconds(work.camera);
+    const double shadow = opencl::device_seconds(work.shadow);
+    stats.shade_device_seconds += shade;
+    stats.primary_device_seconds += camera;
+    stats.shadow_device_seconds += shadow;
     samples_done += work.samples;
-    const double now_rate = static_cast<double>(work.samples) / since_retired.restart();
-    rate = rate <= 0.0 ? now_rate : 0.7 * rate + 0.3 * now_rate;
+    // By the device's clock: the host's tells nothing when several launches end while it sleeps.
+    const double spent = camera + shadow + shade;
+    if (spent > 0.0) {
+      const double now_rate = static_cast<double>(work.samples) / spent;
+      rate = rate <= 0.0 ? now_rate : 0.7 * rate + 0.3 * now_rate;
+    }
     report(Stage::rays,
            std::min(1.0, static_cast<double>(samples_done) / static_cast<double>(samples_total)));
   }
@@ -233,7 +243,6 @@ void Session::State::trace(const scene::Scene& scene, const Crop& crop) {
   samples_total = pixels * static_cast<std::uint64_t>(scene.image.spp);
   samples_done = 0;
   passes_done = 0;
-  since_retired.restart();
   while (passes_done < scene.image.spp) {
     const PacketShape shape = packet_shape(lanes, scene.image.spp - passes_done);
     launch.tile.first_sample = static_cast<cl_uint>(passes_done);

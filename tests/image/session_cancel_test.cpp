@@ -99,6 +99,11 @@ TEST(Cancel, WhileBuffersAreUploaded) {
   Session session(options());
   const auto large = small_scene("snow", {96, 64, 4096, 1024});
   EXPECT_LT(seconds_to_stop(session, large, Stage::upload, 0.01), kPatience_s);
+
+  auto same_world = large;
+  same_world.image.spp = 1;
+  EXPECT_EQ(session.render(same_world).nan_pixels, 0u);
+  EXPECT_EQ(session.stats().worlds_built, 0) << "what was built before the stop is kept";
 }
 
 TEST(Cancel, BeforeItBegins) {
