@@ -13,9 +13,8 @@ __kernel void write_camera_rays(const AeroLaunch launch, __global float* rays) {
 
 /* The shadow rays to the sun from the hits of a tile. */
 __kernel void write_shadow_rays(const AeroLaunch launch, __global const AeroScene* scene,
-                                __global const AeroFace* faces,
-                                __global const AeroVertex* vertices, __global const Hit* hits,
-                                __global float* rays) {
+                                __global const AeroFace* faces, __global const AeroVertex* vertices,
+                                __global const Hit* hits, __global float* rays) {
   const uint block = (uint)get_global_id(0);
   if (block >= launch.tile.block_count) return;
   const Hit hit = hits[block];
@@ -30,9 +29,9 @@ __kernel void write_shadow_rays(const AeroLaunch launch, __global const AeroScen
   write_rays(rays, block, &ray);
 }
 
-__kernel void trace_rays(__global const AeroBvhNode* nodes,
-                         __global const AeroTriangle* triangles, __global const float* rays,
-                         const uint any_hit, const uint blocks, __global Hit* hits) {
+__kernel void trace_rays(__global const AeroBvhNode* nodes, __global const AeroTriangle* triangles,
+                         __global const float* rays, const uint any_hit, const uint blocks,
+                         __global Hit* hits) {
   const uint block = (uint)get_global_id(0);
   if (block >= blocks) return;
   const Ray ray = read_rays(rays, block);

@@ -3,9 +3,9 @@
 #include "ray_buffer.clh"
 #include "traverse.clh"
 
-__kernel void count_rays(__global const AeroBvhNode* nodes,
-                         __global const AeroTriangle* triangles, __global const float* rays,
-                         const uint any_hit, const uint blocks, __global uint* counters) {
+__kernel void count_rays(__global const AeroBvhNode* nodes, __global const AeroTriangle* triangles,
+                         __global const float* rays, const uint any_hit, const uint blocks,
+                         __global uint* counters) {
   const uint block = (uint)get_global_id(0);
   if (block >= blocks) return;
   const Ray ray = read_rays(rays, block);

@@ -6,9 +6,8 @@
 __kernel void trace_shadow_rays(const AeroLaunch launch, __global const AeroScene* scene,
                                 __global const AeroBvhNode* nodes,
                                 __global const AeroTriangle* triangles,
-                                __global const AeroFace* faces,
-                                __global const AeroVertex* vertices, __global const Hit* hits,
-                                __global lane_uint* visible) {
+                                __global const AeroFace* faces, __global const AeroVertex* vertices,
+                                __global const Hit* hits, __global lane_uint* visible) {
   const uint block = (uint)get_global_id(0);
   if (block >= launch.tile.block_count) return;
   const Hit hit = hits[block];

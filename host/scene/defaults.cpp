@@ -16,8 +16,8 @@ void make_snow(Scene& scene) {
   Ground& ground = scene.biome.ground;
   ground.cover_a = {0.045f, 0.065f, 0.04f};
   ground.cover_b = {0.12f, 0.115f, 0.07f};
-  ground.rock_a = {0.15f, 0.14f, 0.135f};
-  ground.rock_b = {0.27f, 0.255f, 0.24f};
+  ground.rock_a = {0.075f, 0.07f, 0.068f};
+  ground.rock_b = {0.21f, 0.195f, 0.18f};
   ground.snow = {0.8f, 0.82f, 0.85f};
   ground.rock_slope_deg[0] = 37.0;
   ground.rock_slope_deg[1] = 50.0;

@@ -150,8 +150,8 @@ struct Sky {
   double glow_strength = 0.3;
   vec3 ambient_up{0.25f, 0.35f, 0.55f};    // irradiance / pi on a plane that faces up
   vec3 ambient_down{0.08f, 0.08f, 0.08f};  // on a plane that faces down
-  double cloud_cover = 0.4;        // of the sky by thin high cloud, 0 to 1
-  double cloud_height_m = 7000.0;  // above the eye
+  double cloud_cover = 0.4;                // of the sky by thin high cloud, 0 to 1
+  double cloud_height_m = 7000.0;          // above the eye
 };
 
 /// Aerial perspective: extinction 3.912 / visibility at sea level, falling off with height.

@@ -17,6 +17,7 @@ inline float mix(float a, float b, float t) {
 
 /// The lesser of two values, rounded where they differ by less than `radius` (never greater).
 inline float smooth_min(float a, float b, float radius) {
+  if (!(radius > 0.0f)) return std::min(a, b);
   const float h = std::max(radius - std::fabs(a - b), 0.0f) / radius;
   return std::min(a, b) - 0.25f * h * h * radius;
 }

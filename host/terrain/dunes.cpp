@@ -135,7 +135,7 @@ void DuneSea::heights(const Points& points, Block& height) const {
   const float unit = static_cast<float>(terrain_.dunes.height_m);
   for (int i = 0; i < points.count; ++i) {
     const float sand = smooth_max(large.height[i], crossing.height[i], 0.05f * unit);
-    const float lead = (large.height[i] - crossing.height[i]) / unit;
+    const float lead = (large.height[i] - crossing.height[i]) / std::max(unit, 1e-3f);
     const float slip = mix(crossing.slip[i], large.slip[i], ramp(-0.15f, 0.15f, lead));
     height[i] = sand + 0.6f * unit * (swell[i] + 0.5f) + 0.6f * small.height[i] * (1.0f - slip);
   }

@@ -6,7 +6,8 @@
 /* Children of a node of the wide BVH; also the width of the interval tests. */
 #define AERO_BVH_WIDTH 8
 
-/* Entries of the kernels' traversal stack. The builder measures what a tree needs and refuses more. */
+/* Entries of the kernels' traversal stack. The builder measures what a tree needs and refuses more.
+ */
 #define AERO_BVH_STACK 160
 
 /* A child reference: an inner node's index, or with the top bit set a leaf: bits 27..30 hold the

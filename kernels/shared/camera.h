@@ -21,12 +21,12 @@ AERO_ASSERT_LAYOUT(AeroCamera, 48);
 /* What changes from frame to frame but not within it. */
 typedef struct AeroFrame {
   AeroCamera camera;
-  aero_uint width, height;   /* of the image, pixels */
-  aero_uint filter;          /* AERO_FILTER_... */
-  aero_uint samples;         /* per pixel in all; 1 takes the pixel's centre */
-  aero_uint sample_stride;   /* coprime to samples: the order in which strata are taken */
-  aero_uint sample_shift;    /* of the pattern, from the seed; 2^32 is once around */
-  aero_float pixel_angle;    /* radians across one pixel in the middle of the image */
+  aero_uint width, height; /* of the image, pixels */
+  aero_uint filter;        /* AERO_FILTER_... */
+  aero_uint samples;       /* per pixel in all; 1 takes the pixel's centre */
+  aero_uint sample_stride; /* coprime to samples: the order in which strata are taken */
+  aero_uint sample_shift;  /* of the pattern, from the seed; 2^32 is once around */
+  aero_float pixel_angle;  /* radians across one pixel in the middle of the image */
 } AeroFrame;
 
 AERO_ASSERT_LAYOUT(AeroFrame, 76);
@@ -34,8 +34,8 @@ AERO_ASSERT_LAYOUT(AeroFrame, 76);
 /* The work of one launch: blocks of pixels, one packet of lanes each. A packet holds 2^log2_w x
  * 2^log2_h pixels with 2^log2_samples samples each; their product is LANES. */
 typedef struct AeroTile {
-  aero_uint x0, y0;              /* first pixel */
-  aero_uint x1, y1;              /* end of the pixels to be written */
+  aero_uint x0, y0; /* first pixel */
+  aero_uint x1, y1; /* end of the pixels to be written */
   aero_uint blocks_per_row;
   aero_uint block_count;
   aero_uint first_sample;

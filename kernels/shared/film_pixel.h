@@ -7,7 +7,7 @@
  * and zero elsewhere. */
 typedef struct AeroFilmPixel {
   aero_float radiance[3];
-  aero_float coverage;  /* samples that hit something */
+  aero_float coverage; /* samples that hit something */
   aero_float distance;
   aero_float normal[3];
   aero_uint object;

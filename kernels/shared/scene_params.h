@@ -41,11 +41,11 @@ typedef struct AeroSky {
   aero_float ambient_up[3], ambient_down[3]; /* irradiance / pi */
   aero_float sun_direction[3];
   aero_float sun_irradiance[3];
-  aero_float sun_cos;          /* of the disc's angular radius */
-  aero_float haze_extinction;  /* per metre at sea level */
-  aero_float haze_height;      /* scale height */
-  aero_float cloud_cover;      /* 0 to 1 */
-  aero_float cloud_height;     /* metres above the eye */
+  aero_float sun_cos;         /* of the disc's angular radius */
+  aero_float haze_extinction; /* per metre at sea level */
+  aero_float haze_height;     /* scale height */
+  aero_float cloud_cover;     /* 0 to 1 */
+  aero_float cloud_height;    /* metres above the eye */
   aero_uint sun_shadows;
 } AeroSky;
 
@@ -54,14 +54,14 @@ AERO_ASSERT_LAYOUT(AeroSky, 108);
 /* Colour rules of the ground. */
 typedef struct AeroGround {
   aero_float cover_a[3], cover_b[3], rock_a[3], rock_b[3], snow[3], beach[3];
-  aero_float rock_cos[2];  /* rock begins, rock is complete (begin > complete) */
+  aero_float rock_cos[2]; /* rock begins, rock is complete (begin > complete) */
   aero_float snow_line, snow_fuzz;
-  aero_float snow_cos[2];  /* full snow above the first, none below the second */
+  aero_float snow_cos[2]; /* full snow above the first, none below the second */
   aero_float beach_top;
   aero_float pattern;
   aero_float relief;
   aero_float ripple;
-  aero_float wind[2];      /* unit, x and z */
+  aero_float wind[2]; /* unit, x and z */
   aero_float forest[3];
   aero_float forest_top, forest_share;
   aero_float canopy;
