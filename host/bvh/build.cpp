@@ -1,29 +1,14 @@
 #include <chrono>
-#include <string>
 
 #include <tbb/parallel_for.h>
 
 #include "binary.hpp"
 #include "bvh.hpp"
 #include "collapse.hpp"
-#include "core/error.hpp"
 #include "primitive.hpp"
 
 namespace aerostat::bvh {
 namespace {
-
-constexpr std::size_t kMaxTriangles = std::size_t{AERO_BVH_FIRST_MASK} + 1;
-
-void check(std::size_t triangles, const BuildOptions& options) {
-  if (options.max_leaf_triangles < 1 || options.max_leaf_triangles > AERO_BVH_MAX_LEAF)
-    throw Error(ErrorKind::internal, "building a BVH: max_leaf_triangles is " +
-                                         std::to_string(options.max_leaf_triangles) +
-                                         ", expected 1 to " + std::to_string(AERO_BVH_MAX_LEAF));
-  if (triangles > kMaxTriangles)
-    throw Error(ErrorKind::bad_data, "building a BVH: " + std::to_string(triangles) +
-                                         " triangles, expected at most " +
-                                         std::to_string(kMaxTriangles));
-}
 
 std::vector<std::uint32_t> order_of(const PrimitiveSet& primitives) {
   std::vector<std::uint32_t> order(primitives.count);
@@ -32,15 +17,11 @@ std::vector<std::uint32_t> order_of(const PrimitiveSet& primitives) {
   return order;
 }
 
-Bounds to_bounds(const Box& box) {
-  return {{box.lo[0], box.lo[1], box.lo[2]}, {box.hi[0], box.hi[1], box.hi[2]}};
-}
-
 }  // namespace
 
 Bvh build(std::span<const vec3> positions, std::span<const uvec3> triangles,
           const BuildOptions& options) {
-  check(triangles.size(), options);
+  check_input(triangles.size(), options);
   const auto start = std::chrono::steady_clock::now();
   PrimitiveSet primitives = collect_primitives(positions, triangles);
   Bvh bvh;

@@ -48,8 +48,9 @@ Bvh build(std::span<const vec3> positions, std::span<const uvec3> triangles,
           const BuildOptions& options = {});
 
 /// Joins trees under a common root without touching them: triangle indices in `order` of tree k are
-/// raised by `first_triangle[k]`, node and leaf references likewise. Throws Error{internal} if the
-/// result would need more stack than the kernels have.
+/// raised by `first_triangle[k]`, node and leaf references likewise. Where a tree's `order` was
+/// given up (emptied), the result has none. Throws Error{internal} if the result would need more
+/// stack than the kernels have.
 Bvh join(std::span<const Bvh* const> trees, std::span<const std::uint32_t> first_triangle);
 
 }  // namespace aerostat::bvh

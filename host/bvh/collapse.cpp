@@ -144,7 +144,15 @@ void append_shifted(const std::vector<AeroBvhNode>& part, std::uint32_t offset, 
 struct NodeSums {
   std::uint64_t leaves = 0;
   double area_cost = 0.0;
+
+  void operator+=(const NodeSums& other) {
+    leaves += other.leaves;
+    area_cost += other.area_cost;
+  }
 };
+
+// Blocks have a fixed size, so that sums do not depend on how threads share them out.
+constexpr std::size_t kSumBlock = 4096;
 
 double half_area(const AeroBvhNode& node, int slot) {
   double d[3];
@@ -202,12 +210,12 @@ void set_child(AeroBvhNode& node, int slot, const Bounds& bounds, std::uint32_t 
 }
 
 std::vector<AeroBvhNode> collapse(const BinaryTree& tree, const PrimitiveSet& primitives,
-                                  const BuildOptions& options) {
+                                  const BuildOptions& options, int stack_budget) {
   if (primitives.count == 0) return {empty_node()};
   const Folder folder(tree, primitives, options);
   std::vector<Deferred> deferred;
   std::vector<AeroBvhNode> nodes =
-      folder.fold({{0, 0, primitives.count}, 0, kStackBudget}, kTaskCount, deferred);
+      folder.fold({{0, 0, primitives.count}, 0, stack_budget}, kTaskCount, deferred);
   std::vector<std::vector<AeroBvhNode>> parts(deferred.size());
   tbb::parallel_for(std::size_t{0}, parts.size(), [&](std::size_t i) {
     std::vector<Deferred> none;
@@ -235,8 +243,12 @@ void measure(const std::vector<AeroBvhNode>& nodes, const Bounds& bounds,
   set_child(root, 0, bounds, 0);
   const double root_area = half_area(root, 0);
   double area_cost = root_area * static_cast<double>(options.traversal_cost);
-  for (const AeroBvhNode& node : nodes) {
-    const NodeSums sums = sum_children(node, options);
+  std::vector<NodeSums> blocks((nodes.size() + kSumBlock - 1) / kSumBlock);
+  tbb::parallel_for(std::size_t{0}, blocks.size(), [&](std::size_t b) {
+    const std::size_t end = std::min((b + 1) * kSumBlock, nodes.size());
+    for (std::size_t i = b * kSumBlock; i < end; ++i) blocks[b] += sum_children(nodes[i], options);
+  });
+  for (const NodeSums& sums : blocks) {
     stats.leaves += sums.leaves;
     area_cost += sums.area_cost;
   }

@@ -10,9 +10,10 @@ namespace aerostat::bvh {
 inline constexpr int kStackBudget = AERO_BVH_STACK - AERO_BVH_WIDTH;
 
 /// Folds the binary tree into wide nodes, parents before children, by the plans in its nodes; where
-/// these would need more than kStackBudget, three binary levels at a time, which never do.
+/// these would need more than `stack_budget`, three binary levels at a time, which need 148 at
+/// most.
 std::vector<AeroBvhNode> collapse(const BinaryTree& tree, const PrimitiveSet& primitives,
-                                  const BuildOptions& options);
+                                  const BuildOptions& options, int stack_budget = kStackBudget);
 
 /// A node without children.
 AeroBvhNode empty_node();

@@ -1,6 +1,8 @@
 #include <algorithm>
 #include <string>
 
+#include <tbb/parallel_for.h>
+
 #include "bvh.hpp"
 #include "collapse.hpp"
 #include "core/error.hpp"
@@ -15,6 +17,12 @@ Bounds united(const Bounds& a, const Bounds& b) {
 double half_area(const Bounds& b) {
   const dvec3 d = dvec3(b.hi) - dvec3(b.lo);
   return d.x * (d.y + d.z) + d.y * d.z;
+}
+
+// What `order` holds, or held.
+std::size_t slots_of(const Bvh& tree) {
+  const BuildStats& stats = tree.stats;
+  return stats.input_triangles - stats.dropped_non_finite - stats.dropped_degenerate;
 }
 
 // A tree as the nodes above it see it.
@@ -42,10 +50,12 @@ class Joiner {
     const Top root = raise(0, entries_.size());
     for (Entry& entry : entries_) {
       entry.first_slot = static_cast<std::uint32_t>(slots);
-      slots += entry.tree->order.size();
+      slots += slots_of(*entry.tree);
       check_addressable(slots);
     }
-    result_.order.reserve(slots);
+    const bool ordered = std::all_of(entries_.begin(), entries_.end(),
+                                     [](const Entry& entry) { return !entry.tree->order.empty(); });
+    if (ordered) result_.order.resize(slots);
     place_trees();
     result_.bounds = root.bounds;
     result_.stats.nodes = result_.nodes.size();
@@ -101,7 +111,7 @@ class Joiner {
       entry.first_node = static_cast<std::uint32_t>(total);
       total += entry.tree->nodes.size();
     }
-    result_.nodes.reserve(total);
+    result_.nodes.resize(total);
     for (std::size_t n = 0; n < top_nodes; ++n) {
       for (int slot = 0; slot < AERO_BVH_WIDTH; ++slot) {
         aero_uint& child = result_.nodes[n].child[slot];
@@ -112,15 +122,19 @@ class Joiner {
   }
 
   void append(const Entry& entry) {
-    for (AeroBvhNode node : entry.tree->nodes) {
+    const auto& nodes = entry.tree->nodes;
+    tbb::parallel_for(std::size_t{0}, nodes.size(), [&](std::size_t i) {
+      AeroBvhNode& node = result_.nodes[entry.first_node + i] = nodes[i];
       for (aero_uint& child : node.child) {
         if (child == AERO_BVH_EMPTY) continue;
         child += (child & AERO_BVH_LEAF) != 0 ? entry.first_slot : entry.first_node;
       }
-      result_.nodes.push_back(node);
+    });
+    if (!result_.order.empty()) {
+      std::transform(entry.tree->order.begin(), entry.tree->order.end(),
+                     result_.order.begin() + entry.first_slot,
+                     [&](std::uint32_t triangle) { return triangle + entry.first_triangle; });
     }
-    for (const std::uint32_t triangle : entry.tree->order)
-      result_.order.push_back(triangle + entry.first_triangle);
     result_.stats.leaves += entry.tree->stats.leaves;
   }
 
@@ -145,7 +159,7 @@ Bvh join(std::span<const Bvh* const> trees, std::span<const std::uint32_t> first
                                          std::to_string(first_triangle.size()));
   std::vector<Entry> entries;
   for (std::size_t i = 0; i < trees.size(); ++i) {
-    if (!trees[i]->order.empty()) entries.push_back({trees[i], first_triangle[i]});
+    if (slots_of(*trees[i]) > 0) entries.push_back({trees[i], first_triangle[i]});
   }
   Bvh joined;
   if (entries.empty()) {

@@ -14,8 +14,6 @@ namespace {
 // Blocks have a fixed size, so that nothing depends on how threads share them out.
 constexpr std::size_t kBlock = 16384;
 
-enum class Verdict { good, non_finite, degenerate };
-
 struct BlockResult {
   std::uint32_t kept = 0;
   std::uint64_t non_finite = 0;
@@ -24,14 +22,6 @@ struct BlockResult {
   Box bounds;
   Box centroids;
 };
-
-Verdict judge(const vec3& a, const vec3& b, const vec3& c) {
-  if (!is_finite(a) || !is_finite(b) || !is_finite(c)) return Verdict::non_finite;
-  // In double no product of floats overflows or vanishes: zero means zero.
-  const dvec3 normal = glm::cross(dvec3(b) - dvec3(a), dvec3(c) - dvec3(a));
-  const bool flat = normal.x == 0.0 && normal.y == 0.0 && normal.z == 0.0;
-  return flat ? Verdict::degenerate : Verdict::good;
-}
 
 Box box_of(const vec3& a, const vec3& b, const vec3& c) {
   Box box;
@@ -105,6 +95,26 @@ void merge(PrimitiveSet& set, const std::vector<BlockResult>& blocks) {
 }
 
 }  // namespace
+
+Verdict judge(const vec3& a, const vec3& b, const vec3& c) {
+  if (!is_finite(a) || !is_finite(b) || !is_finite(c)) return Verdict::non_finite;
+  // In double no product of floats overflows or vanishes: zero means zero.
+  const dvec3 normal = glm::cross(dvec3(b) - dvec3(a), dvec3(c) - dvec3(a));
+  const bool flat = normal.x == 0.0 && normal.y == 0.0 && normal.z == 0.0;
+  return flat ? Verdict::degenerate : Verdict::good;
+}
+
+void check_input(std::size_t triangles, const BuildOptions& options) {
+  constexpr std::size_t kMostTriangles = std::size_t{AERO_BVH_FIRST_MASK} + 1;
+  if (options.max_leaf_triangles < 1 || options.max_leaf_triangles > AERO_BVH_MAX_LEAF)
+    throw Error(ErrorKind::internal, "building a BVH: max_leaf_triangles is " +
+                                         std::to_string(options.max_leaf_triangles) +
+                                         ", expected 1 to " + std::to_string(AERO_BVH_MAX_LEAF));
+  if (triangles > kMostTriangles)
+    throw Error(ErrorKind::bad_data, "building a BVH: " + std::to_string(triangles) +
+                                         " triangles, expected at most " +
+                                         std::to_string(kMostTriangles));
+}
 
 PrimitiveSet collect_primitives(std::span<const vec3> positions, std::span<const uvec3> triangles) {
   PrimitiveSet set;

@@ -26,6 +26,18 @@ struct PrimitiveSet {
   std::uint64_t degenerate = 0;
 };
 
+/// Whether a triangle can be hit: it must be finite and have an area.
+enum class Verdict { good, non_finite, degenerate };
+
+Verdict judge(const vec3& a, const vec3& b, const vec3& c);
+
+inline Bounds to_bounds(const Box& box) {
+  return {{box.lo[0], box.lo[1], box.lo[2]}, {box.hi[0], box.hi[1], box.hi[2]}};
+}
+
+/// Throws as build() does if so many triangles or such leaves cannot be had.
+void check_input(std::size_t triangles, const BuildOptions& options);
+
 /// The boxes of all triangles that can be hit, in the input's order. Throws Error{internal} if a
 /// triangle names a vertex that is not there.
 PrimitiveSet collect_primitives(std::span<const vec3> positions, std::span<const uvec3> triangles);

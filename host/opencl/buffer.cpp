@@ -60,6 +60,26 @@ RawBuffer::RawBuffer(const Context& context, MemoryBudget budget, const void* da
   });
 }
 
+RawBuffer::RawBuffer(const Context& context, MemoryBudget budget, std::shared_ptr<const void> owner,
+                     const void* data, std::uint64_t bytes, std::string what)
+    : queue_(context.queue()),
+      owner_(std::move(owner)),
+      budget_(std::move(budget)),
+      what_(std::move(what)) {
+  budget_.reserve(bytes, what_);
+  try {
+    guarded(fmt::format("lending {:.1f} MiB for {}", mebibytes(bytes), what_).c_str(), [&] {
+      // The flags promise that no kernel writes there.
+      handle_ = cl::Buffer(context.handle(), CL_MEM_READ_ONLY | CL_MEM_USE_HOST_PTR, bytes,
+                           const_cast<void*>(data));
+    });
+  } catch (...) {
+    budget_.release(bytes);
+    throw;
+  }
+  allocated_ = bytes;
+}
+
 void RawBuffer::allocate(const Context& context, std::uint64_t bytes, cl_mem_flags flags,
                          const std::function<void()>& fill) {
   const auto size = rounded_up(bytes);
@@ -79,6 +99,7 @@ void RawBuffer::allocate(const Context& context, std::uint64_t bytes, cl_mem_fla
 
 RawBuffer::RawBuffer(RawBuffer&& other) noexcept
     : queue_(std::move(other.queue_)),
+      owner_(std::move(other.owner_)),
       handle_(std::move(other.handle_)),
       budget_(other.budget_),
       what_(std::move(other.what_)),
@@ -86,8 +107,9 @@ RawBuffer::RawBuffer(RawBuffer&& other) noexcept
 
 RawBuffer& RawBuffer::operator=(RawBuffer&& other) noexcept {
   if (this == &other) return *this;
-  budget_.release(allocated_);
+  let_go();
   queue_ = std::move(other.queue_);
+  owner_ = std::move(other.owner_);
   handle_ = std::move(other.handle_);
   budget_ = other.budget_;
   what_ = std::move(other.what_);
@@ -96,7 +118,15 @@ RawBuffer& RawBuffer::operator=(RawBuffer&& other) noexcept {
 }
 
 RawBuffer::~RawBuffer() {
+  let_go();
+}
+
+void RawBuffer::let_go() noexcept {
   budget_.release(allocated_);
+  // Commands keep a buffer alive, but not the memory that was lent to it.
+  if (owner_ && queue_() != nullptr) ::clFinish(queue_());
+  handle_ = {};
+  owner_ = nullptr;
 }
 
 void RawBuffer::check_range(std::uint64_t offset, std::uint64_t bytes) const {

@@ -52,6 +52,10 @@ class RawBuffer {
   /// A copy of `bytes` bytes at `data`.
   RawBuffer(const Context& context, MemoryBudget budget, const void* data, std::uint64_t bytes,
             std::string what, cl_mem_flags flags);
+  /// The `bytes` > 0 bytes at `data` themselves, if the device works in the host's memory; they
+  /// must not change and `owner` keeps them until the device is done with them.
+  RawBuffer(const Context& context, MemoryBudget budget, std::shared_ptr<const void> owner,
+            const void* data, std::uint64_t bytes, std::string what);
   RawBuffer(RawBuffer&& other) noexcept;
   RawBuffer& operator=(RawBuffer&& other) noexcept;
   ~RawBuffer();
@@ -66,9 +70,11 @@ class RawBuffer {
  private:
   void allocate(const Context& context, std::uint64_t bytes, cl_mem_flags flags,
                 const std::function<void()>& fill);
+  void let_go() noexcept;
   void check_range(std::uint64_t offset, std::uint64_t bytes) const;
 
   cl::CommandQueue queue_;
+  std::shared_ptr<const void> owner_;  // of memory that is not the buffer's own
   cl::Buffer handle_;
   MemoryBudget budget_;
   std::string what_;
@@ -94,6 +100,13 @@ class Buffer {
          cl_mem_flags flags = CL_MEM_READ_WRITE)
       : raw_(context, budget, std::uint64_t{count} * sizeof(T), std::move(what), flags),
         size_(count) {}
+
+  /// `values`, which kernels only read, without a copy: see RawBuffer.
+  Buffer(const Context& context, const MemoryBudget& budget, std::shared_ptr<const void> owner,
+         std::span<const T> values, std::string what)
+      : raw_(context, budget, std::move(owner), values.data(), values.size_bytes(),
+             std::move(what)),
+        size_(values.size()) {}
 
   std::size_t size() const { return size_; }
   std::uint64_t bytes() const { return std::uint64_t{size_} * sizeof(T); }

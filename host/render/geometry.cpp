@@ -8,21 +8,50 @@
 namespace aerostat::render {
 namespace {
 
-using GroupPointer = std::shared_ptr<const pack::PackedGroup>;
+/// The meshes of a group gone, its identity left.
+world::Group husk() {
+  return std::make_shared<const std::vector<world::Object>>();
+}
 
-/// The tree of a group, or the one it had before.
-GroupPointer pack(const world::Group& group, const world::Group& old_group,
-                  const GroupPointer& old_tree, HostGeometry& geometry) {
-  if (!group) return nullptr;
-  if (group == old_group && old_tree) return old_tree;
-  ++geometry.trees_built;
-  return std::make_shared<const pack::PackedGroup>(pack::pack_group(*group));
+/// Packs groups, or takes them from the former geometry.
+class Packer {
+ public:
+  Packer(const HostGeometry& old, Meshes meshes, HostGeometry& geometry)
+      : old_(old), meshes_(meshes), geometry_(geometry) {}
+
+  void run() {
+    geometry_.balloon = pack(geometry_.world.balloon, old_.world.balloon, old_.balloon, {});
+    static const pack::PackedArrays kNone;
+    const auto& room = geometry_.balloon ? geometry_.balloon->arrays : kNone;
+    geometry_.land = pack(geometry_.world.land, old_.world.land, old_.land, room);
+  }
+
+ private:
+  template <typename Pointer>
+  Pointer pack(world::Group& group, const world::Group& old_group, const Pointer& old_pack,
+               const pack::PackedArrays& room) {
+    if (!group) return nullptr;
+    if (group == old_group && old_pack) return old_pack;
+    ++geometry_.trees_built;
+    const auto packed = std::make_shared<pack::PackedGroup>(pack::pack_group(*group, room));
+    if (meshes_ == Meshes::release) group = husk();
+    return packed;
+  }
+
+  const HostGeometry& old_;
+  Meshes meshes_;
+  HostGeometry& geometry_;
+};
+
+[[noreturn]] void fail_to_upload() {
+  throw Error(ErrorKind::exhausted,
+              "not enough memory to upload the world; a smaller /terrain/cells needs less");
 }
 
 }  // namespace
 
 std::shared_ptr<const HostGeometry> build_geometry(const scene::Scene& scene,
-                                                   const HostGeometry* previous) {
+                                                   const HostGeometry* previous, Meshes meshes) {
   static const HostGeometry kNothing;
   const HostGeometry& old = previous != nullptr ? *previous : kNothing;
   auto geometry = std::make_shared<HostGeometry>();
@@ -35,8 +64,7 @@ std::shared_ptr<const HostGeometry> build_geometry(const scene::Scene& scene,
     geometry->worlds_built = (world.land != old.world.land ? 1 : 0) +
                              (world.balloon && world.balloon != old.world.balloon ? 1 : 0);
     geometry->world_seconds = watch.restart();
-    geometry->land = pack(world.land, old.world.land, old.land, *geometry);
-    geometry->balloon = pack(world.balloon, old.world.balloon, old.balloon, *geometry);
+    Packer(old, meshes, *geometry).run();
     geometry->tree_seconds = watch.seconds();
   } catch (const std::bad_alloc&) {
     throw Error(ErrorKind::exhausted,
@@ -45,40 +73,66 @@ std::shared_ptr<const HostGeometry> build_geometry(const scene::Scene& scene,
   return geometry;
 }
 
+void FrameArrays::assemble(const HostGeometry& geometry) {
+  if (land_ != geometry.land || !land_) {
+    arrays_ = {};
+    if (geometry.land) arrays_ = std::move(geometry.land->arrays);
+    land_ = geometry.land;
+    land_triangles_ = arrays_.triangles.size();
+    land_vertices_ = arrays_.vertices.size();
+  }
+  arrays_.triangles.resize(land_triangles_);
+  arrays_.faces.resize(land_triangles_);
+  arrays_.vertices.resize(land_vertices_);
+  try {
+    if (geometry.balloon) pack::append(arrays_, geometry.balloon->arrays);
+  } catch (const std::bad_alloc&) {
+    fail_to_upload();
+  }
+}
+
+std::shared_ptr<const bvh::Bvh> join_trees(const HostGeometry& geometry) {
+  try {
+    return std::make_shared<const bvh::Bvh>(
+        pack::join_trees({geometry.land.get(), geometry.balloon.get()}));
+  } catch (const std::bad_alloc&) {
+    fail_to_upload();
+  }
+}
+
 std::uint64_t DeviceGeometry::bytes() const {
   return nodes.bytes() + triangles.bytes() + faces.bytes() + vertices.bytes();
 }
 
-pack::PackedGeometry join(const HostGeometry& geometry) {
-  try {
-    return pack::join_groups({geometry.land.get(), geometry.balloon.get()});
-  } catch (const std::bad_alloc&) {
-    throw Error(ErrorKind::exhausted,
-                "not enough memory to upload the world; a smaller /terrain/cells needs less");
-  }
-}
-
 DeviceGeometry upload(const opencl::Context& context, const opencl::MemoryBudget& budget,
-                      const pack::PackedGeometry& all, const std::function<void()>& between) {
-  const auto pause = [&between] {
+                      const std::shared_ptr<const bvh::Bvh>& tree,
+                      const std::shared_ptr<const FrameArrays>& frame,
+                      const std::function<void()>& between) {
+  const bool in_place = context.device().type == opencl::DeviceType::cpu;
+  const auto give = [&](auto& buffer, auto values, const std::shared_ptr<const void>& owner,
+                        const char* what) {
+    if (in_place && !values.empty()) {
+      buffer = {context, budget, owner, values, what};
+    } else {
+      buffer = {context, budget, values, what};
+    }
     if (between) between();
   };
+  const pack::PackedArrays& arrays = frame->arrays();
   DeviceGeometry device;
-  device.tree = all.tree;
-  device.nodes = {context, budget, std::span(all.nodes), "the tree"};
-  pause();
-  device.triangles = {context, budget, std::span(all.triangles), "the triangles"};
-  pause();
-  device.faces = {context, budget, std::span(all.faces), "the triangles' indices"};
-  pause();
-  device.vertices = {context, budget, std::span(all.vertices), "the vertices"};
-  pause();
+  device.tree = tree->stats;
+  give(device.nodes, std::span(tree->nodes), tree, "the tree");
+  give(device.triangles, std::span(arrays.triangles), frame, "the triangles");
+  give(device.faces, std::span(arrays.faces), frame, "the triangles' indices");
+  give(device.vertices, std::span(arrays.vertices), frame, "the vertices");
   return device;
 }
 
 DeviceGeometry upload(const opencl::Context& context, const opencl::MemoryBudget& budget,
                       const HostGeometry& geometry) {
-  return upload(context, budget, join(geometry));
+  const auto frame = std::make_shared<FrameArrays>();
+  frame->assemble(geometry);
+  return upload(context, budget, join_trees(geometry), frame);
 }
 
 }  // namespace aerostat::render

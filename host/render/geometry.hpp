@@ -13,21 +13,42 @@ namespace aerostat::render {
 /// The world and its trees on the host; what an edit of the scene leaves alone is shared with the
 /// former state.
 struct HostGeometry {
-  scene::Scene scene;  // that it was built for
-  world::World world;
-  std::shared_ptr<const pack::PackedGroup> land, balloon;
+  scene::Scene scene;                       // that it was built for
+  world::World world;                       // without objects where meshes were not kept
+  std::shared_ptr<pack::PackedGroup> land;  // its arrays go into the FrameArrays
+  std::shared_ptr<const pack::PackedGroup> balloon;
   double world_seconds = 0.0, tree_seconds = 0.0;
   int worlds_built = 0, trees_built = 0;  // groups that were not shared
 };
 
+/// Whether the meshes stay when the trees are built, for who wants to look at them.
+enum class Meshes { keep, release };
+
 /// Builds the geometry of a scene, keeping what `previous` (may be null) has already.
 std::shared_ptr<const HostGeometry> build_geometry(const scene::Scene& scene,
-                                                   const HostGeometry* previous);
+                                                   const HostGeometry* previous,
+                                                   Meshes meshes = Meshes::keep);
 
-/// The buffers of a frame, still on the host.
-pack::PackedGeometry join(const HostGeometry& geometry);
+/// The triangles and vertices of a frame: the land's, taken out of its group rather than copied,
+/// and behind them a copy of the balloon's.
+class FrameArrays {
+ public:
+  /// Makes them those of `geometry`; the land stays if it is the one that is there. Throws
+  /// Error{exhausted}.
+  void assemble(const HostGeometry& geometry);
 
-/// The same on the device.
+  const pack::PackedArrays& arrays() const { return arrays_; }
+
+ private:
+  pack::PackedArrays arrays_;
+  std::shared_ptr<const pack::PackedGroup> land_;
+  std::size_t land_triangles_ = 0, land_vertices_ = 0;
+};
+
+/// The common tree of a frame.
+std::shared_ptr<const bvh::Bvh> join_trees(const HostGeometry& geometry);
+
+/// A frame's geometry on the device; a CPU reads it where it is.
 struct DeviceGeometry {
   opencl::Buffer<AeroBvhNode> nodes;
   opencl::Buffer<AeroTriangle> triangles;
@@ -38,12 +59,14 @@ struct DeviceGeometry {
   std::uint64_t bytes() const;
 };
 
-/// Copies geometry to the device. `between` is called from time to time and may give up by
-/// throwing.
+/// Gives geometry to the device. The arrays may change again when the result is gone. `between` is
+/// called from time to time and may give up by throwing.
 DeviceGeometry upload(const opencl::Context& context, const opencl::MemoryBudget& budget,
-                      const pack::PackedGeometry& all, const std::function<void()>& between = {});
+                      const std::shared_ptr<const bvh::Bvh>& tree,
+                      const std::shared_ptr<const FrameArrays>& frame,
+                      const std::function<void()>& between = {});
 
-/// Both in one.
+/// All in one, for the only frame of `geometry`.
 DeviceGeometry upload(const opencl::Context& context, const opencl::MemoryBudget& budget,
                       const HostGeometry& geometry);
 

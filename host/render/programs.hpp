@@ -1,5 +1,8 @@
 #pragma once
 
+#include <cstdint>
+
+#include "opencl/launch.hpp"
 #include "opencl/program.hpp"
 
 namespace aerostat::render {
@@ -13,7 +16,12 @@ struct Programs {
   double seconds = 0.0;  // that building took
 };
 
-/// Builds them, on several threads. Throws Error{internal} with the build log.
+/// Builds them, on several threads, up to the machine code that launches of whole groups need: some
+/// drivers compile only then. Throws Error{internal} with the build log.
 Programs build_programs(const opencl::Context& context, int lanes);
+
+/// The range of a kernel that works on `packets` packets: whole work-groups, large enough to keep a
+/// GPU busy and small enough to spread over CPU cores.
+opencl::LaunchSize packet_range(std::uint64_t packets, int lanes);
 
 }  // namespace aerostat::render

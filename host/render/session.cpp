@@ -28,8 +28,6 @@ constexpr double kLaunchSeconds = 0.03;
 constexpr std::uint64_t kFirstLaunchSamples = 1u << 15;
 constexpr std::uint64_t kMostLaunchSamples = 1u << 20;
 constexpr std::size_t kLaunchesInFlight = 2;
-// Work-groups large enough to keep a GPU busy, small enough to spread over CPU cores.
-constexpr std::size_t kGroupLanes = 64;
 
 /// The commands of one tile, and how many rays they stand for.
 struct Launch {
@@ -78,6 +76,7 @@ struct Session::State {
   std::future<Programs> programs_to_come;         // outlives a render that is given up
   std::shared_ptr<const HostGeometry> geometry;   // the newest that was built
   std::shared_ptr<const HostGeometry> on_device;  // what `device` holds
+  std::shared_ptr<FrameArrays> frame = std::make_shared<FrameArrays>();
   DeviceGeometry device;
   opencl::Buffer<AeroScene> scene_buffer;
   opencl::Buffer<AeroFilmPixel> film;
@@ -132,8 +131,9 @@ void Session::State::prepare(const scene::Scene& scene) {
   report(Stage::world, 0.0);
   begin_programs();
   const auto old = geometry;
-  const auto fresh = background.run([scene, old] { return build_geometry(scene, old.get()); }, stop,
-                                    [this] { report(Stage::world, 0.0); });
+  const auto fresh =
+      background.run([scene, old] { return build_geometry(scene, old.get(), Meshes::release); },
+                     stop, [this] { report(Stage::world, 0.0); });
   geometry = fresh;
   stats.worlds_built = fresh->worlds_built;
   stats.trees_built = fresh->trees_built;
@@ -146,9 +146,10 @@ void Session::State::prepare(const scene::Scene& scene) {
   if (!on_device || fresh->land != on_device->land || fresh->balloon != on_device->balloon) {
     on_device = nullptr;
     device = {};
-    const auto all = background.run([fresh] { return join(*fresh); }, stop,
-                                    [this] { report(Stage::upload, 0.0); });
-    device = upload(context, budget, all, [this] { stop_if_asked(); });
+    const auto tree = background.run([fresh] { return join_trees(*fresh); }, stop,
+                                     [this] { report(Stage::upload, 0.0); });
+    frame->assemble(*fresh);
+    device = upload(context, budget, tree, frame, [this] { stop_if_asked(); });
   }
   on_device = fresh;
   const AeroScene packed = pack::pack_scene(scene);
@@ -181,8 +182,7 @@ void Session::State::enqueue_tile(const AeroLaunch& launch) {
     visible = {context, budget, packets * lane_count * 4, "the shadows", CL_MEM_READ_WRITE};
     packets_capacity = packets;
   }
-  const std::size_t group = std::max<std::size_t>(1, kGroupLanes / lane_count);
-  const opencl::LaunchSize size((packets + group - 1) / group * group, group);
+  const opencl::LaunchSize size = packet_range(packets, lanes);
   Launch work;
   work.samples = packets * lane_count;
   work.camera = opencl::launch(context, programs->trace_camera_rays, size, launch, device.nodes,
@@ -236,7 +236,7 @@ void Session::State::trace(const scene::Scene& scene, const Crop& crop) {
   const Stopwatch rays_watch;
   AeroLaunch launch{};
   launch.frame = pack::pack_frame(scene);
-  opencl::launch(context, programs->clear_film, film.size(), film,
+  opencl::launch(context, programs->clear_film, packet_range(film.size(), 1), film,
                  static_cast<cl_uint>(film.size()));
   const auto pixels =
       static_cast<std::uint64_t>(crop.x1 - crop.x0) * static_cast<std::uint64_t>(crop.y1 - crop.y0);

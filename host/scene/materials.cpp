@@ -31,7 +31,7 @@ Material flame() {
   Material material;
   material.ambient = 0.0;
   material.diffuse = 0.0;
-  material.emission = {9.0f, 4.2f, 1.1f};
+  material.emission = {3.2f, 2.8f, 2.2f};
   return material;
 }
 

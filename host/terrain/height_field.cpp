@@ -1,5 +1,7 @@
 #include "height_field.hpp"
 
+#include <mutex>
+
 #include "relief.hpp"
 
 namespace aerostat::terrain {
@@ -17,10 +19,25 @@ std::unique_ptr<Relief> make_relief(const scene::Terrain& terrain) {
   return make_mountains(terrain);
 }
 
+/// The relief of the last terrain asked for: placing a scene's objects and building its meshes ask
+/// for the same one in turn, and carving it takes longer than anything else about it.
+std::shared_ptr<const Relief> relief_of(const scene::Terrain& terrain) {
+  static std::mutex mutex;
+  static std::shared_ptr<const Relief> relief;
+  static scene::Terrain made_for;
+  const std::lock_guard lock(mutex);
+  if (!relief || made_for != terrain) {
+    relief = nullptr;
+    relief = make_relief(terrain);
+    made_for = terrain;
+  }
+  return relief;
+}
+
 }  // namespace
 
 HeightField::HeightField(const scene::Terrain& terrain)
-    : relief_(make_relief(terrain)),
+    : relief_(relief_of(terrain)),
       center_(terrain.center),
       base_m_(static_cast<float>(terrain.base_m)) {}
 

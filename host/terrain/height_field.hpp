@@ -14,7 +14,8 @@ class Relief;
 /// every call is safe from any thread. The sea is not part of it: heights go on under water.
 class HeightField {
  public:
-  /// Prepares the relief (some tenths of a second for carved kinds).
+  /// Prepares the relief (some tenths of a second for carved kinds), or takes the last one that was
+  /// made if it is that of an equal terrain. Safe from any thread.
   explicit HeightField(const scene::Terrain& terrain);
 
   /// Height above sea level in metres, in full detail.

@@ -2,6 +2,8 @@
 
 #include <new>
 
+#include <oneapi/tbb/parallel_invoke.h>
+
 #include "core/error.hpp"
 #include "model/balloon.hpp"
 #include "terrain/terrain_mesh.hpp"
@@ -11,7 +13,8 @@ namespace {
 
 Group build_land(const scene::Scene& scene) {
   auto objects = std::make_shared<std::vector<Object>>();
-  objects->push_back({scene::ObjectId::terrain, terrain::terrain_mesh(scene.terrain)});
+  objects->push_back({scene::ObjectId::terrain, terrain::terrain_mesh(scene.terrain),
+                      static_cast<std::uint32_t>(scene.terrain.cells)});
   if (scene.biome.water.enabled) {
     auto water = terrain::water_mesh(scene.terrain, scene.biome.water, objects->front().mesh);
     if (!water.empty()) objects->push_back({scene::ObjectId::water, std::move(water)});
@@ -37,11 +40,16 @@ World build(const scene::Scene& scene, const World* previous, const scene::Scene
   const bool known = previous != nullptr && previous_scene != nullptr;
   World world;
   try {
-    world.land = known && same_land(scene, *previous_scene) ? previous->land : build_land(scene);
-    if (scene.balloon.enabled) {
-      const bool same = known && scene.balloon == previous_scene->balloon;
-      world.balloon = same ? previous->balloon : build_balloon(scene);
-    }
+    tbb::parallel_invoke(
+        [&] {
+          const bool same = known && same_land(scene, *previous_scene);
+          world.land = same ? previous->land : build_land(scene);
+        },
+        [&] {
+          if (!scene.balloon.enabled) return;
+          const bool same = known && scene.balloon == previous_scene->balloon;
+          world.balloon = same ? previous->balloon : build_balloon(scene);
+        });
   } catch (const std::bad_alloc&) {
     throw Error(ErrorKind::exhausted,
                 "not enough memory for the world's meshes; a smaller /terrain/cells needs less");

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <memory>
 #include <string>
 #include <vector>
@@ -14,6 +15,7 @@ namespace aerostat::world {
 struct Object {
   scene::ObjectId id = scene::ObjectId::terrain;
   mesh::TriangleMesh mesh;
+  std::uint32_t grid_cells = 0;  // per side, if the mesh is such a grid as bvh::build_grid takes
 };
 
 /// The objects that are built, moved and thrown away together; shared because an edit of the scene
