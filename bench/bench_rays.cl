@@ -32,7 +32,6 @@ __kernel void write_shadow_rays(const AeroLaunch launch, __global const AeroScen
 __kernel void trace_rays(__global const AeroBvhNode* nodes,
                          __global const AeroTriangle* triangles, __global const float* rays,
                          const uint any_hit, const uint blocks, __global Hit* hits) {
-#ifdef BUNDLE
   const uint first = (uint)get_global_id(0);
   if (first % BUNDLE != 0u || first >= blocks) return;
   TracedPacket packets[BUNDLE];
@@ -47,11 +46,4 @@ __kernel void trace_rays(__global const AeroBvhNode* nodes,
     trace_bundle(nodes, triangles, packets, 0);
   }
   for (uint i = 0u; i < BUNDLE && first + i < blocks; ++i) hits[first + i] = packets[i].hit;
-#else
-  const uint block = (uint)get_global_id(0);
-  if (block >= blocks) return;
-  const Ray ray = read_rays(rays, block);
-  hits[block] = any_hit != 0u ? trace_packet(nodes, triangles, &ray, 1)
-                              : trace_packet(nodes, triangles, &ray, 0);
-#endif
 }

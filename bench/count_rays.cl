@@ -6,42 +6,27 @@
 __kernel void count_rays(__global const AeroBvhNode* nodes, __global const AeroTriangle* triangles,
                          __global const float* rays, const uint any_hit, const uint blocks,
                          __global uint* counters) {
-#ifdef BUNDLE
-  const uint block = (uint)get_global_id(0);
-  if (block % BUNDLE != 0u || block >= blocks) return;
+  const uint first = (uint)get_global_id(0);
+  if (first % BUNDLE != 0u || first >= blocks) return;
+  TracedPacket packets[BUNDLE];
+  uint live = 0u;
+  for (uint i = 0u; i < BUNDLE; ++i) {
+    Ray ray = read_rays(rays, min(first + i, blocks - 1u));
+    if (first + i >= blocks) ray.t_max = (lane_float)-1.0f;
+    start_packet(packets + i, &ray);
+    live += packets[i].reach >= 0.0f ? 1u : 0u;
+  }
   TraceCounts counts;
   counts.nodes = counts.leaves = counts.triangles = 0u;
-  TracedPacket packets[BUNDLE];
-  Ray ray;
-  for (uint i = 0u; i < BUNDLE; ++i) {
-    ray = read_rays(rays, min(block + i, blocks - 1u));
-    if (block + i >= blocks) ray.t_max = (lane_float)-1.0f;
-    start_packet(packets + i, &ray);
-    if (block + i < blocks) {
-      counters[(block + i) * 4u] = lane_any(lane_mask(ray.t_max >= 0.0f)) ? 1u : 0u;
-      counters[(block + i) * 4u + 1u] = counters[(block + i) * 4u + 2u] =
-          counters[(block + i) * 4u + 3u] = 0u;
-    }
-  }
   if (any_hit != 0u) {
     trace_bundle(nodes, triangles, packets, 1, &counts);
   } else {
     trace_bundle(nodes, triangles, packets, 0, &counts);
   }
-#else
-  const uint block = (uint)get_global_id(0);
-  if (block >= blocks) return;
-  const Ray ray = read_rays(rays, block);
-  TraceCounts counts;
-  counts.nodes = counts.leaves = counts.triangles = 0u;
-  if (any_hit != 0u) {
-    trace_packet(nodes, triangles, &ray, 1, &counts);
-  } else {
-    trace_packet(nodes, triangles, &ray, 0, &counts);
+  for (uint i = first; i < first + BUNDLE && i < blocks; ++i) {
+    counters[i * 4u] = i == first ? live : 0u;
+    counters[i * 4u + 1u] = i == first ? counts.nodes : 0u;
+    counters[i * 4u + 2u] = i == first ? counts.leaves : 0u;
+    counters[i * 4u + 3u] = i == first ? counts.triangles : 0u;
   }
-  counters[block * 4u] = lane_any(lane_mask(ray.t_max >= 0.0f)) ? 1u : 0u;
-#endif
-  counters[block * 4u + 1u] = counts.nodes;
-  counters[block * 4u + 2u] = counts.leaves;
-  counters[block * 4u + 3u] = counts.triangles;
 }

@@ -1,14 +1,22 @@
 #include "camera.clh"
 #include "traverse.clh"
 
-/* Eye rays of a tile: one packet a work-item, its closest hits into hits[block]. */
+/* Eye rays of a tile: the closest hits of block into hits[block]. Every
+ * BUNDLE-th work-item traces that many blocks together. */
 __kernel void trace_camera_rays(const AeroLaunch launch, __global const AeroBvhNode* nodes,
                                 __global const AeroTriangle* triangles, __global Hit* hits) {
-  const uint block = (uint)get_global_id(0);
-  if (block >= launch.tile.block_count) return;
+  const uint first = (uint)get_global_id(0);
+  if (first % BUNDLE != 0u || first >= launch.tile.block_count) return;
   const AeroFrame frame = launch.frame;
   const AeroTile tile = launch.tile;
-  const PixelPacket packet = pixel_packet(&tile, block);
-  const Ray ray = generate_rays(&frame, &packet);
-  hits[block] = trace_packet(nodes, triangles, &ray, 0);
+  TracedPacket packets[BUNDLE];
+  for (uint i = 0u; i < BUNDLE; ++i) {
+    /* Blocks beyond the tile's last lie below it: their lanes are off. */
+    const PixelPacket packet = pixel_packet(&tile, first + i);
+    const Ray ray = generate_rays(&frame, &packet);
+    start_packet(packets + i, &ray);
+  }
+  trace_bundle(nodes, triangles, packets, 0);
+  const uint count = min((uint)BUNDLE, tile.block_count - first);
+  for (uint i = 0u; i < count; ++i) hits[first + i] = packets[i].hit;
 }

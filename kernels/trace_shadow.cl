@@ -2,21 +2,29 @@
 #include "shadow.clh"
 
 /* Shadow rays from the hits of a tile to every light: bit i of visible[block] is set where light i
- * arrives. */
+ * arrives. Every BUNDLE-th work-item traces that many blocks together. */
 __kernel void trace_shadow_rays(const AeroLaunch launch, __global const AeroScene* scene,
                                 __global const AeroBvhNode* nodes,
                                 __global const AeroTriangle* triangles,
                                 __global const AeroFace* faces, __global const AeroVertex* vertices,
                                 __global const Hit* hits, __global lane_uint* visible) {
-  const uint block = (uint)get_global_id(0);
-  if (block >= launch.tile.block_count) return;
-  const Hit hit = hits[block];
-  const lane_int active = lane_mask(hit.triangle != NO_TRIANGLE);
-  if (!lane_any(active)) {
-    visible[block] = (lane_uint)0u;
-    return;
+  const uint first = (uint)get_global_id(0);
+  if (first % BUNDLE != 0u || first >= launch.tile.block_count) return;
+  const uint count = min((uint)BUNDLE, launch.tile.block_count - first);
+  ShadowWork work[BUNDLE];
+  lane_int any = (lane_int)0;
+  for (uint i = 0u; i < BUNDLE; ++i) {
+    work[i].hit = i < count ? hits[first + i] : no_hit();
+    work[i].active = lane_mask(work[i].hit.triangle != NO_TRIANGLE);
+    work[i].visible = (lane_uint)0u;
+    any |= work[i].active;
   }
-  const Face face = load_face(faces, hit.triangle);
-  const ShadowPoint point = shadow_point(vertices, &face, &hit);
-  visible[block] = visible_lights(scene, nodes, triangles, &point, &hit, active);
+  if (lane_any(any)) {
+    for (uint i = 0u; i < BUNDLE; ++i) {
+      const Face face = load_face(faces, work[i].hit.triangle);
+      work[i].point = shadow_point(vertices, &face, &work[i].hit);
+    }
+    find_visible_lights(scene, nodes, triangles, work);
+  }
+  for (uint i = 0u; i < count; ++i) visible[first + i] = work[i].visible;
 }

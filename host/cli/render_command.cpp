@@ -14,6 +14,7 @@
 #include "image/write.hpp"
 #include "opencl/device.hpp"
 #include "render/session.hpp"
+#include "world/world.hpp"
 
 namespace aerostat::cli {
 
@@ -41,8 +42,9 @@ class WarningsAbove {
   LogSink former_;
 };
 
+/// Not resolved yet.
 scene::Scene scene_to_render(const RenderOptions& options) {
-  scene::Scene scene = load_scene(options.input);
+  scene::Scene scene = read_scene(options.input);
   if (options.width) scene.image.width = *options.width;
   if (options.height) scene.image.height = *options.height;
   if (options.spp) scene.image.spp = *options.spp;
@@ -90,23 +92,35 @@ int render(const RenderOptions& options) {
   ProgressBar bar(stderr_style(options.quiet), print_stderr);
   const WarningsAbove warnings(bar, options.quiet);
 
-  const scene::Scene scene = scene_to_render(options);
+  CommandSeconds seconds;
+  Stopwatch phase;
+  scene::Scene scene = scene_to_render(options);
+  seconds.reading = phase.restart();
   require_encodable(options, scene.image, format);
   const opencl::Device device = opencl::select_device(opencl::effective_selector(options.device));
   render::Session session({device, options.lanes, options.memory_limit_bytes, 0});
+  seconds.device = phase.restart();
+  session.begin_kernels();
+  world::resolve(scene);
+  seconds.placing = phase.seconds();
   const image::Film film = session.render(
       scene, interrupt.token(), [&bar](const render::Progress& progress) { bar.update(progress); },
       options.crop);
   bar.clear();
   warn_of_nan(film);
+  phase.restart();
   const auto bytes = encode(film, format, scene.image.exposure_ev);
+  seconds.encoding = phase.restart();
   if (interrupt.token().stop_requested()) throw Error(ErrorKind::interrupted, "interrupted");
   image::write_file(output, bytes);
+  seconds.writing = phase.seconds();
 
   if (!options.quiet) {
     bar.message(summary(output, film, scene.image.spp, device, watch.seconds()));
   }
-  if (options.stats) print_stderr(stats_text(session.stats(), peak_memory_bytes()));
+  if (options.stats) {
+    print_stderr(stats_text(session.stats(), peak_memory_bytes()) + seconds_text(seconds));
+  }
   return 0;
 }
 

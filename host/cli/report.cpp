@@ -65,4 +65,12 @@ std::string stats_text(const render::Stats& stats, std::uint64_t peak_bytes) {
   return text;
 }
 
+std::string seconds_text(const CommandSeconds& seconds) {
+  return fmt::format(
+      "{:<10}reading {:.3f} s, device {:.3f} s, placing {:.3f} s, encoding {:.3f} s, writing "
+      "{:.3f} s\n",
+      "around it", seconds.reading, seconds.device, seconds.placing, seconds.encoding,
+      seconds.writing);
+}
+
 }  // namespace aerostat::cli

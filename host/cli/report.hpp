@@ -18,4 +18,16 @@ std::uint64_t peak_memory_bytes();
 /// The lines of --stats, each ended.
 std::string stats_text(const render::Stats& stats, std::uint64_t peak_bytes);
 
+/// Seconds of a render command outside of the session.
+struct CommandSeconds {
+  double reading = 0.0;   // the scene file
+  double device = 0.0;    // finding it
+  double placing = 0.0;   // the terrain's relief, and what stands above it
+  double encoding = 0.0;  // from film to file format
+  double writing = 0.0;
+};
+
+/// One line for --stats.
+std::string seconds_text(const CommandSeconds& seconds);
+
 }  // namespace aerostat::cli

@@ -6,12 +6,16 @@
 
 namespace aerostat::cli {
 
-scene::Scene load_scene(const SceneOptions& options) {
+scene::Scene read_scene(const SceneOptions& options) {
   std::vector<scene::Override> overrides;
   for (const std::string& text : options.overrides) {
     overrides.push_back(scene::parse_override(text));
   }
-  scene::Scene scene = scene::read_file(options.scene, overrides);
+  return scene::read_file(options.scene, overrides);
+}
+
+scene::Scene load_scene(const SceneOptions& options) {
+  scene::Scene scene = read_scene(options);
   world::resolve(scene);
   return scene;
 }

@@ -6,12 +6,10 @@
 #include <utility>
 #include <vector>
 
-#include <sys/mman.h>
-
 namespace aerostat {
 
 /// Allocates for arrays of many megabytes that all cores are about to fill: elements start without
-/// a value, memory begins at a page, and the system is asked for huge pages.
+/// a value, so that each page is first touched by who fills it, and memory begins at a page.
 template <typename T>
 class ArrayAllocator {
  public:
@@ -22,17 +20,9 @@ class ArrayAllocator {
   explicit ArrayAllocator(const ArrayAllocator<U>&) {}
 
   T* allocate(std::size_t count) {
-    const std::size_t bytes = count * sizeof(T);
-    const std::size_t alignment = bytes >= kHugePage ? kHugePage : kPage;
-    void* memory = ::operator new(bytes, std::align_val_t(alignment));
-    if (bytes >= kHugePage) ::madvise(memory, bytes / kHugePage * kHugePage, MADV_HUGEPAGE);
-    return static_cast<T*>(memory);
+    return static_cast<T*>(::operator new(count * sizeof(T), kAlignment));
   }
-
-  void deallocate(T* memory, std::size_t count) {
-    const std::size_t alignment = count * sizeof(T) >= kHugePage ? kHugePage : kPage;
-    ::operator delete(memory, std::align_val_t(alignment));
-  }
+  void deallocate(T* memory, std::size_t) { ::operator delete(memory, kAlignment); }
 
   template <typename U>
   void construct(U* at) {
@@ -46,8 +36,7 @@ class ArrayAllocator {
   friend bool operator==(const ArrayAllocator&, const ArrayAllocator&) { return true; }
 
  private:
-  static constexpr std::size_t kPage = 4096;
-  static constexpr std::size_t kHugePage = std::size_t{1} << 21;
+  static constexpr std::align_val_t kAlignment{4096};
 };
 
 /// A vector whose resize() leaves new elements without a value.

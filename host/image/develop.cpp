@@ -1,3 +1,5 @@
+#include <algorithm>
+#include <array>
 #include <cmath>
 
 #include <tbb/blocked_range.h>
@@ -11,14 +13,43 @@ namespace aerostat::image {
 
 namespace {
 
+/// A function on [0, most] by straight lines between samples, dense where it is steep: at 0. What
+/// the functions here lose is below 1e-6, a four-thousandth of a display step.
+class Table {
+ public:
+  template <typename Function>
+  Table(const Function& function, double most) : scale_(kSteps / std::sqrt(most)) {
+    for (int i = 0; i <= kSteps; ++i) {
+      const double root = i / scale_;
+      values_[static_cast<std::size_t>(i)] = function(root * root);
+    }
+    values_.back() = values_[kSteps];
+  }
+
+  double operator()(double x) const {
+    const double at = std::sqrt(x) * scale_;
+    const auto i = static_cast<std::size_t>(std::min(at, double{kSteps}));
+    return values_[i] + (at - static_cast<double>(i)) * (values_[i + 1] - values_[i]);
+  }
+
+ private:
+  static constexpr int kSteps = 4096;
+
+  double scale_;
+  std::array<double, kSteps + 2> values_{};
+};
+
 void develop_row(const Film& film, double gain, int y, Pixels& pixels) {
+  static const Table encode(srgb_from_linear, 1.0);
+  static const Table curve_table(tone_curve, kWhitePoint);
+  const auto curve = [](double x) { return x < kWhitePoint ? curve_table(x) : 1.0; };
   const std::size_t first = static_cast<std::size_t>(y) * static_cast<std::size_t>(film.width);
   for (int x = 0; x < film.width; ++x) {
     const std::size_t index = first + static_cast<std::size_t>(x);
-    const dvec3 display = tone_map(dvec3(film.radiance[index]) * gain);
+    const dvec3 display = tone_map(dvec3(film.radiance[index]) * gain, curve);
     for (int channel = 0; channel < 3; ++channel) {
       pixels.rgb[3 * index + static_cast<std::size_t>(channel)] =
-          quantise(srgb_from_linear(display[channel]), x, y);
+          quantise(encode(std::clamp(display[channel], 0.0, 1.0)), x, y);
     }
   }
 }

@@ -12,9 +12,6 @@ constexpr double kShoulder = 0.98;
 constexpr double kMidIn = 0.18;
 constexpr double kMidOut = 0.19;
 
-// How late highlights lose their colour: the share of white is the display value to this power.
-constexpr double kWhitening = 6.0;
-
 struct Curve {
   double b;
   double c;
@@ -51,15 +48,7 @@ double tone_curve(double x) {
 }
 
 dvec3 tone_map(const dvec3& exposed) {
-  const auto positive = [](double v) { return v > 0.0 ? v : 0.0; };
-  const dvec3 color{positive(exposed.x), positive(exposed.y), positive(exposed.z)};
-  const double peak = std::max({color.x, color.y, color.z});
-  if (peak == 0.0) return dvec3{0.0};
-  const double display = tone_curve(peak);
-  // An infinite component would make its ratio NaN.
-  if (!std::isfinite(peak)) return dvec3{1.0};
-  const double white = std::pow(display, kWhitening);
-  return display * (color / peak * (1.0 - white) + white);
+  return tone_map(exposed, tone_curve);
 }
 
 double srgb_from_linear(double linear) {

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <algorithm>
+#include <cmath>
 #include <cstdint>
 
 #include "core/math.hpp"
@@ -21,6 +23,21 @@ inline constexpr double kWhitePoint = 6.0;
 /// not turn; near white they tend to 1, so that highlights lose their colour gently. Greys stay
 /// grey.
 dvec3 tone_map(const dvec3& exposed);
+
+/// The same by `curve`, which stands for tone_curve of a positive finite value.
+template <typename Curve>
+dvec3 tone_map(const dvec3& exposed, const Curve& curve) {
+  const auto positive = [](double v) { return v > 0.0 ? v : 0.0; };
+  const dvec3 color{positive(exposed.x), positive(exposed.y), positive(exposed.z)};
+  const double peak = std::max({color.x, color.y, color.z});
+  if (peak == 0.0) return dvec3{0.0};
+  // An infinite component would make its ratio NaN.
+  if (!std::isfinite(peak)) return dvec3{1.0};
+  const double display = curve(peak);
+  // How late highlights lose their colour: the share of white is the display value to the sixth.
+  const double cube = display * display * display, white = cube * cube;
+  return display * (color / peak * (1.0 - white) + white);
+}
 
 /// The sRGB transfer function (IEC 61966-2-1), linear [0, 1] to encoded [0, 1]; clamps.
 double srgb_from_linear(double linear);

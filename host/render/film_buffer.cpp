@@ -1,21 +1,41 @@
 #include "render/film_buffer.hpp"
 
+#include <algorithm>
+#include <atomic>
 #include <cmath>
+
+#include <oneapi/tbb/parallel_for.h>
 
 namespace aerostat::render {
 namespace {
 
-void store(image::Film& film, std::size_t i, const AeroFilmPixel& pixel, float per_sample) {
+constexpr int kBandRows = 64;
+
+/// False if the pixel is no number and became black.
+bool store(image::Film& film, std::size_t i, const AeroFilmPixel& pixel, float per_sample) {
   vec3 radiance = vec3(pixel.radiance[0], pixel.radiance[1], pixel.radiance[2]) * per_sample;
-  if (!is_finite(radiance)) {
-    radiance = vec3(0.0f);
-    ++film.nan_pixels;
-  }
+  const bool finite = is_finite(radiance);
+  if (!finite) radiance = vec3(0.0f);
   film.radiance[i] = radiance;
   film.alpha[i] = pixel.coverage * per_sample;
   film.distance_m[i] = pixel.distance;
   film.normal_ws[i] = vec3(pixel.normal[0], pixel.normal[1], pixel.normal[2]);
   film.object_id[i] = pixel.object;
+  return finite;
+}
+
+/// Rows of the crop, one call where they lie side by side.
+void read_rows(const opencl::Buffer<AeroFilmPixel>& buffer, int image_width, const Crop& crop,
+               int first_row, int rows, std::vector<AeroFilmPixel>& to) {
+  const auto width = static_cast<std::size_t>(crop.x1 - crop.x0);
+  const bool whole = crop.x1 - crop.x0 == image_width;
+  const std::size_t count = whole ? width * static_cast<std::size_t>(rows) : width;
+  for (int row = 0; row < rows; row += whole ? rows : 1) {
+    const auto from =
+        static_cast<std::size_t>(crop.y0 + first_row + row) * static_cast<std::size_t>(image_width);
+    buffer.read(std::span(to).subspan(static_cast<std::size_t>(row) * width, count),
+                from + static_cast<std::size_t>(crop.x0));
+  }
 }
 
 }  // namespace
@@ -31,16 +51,23 @@ image::Film read_film(const opencl::Buffer<AeroFilmPixel>& buffer, int image_wid
   film.distance_m.resize(pixels);
   film.normal_ws.resize(pixels);
   film.object_id.resize(pixels);
-  std::vector<AeroFilmPixel> row(static_cast<std::size_t>(film.width));
-  for (int y = 0; y < film.height; ++y) {
-    const auto first =
-        static_cast<std::size_t>(crop.y0 + y) * static_cast<std::size_t>(image_width);
-    buffer.read(std::span(row), first + static_cast<std::size_t>(crop.x0));
-    const auto to = static_cast<std::size_t>(y) * row.size();
-    for (std::size_t x = 0; x < row.size(); ++x) {
-      store(film, to + x, row[x], 1.0f / static_cast<float>(samples));
-    }
+  const auto width = static_cast<std::size_t>(film.width);
+  std::vector<AeroFilmPixel> band(width * kBandRows);
+  std::atomic<std::uint64_t> nan_pixels{0};
+  for (int y0 = 0; y0 < film.height; y0 += kBandRows) {
+    const int rows = std::min(kBandRows, film.height - y0);
+    read_rows(buffer, image_width, crop, y0, rows, band);
+    tbb::parallel_for(0, rows, [&](int row) {
+      const auto from = static_cast<std::size_t>(row) * width;
+      const auto to = static_cast<std::size_t>(y0 + row) * width;
+      std::uint64_t bad = 0;
+      for (std::size_t x = 0; x < width; ++x) {
+        bad += store(film, to + x, band[from + x], 1.0f / static_cast<float>(samples)) ? 0 : 1;
+      }
+      nan_pixels += bad;
+    });
   }
+  film.nan_pixels = nan_pixels;
   return film;
 }
 

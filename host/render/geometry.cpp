@@ -48,6 +48,14 @@ class Packer {
               "not enough memory to upload the world; a smaller /terrain/cells needs less");
 }
 
+/// The arrays of a group, which are there once.
+pack::PackedArrays taken(pack::PackedGroup& group) {
+  if (group.arrays.vertices.empty() && !group.trees.empty()) {
+    throw Error(ErrorKind::internal, "the land's arrays were given to a frame before");
+  }
+  return std::move(group.arrays);
+}
+
 }  // namespace
 
 std::shared_ptr<const HostGeometry> build_geometry(const scene::Scene& scene,
@@ -76,7 +84,7 @@ std::shared_ptr<const HostGeometry> build_geometry(const scene::Scene& scene,
 void FrameArrays::assemble(const HostGeometry& geometry) {
   if (land_ != geometry.land || !land_) {
     arrays_ = {};
-    if (geometry.land) arrays_ = std::move(geometry.land->arrays);
+    if (geometry.land) arrays_ = taken(*geometry.land);
     land_ = geometry.land;
     land_triangles_ = arrays_.triangles.size();
     land_vertices_ = arrays_.vertices.size();

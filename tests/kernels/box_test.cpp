@@ -1,4 +1,5 @@
 // The box tests lose no child that a ray meets, and let few others through.
+#include <algorithm>
 #include <functional>
 #include <random>
 
@@ -68,10 +69,12 @@ AeroBvhNode random_node(std::mt19937& random, float scale) {
 struct Answers {
   std::vector<std::uint32_t> met, kept;
   std::vector<float> enter;
+  std::vector<std::uint32_t> beams;  // which packets made one; empty if none was asked to
 };
 
+/// The general tests, and over them those by beams where `by_beam` says so.
 Answers ask(const Probe& probe, const std::vector<AeroBvhNode>& nodes,
-            const std::vector<BoxRay>& rays) {
+            const std::vector<BoxRay>& rays, bool by_beam = false) {
   std::vector<vec3> origins, directions;
   std::vector<float> reaches;
   for (const BoxRay& ray : rays) {
@@ -84,7 +87,11 @@ Answers ask(const Probe& probe, const std::vector<AeroBvhNode>& nodes,
   const auto enter = output<float>(8 * packets);
   probe.run("probe_children", rays.size(), input(nodes), input(planes(origins)),
             input(planes(directions)), input(reaches), met, kept, enter);
-  return {met.read(), kept.read(), enter.read()};
+  if (!by_beam) return {met.read(), kept.read(), enter.read(), {}};
+  const auto beams = output<std::uint32_t>(packets);
+  probe.run("probe_beam", rays.size(), input(nodes), input(planes(origins)),
+            input(planes(directions)), input(reaches), met, kept, enter, beams);
+  return {met.read(), kept.read(), enter.read(), beams.read()};
 }
 
 struct Slab {
@@ -250,6 +257,32 @@ TEST_P(Boxes, NoChildThatARayMeetsIsLeftOut) {
     EXPECT_GT(tally.met, 500) << scenario.name;
     EXPECT_EQ(tally.missed, 0) << scenario.name << ": hit_child misses what a ray meets";
     EXPECT_EQ(tally.culled, 0) << scenario.name << ": cull_children drops what a ray meets";
+    EXPECT_EQ(tally.late, 0) << scenario.name << ": a distance is no lower bound";
+    EXPECT_EQ(tally.far_off, 0) << scenario.name << ": children far from a ray are met";
+  }
+}
+
+TEST_P(Boxes, NoChildThatABeamMeetsIsLeftOut) {
+  for (const Scenario& scenario : scenarios()) {
+    std::mt19937 random(78);
+    std::vector<AeroBvhNode> nodes;
+    std::vector<BoxRay> rays;
+    for (std::size_t n = 0; n < kNodes; ++n) {
+      nodes.push_back(random_node(random, scenario.scale));
+      scenario.make(random, nodes.back(), rays);
+    }
+    const Answers answers = ask(probe, nodes, rays, true);
+    Tally tally;
+    compare(answers, nodes, rays, lanes, tally);
+    const auto beams = std::count(answers.beams.begin(), answers.beams.end(), 1u);
+    if (scenario.name == std::string("coherent")) {
+      EXPECT_GT(beams * 4, static_cast<std::ptrdiff_t>(answers.beams.size()));
+    }
+    if (scenario.name == std::string("along_axes")) {
+      EXPECT_EQ(beams, 0);
+    }
+    EXPECT_EQ(tally.missed, 0) << scenario.name << ": hit_child_by_cone misses what a ray meets";
+    EXPECT_EQ(tally.culled, 0) << scenario.name << ": cull_by_beam drops what a ray meets";
     EXPECT_EQ(tally.late, 0) << scenario.name << ": a distance is no lower bound";
     EXPECT_EQ(tally.far_off, 0) << scenario.name << ": children far from a ray are met";
   }

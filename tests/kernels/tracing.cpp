@@ -84,9 +84,20 @@ TracedMesh::TracedMesh(const Soup& soup, const bvh::BuildOptions& options)
       triangle_buffer_(input(triangles_)) {}
 
 std::vector<Hit> TracedMesh::trace(const std::vector<Ray>& rays, int lanes, bool any_hit) const {
+  return run("probe_trace", rays, lanes, any_hit);
+}
+
+std::vector<Hit> TracedMesh::trace_bundles(const std::vector<Ray>& rays, int lanes,
+                                           bool any_hit) const {
+  EXPECT_EQ(rays.size() % 64, 0u);
+  return run("probe_bundle", rays, lanes, any_hit);
+}
+
+std::vector<Hit> TracedMesh::run(const char* kernel, const std::vector<Ray>& rays, int lanes,
+                                 bool any_hit) const {
   const Probe probe("trace.cl", lanes);
   const RayBuffers buffers(rays);
-  probe.run("probe_trace", buffers.elements, node_buffer_, triangle_buffer_, buffers.origins,
+  probe.run(kernel, buffers.elements, node_buffer_, triangle_buffer_, buffers.origins,
             buffers.directions, buffers.t_max, any_hit ? 1 : 0, buffers.tuv, buffers.slots);
   return buffers.hits(rays.size());
 }

@@ -51,11 +51,17 @@ class TracedMesh {
   explicit TracedMesh(const Soup& soup, const bvh::BuildOptions& options = {});
 
   std::vector<Hit> trace(const std::vector<Ray>& rays, int lanes, bool any_hit = false) const;
+  /// Several packets together, as the renderer does; a multiple of 64 rays.
+  std::vector<Hit> trace_bundles(const std::vector<Ray>& rays, int lanes,
+                                 bool any_hit = false) const;
 
   const bvh::Bvh& tree() const { return tree_; }
   const std::vector<AeroTriangle>& triangles() const { return triangles_; }
 
  private:
+  std::vector<Hit> run(const char* kernel, const std::vector<Ray>& rays, int lanes,
+                       bool any_hit) const;
+
   bvh::Bvh tree_;
   std::vector<AeroTriangle> triangles_;
   opencl::Buffer<AeroBvhNode> node_buffer_;

@@ -1,5 +1,5 @@
-#include "box.clh"
 #include "probe.clh"
+#include "traverse.clh"
 
 /* Every sixteen rays meet one node, at every width. Per ray, bit c says whether child c is met; per
  * packet, bit c says whether child c is left after culling, with the eight lower bounds. Rays of a
@@ -21,6 +21,34 @@ __kernel void probe_children(__global const AeroBvhNode* nodes, __global const f
   lane_uint bits = (lane_uint)0u;
   for (uint c = 0u; c < AERO_BVH_WIDTH; ++c) {
     const lane_int hit = hit_child(node, c, &wide, &inverse, t_max);
+    bits |= lane_select(hit, (lane_uint)(1u << c), (lane_uint)0u);
+  }
+  STORE(bits, met);
+}
+
+/* The same where a packet's rays make a beam; a packet that makes none keeps the answers that lie
+ * there already. */
+__kernel void probe_beam(__global const AeroBvhNode* nodes, __global const float* origins,
+                         __global const float* directions, __global const float* reaches,
+                         __global uint* met, __global uint* kept, __global float* enters,
+                         __global uint* beams) {
+  const size_t i = get_global_id(0);
+  __global const AeroBvhNode* node = nodes + i * LANES / 16u;
+  Ray ray;
+  ray.origin = load3(origins);
+  ray.direction = load3(directions);
+  ray.t_max = LOAD(reaches);
+  TracedPacket packet;
+  start_packet(&packet, &ray);
+  Beam beam;
+  beams[i] = packet.reach >= 0.0f && make_beam(&packet, 1, &beam) ? 1u : 0u;
+  if (beams[i] == 0u) return;
+  float8 enter;
+  kept[i] = cull_by_beam(node, &beam, packet.reach, &enter);
+  vstore8(enter, i, enters);
+  lane_uint bits = (lane_uint)0u;
+  for (uint c = 0u; c < AERO_BVH_WIDTH; ++c) {
+    const lane_int hit = hit_child_by_cone(node, c, &beam, &packet.cone, ray.t_max);
     bits |= lane_select(hit, (lane_uint)(1u << c), (lane_uint)0u);
   }
   STORE(bits, met);

@@ -21,13 +21,50 @@ __kernel void probe_trace(__global const AeroBvhNode* nodes, __global const Aero
   STORE(hit.triangle, slots);
 }
 
+/* Packet `packet` of the rays. */
+#if LANES == 1
+#define LOAD_PACKET(array) ((array)[packet])
+#define STORE_PACKET(value, array) ((array)[packet] = (value))
+#else
+#define LOAD_PACKET(array) AERO_JOIN(vload, LANES)(packet, (array))
+#define STORE_PACKET(value, array) AERO_JOIN(vstore, LANES)((value), packet, (array))
+#endif
+
+/* The same in bundles; the number of packets is a multiple of BUNDLE. */
+__kernel void probe_bundle(__global const AeroBvhNode* nodes,
+                           __global const AeroTriangle* triangles, __global const float* origins,
+                           __global const float* directions, __global const float* t_max,
+                           const int any_hit, __global float* tuv, __global uint* slots) {
+  const uint first = (uint)get_global_id(0);
+  if (first % BUNDLE != 0u) return;
+  TracedPacket packets[BUNDLE];
+  for (uint i = 0u; i < BUNDLE; ++i) {
+    const uint packet = first + i;
+    Ray ray;
+    ray.origin = lane3(LOAD_PACKET(origins), LOAD_PACKET(origins + PLANE),
+                       LOAD_PACKET(origins + 2u * PLANE));
+    ray.direction = lane3(LOAD_PACKET(directions), LOAD_PACKET(directions + PLANE),
+                          LOAD_PACKET(directions + 2u * PLANE));
+    ray.t_max = LOAD_PACKET(t_max);
+    start_packet(packets + i, &ray);
+  }
+  trace_bundle(nodes, triangles, packets, any_hit);
+  for (uint i = 0u; i < BUNDLE; ++i) {
+    const uint packet = first + i;
+    STORE_PACKET(packets[i].hit.t, tuv);
+    STORE_PACKET(packets[i].hit.u, tuv + PLANE);
+    STORE_PACKET(packets[i].hit.v, tuv + 2u * PLANE);
+    STORE_PACKET(packets[i].hit.triangle, slots);
+  }
+}
+
 /* Every ray against the same triangles in their order, without a tree. */
 __kernel void probe_triangles(__global const AeroTriangle* triangles, const uint count,
                               __global const float* origins, __global const float* directions,
                               __global const float* t_max, const uint first_slot,
                               __global float* tuv, __global uint* slots) {
   const Ray ray = load_ray(origins, directions, t_max);
-  const RayFrame frame = ray_frame(ray.direction);
+  const RayFrame frame = ray_frame(&ray, lane_mask(ray.t_max >= 0.0f));
   Hit hit = no_hit();
   for (uint i = 0u; i < count; ++i) hit_triangle(triangles + i, first_slot + i, &ray, &frame, &hit);
   store3_planes(lane3(hit.t, hit.u, hit.v), tuv);
@@ -39,7 +76,7 @@ __kernel void probe_pairs(__global const AeroTriangle* triangles, __global const
                           __global const float* directions, __global const float* t_max,
                           __global float* tuv, __global uint* slots) {
   const Ray ray = load_ray(origins, directions, t_max);
-  const RayFrame frame = ray_frame(ray.direction);
+  const RayFrame frame = ray_frame(&ray, lane_mask(ray.t_max >= 0.0f));
   const uint first = (uint)get_global_id(0) * LANES;
   Hit mine = no_hit();
   for (uint i = 0u; i < LANES; ++i) {
