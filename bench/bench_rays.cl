@@ -29,9 +29,9 @@ __kernel void write_shadow_rays(const AeroLaunch launch, __global const AeroScen
   write_rays(rays, block, &ray);
 }
 
-__kernel void trace_rays(__global const AeroBvhNode* nodes,
-                         __global const AeroTriangle* triangles, __global const float* rays,
-                         const uint any_hit, const uint blocks, __global Hit* hits) {
+__kernel void trace_rays(__global const AeroBvhNode* nodes, __global const AeroTriangle* triangles,
+                         __global const float* rays, const uint any_hit, const uint blocks,
+                         __global Hit* hits) {
   const uint first = (uint)get_global_id(0);
   if (first % BUNDLE != 0u || first >= blocks) return;
   TracedPacket packets[BUNDLE];

@@ -14,9 +14,11 @@ __kernel void shade_hits(const AeroLaunch launch, __global const AeroScene* scen
   const Hit hit = hits[block];
   const lane_int met = lane_mask(hit.triangle != NO_TRIANGLE);
 
-  Lane3 radiance = sky_radiance(&scene->sky, ray.direction);
-  Lane3 normal = lane3((lane_float)0.0f, (lane_float)0.0f, (lane_float)0.0f);
+  const lane_float zero = (lane_float)0.0f;
+  Lane3 radiance = lane3(zero, zero, zero);
+  Lane3 normal = lane3(zero, zero, zero);
   lane_uint object = (lane_uint)AERO_OBJECT_SKY;
+  if (!lane_all(met)) radiance = sky_radiance(&scene->sky, ray.direction);
   if (lane_any(met)) {
     const Face face = load_face(faces, hit.triangle);
     Lane3 shading_normal;

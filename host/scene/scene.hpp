@@ -187,7 +187,7 @@ struct Material {
   double specular = 0.0;
   double shininess = 32.0;
   double translucency = 0.0;  // share of the light on the far side that shines through
-  vec3 emission{0.0f};  // radiance, times the vertex colour
+  vec3 emission{0.0f};        // radiance, times the vertex colour
 };
 
 struct Image {

@@ -58,9 +58,9 @@ TEST(Deflate, MatchesOfEveryLengthAndDistanceSurvive) {
   EXPECT_EQ(inflated(deflate(data)), data);
 }
 
-TEST(Deflate, ShrinksWhatRepeatsAndGrowsNoiseByAnEighthAtMost) {
+TEST(Deflate, ShrinksWhatRepeatsAndHardlyGrowsNoise) {
   EXPECT_LT(deflate(Bytes(1000000, 7)).size(), 12000u);
-  EXPECT_LT(deflate(noise(1000000, 256)).size(), 1126000u);
+  EXPECT_LT(deflate(noise(1000000, 256)).size(), 1001000u);
 }
 
 TEST(Deflate, KnowsTheSumOfRfc1950) {

@@ -172,5 +172,28 @@ TEST(Develop, RefusesAFilmWithoutItsPixels) {
   EXPECT_THROW(develop(film, 0.0), Error);
 }
 
+TEST(Develop, FollowsTheCurvesThoughItReadsThemFromTables) {
+  Film film;
+  film.width = 512;
+  film.height = 512;
+  std::mt19937 random(41);
+  std::uniform_real_distribution<float> exponent(-14.0f, 4.0f);
+  for (int i = 0; i < film.width * film.height; ++i)
+    film.radiance.emplace_back(std::exp2(exponent(random)), std::exp2(exponent(random)),
+                               std::exp2(exponent(random)));
+  const Pixels pixels = develop(film, 0.0);
+  int different = 0;
+  for (int i = 0; i < film.width * film.height; ++i) {
+    const dvec3 display = tone_map(dvec3(film.radiance[static_cast<std::size_t>(i)]));
+    for (int c = 0; c < 3; ++c) {
+      const int expected = quantise(srgb_from_linear(display[c]), i % 512, i / 512);
+      const int actual = pixels.rgb[static_cast<std::size_t>(3 * i + c)];
+      ASSERT_LE(std::abs(actual - expected), 1);
+      different += actual == expected ? 0 : 1;
+    }
+  }
+  EXPECT_LT(different, 100) << "of 786432 values";
+}
+
 }  // namespace
 }  // namespace aerostat::image

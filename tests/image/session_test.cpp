@@ -165,13 +165,17 @@ TEST(Snapshot, RefinesWhileTheRenderRuns) {
   for (const auto& [key, film] : seen) {
     ASSERT_EQ(film.width, 320);
     ASSERT_EQ(film.height, 180);
-    double difference = 0.0;
+    double difference = 0.0, brighter = 0.0;
     for (std::size_t i = 0; i < film.radiance.size(); ++i) {
-      const vec3 d = glm::abs(film.radiance[i] - last.radiance[i]);
-      difference += static_cast<double>(d.x + d.y + d.z) / 3.0;
+      const vec3 d = film.radiance[i] - last.radiance[i];
+      difference += static_cast<double>(std::abs(d.x) + std::abs(d.y) + std::abs(d.z)) / 3.0;
+      brighter += static_cast<double>(d.x + d.y + d.z) / 3.0;
     }
-    // Whole passes only: an early picture is rougher than the last, never darker or half-empty.
-    EXPECT_LT(difference / static_cast<double>(film.radiance.size()), 0.02);
+    const auto pixels = static_cast<double>(film.radiance.size());
+    // Whole passes only: an early picture is rougher than the last (0.021 for the first, which has
+    // one sample), never darker or half-empty.
+    EXPECT_LT(difference / pixels, 0.04);
+    EXPECT_LT(std::abs(brighter) / pixels, 0.004);
   }
 }
 

@@ -58,6 +58,12 @@ __kernel void probe_bundle(__global const AeroBvhNode* nodes,
   }
 }
 
+inline void hit_triangle(__global const AeroTriangle* triangle, uint slot, const Ray* ray,
+                         const RayFrame* frame, Hit* hit) {
+  const Crossing crossing = cross_triangle(triangle, frame);
+  take_hit(&crossing, slot, ray, frame, hit);
+}
+
 /* Every ray against the same triangles in their order, without a tree. */
 __kernel void probe_triangles(__global const AeroTriangle* triangles, const uint count,
                               __global const float* origins, __global const float* directions,
