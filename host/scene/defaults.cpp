@@ -24,9 +24,9 @@ void make_snow(Scene& scene) {
   ground.snow_slope_deg[0] = 38.0;
   ground.snow_line_m = -1000.0;
   ground.snow_fuzz_m = 300.0;
-  ground.forest = {0.035f, 0.05f, 0.037f};
+  ground.forest = {0.045f, 0.06f, 0.032f};
   ground.forest_top_m = 900.0;
-  ground.forest_share = 0.62;
+  ground.forest_share = 0.47;
   ground.canopy_m = 6.0;
   ground.pattern_m = 140.0;
   scene.balloon.position = {0.0, 420.0, 0.0};
