@@ -26,11 +26,11 @@ __kernel void probe_interpolation(__global const AeroFace* faces,
   const Hit hit = load_hit(tuv, slots);
   const Face face = load_face(faces, hit.triangle);
   Lane3 corners[3];
-  load_corners(vertices, &face, VERTEX_NORMAL, corners);
+  load_corners(vertices, &face, normal, corners);
   store3_planes(interpolate3(corners, &hit), attributes + 3u * PLANE);
-  load_corners(vertices, &face, VERTEX_COLOR, corners);
+  load_corners(vertices, &face, color, corners);
   store3_planes(interpolate3(corners, &hit), attributes + 6u * PLANE);
-  load_corners(vertices, &face, VERTEX_POSITION, corners);
+  load_corners(vertices, &face, position, corners);
   store3_planes(interpolate3(corners, &hit), attributes);
   store3_planes(plane_normal(corners), planes);
 }
@@ -41,8 +41,8 @@ __kernel void probe_lift(__global const AeroFace* faces, __global const AeroVert
   const Hit hit = load_hit(tuv, slots);
   const Face face = load_face(faces, hit.triangle);
   Lane3 corners[3], normals[3];
-  load_corners(vertices, &face, VERTEX_POSITION, corners);
-  load_corners(vertices, &face, VERTEX_NORMAL, normals);
+  load_corners(vertices, &face, position, corners);
+  load_corners(vertices, &face, normal, normals);
   const Lane3 position = interpolate3(corners, &hit);
   store3_planes(lift_from_facets(position, corners, normals, LOAD(sides), &hit), lifted);
 }
