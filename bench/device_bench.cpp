@@ -8,6 +8,7 @@
 #include "core/error.hpp"
 #include "opencl/launch.hpp"
 #include "pack/pack_scene.hpp"
+#include "render/programs.hpp"
 
 namespace aerostat::bench {
 namespace {
@@ -70,8 +71,7 @@ DeviceBench::DeviceBench(const opencl::Device& device, int lanes,
 }
 
 opencl::LaunchSize DeviceBench::size() const {
-  const std::size_t group = std::max<std::size_t>(1, 64 / static_cast<std::size_t>(lanes_));
-  return {(launch_.tile.block_count + group - 1) / group * group, group};
+  return render::packet_range(launch_.tile.block_count, lanes_);
 }
 
 RaySet DeviceBench::camera_rays() {

@@ -27,9 +27,6 @@ class Tiles {
   /// The next band of at most `max_packets` packets (at least one row of them).
   AeroTile next(std::uint64_t max_packets);
 
-  /// The packets of one row of blocks: what a launch needs at least.
-  std::uint32_t packets_per_row() const { return packets_per_row_; }
-
  private:
   Crop crop_;
   PacketShape shape_;
