@@ -13,27 +13,31 @@ __kernel void write_camera_rays(const AeroLaunch launch, __global float* rays) {
 
 /* The shadow rays to the sun from the hits of a tile. */
 __kernel void write_shadow_rays(const AeroLaunch launch, __global const AeroScene* scene,
-                                __global const AeroFace* faces, __global const AeroVertex* vertices,
-                                __global const Hit* hits, __global float* rays) {
+                                __global const float* grid, __global const AeroFace* faces,
+                                __global const AeroVertex* vertices, __global const Hit* hits,
+                                __global float* rays) {
   const uint block = (uint)get_global_id(0);
   if (block >= launch.tile.block_count) return;
   const Hit hit = hits[block];
-  const Face face = load_face(faces, hit.triangle);
-  const ShadowPoint point = shadow_point(vertices, &face, &hit);
+  const HeightGrid ground = height_grid(grid);
+  const MeshArrays meshes = mesh_arrays(faces, vertices);
+  const ShadowPoint point = shadow_point(&ground, &meshes, &hit);
   Lane3 to_light, strength;
   lane_float distance;
   light_at(scene, 0u, point.position, &to_light, &distance, &strength);
   Ray ray = shadow_ray(&point, &hit, to_light, distance);
-  const lane_int active = lane_mask(hit.triangle != NO_TRIANGLE);
+  const lane_int active =
+      lane_mask(hit.triangle != NO_TRIANGLE) & ~turned_away(&point, &hit, to_light);
   ray.t_max = lane_select(active, ray.t_max, (lane_float)-1.0f);
   write_rays(rays, block, &ray);
 }
 
 __kernel void trace_rays(__global const AeroBvhNode* nodes, __global const AeroTriangle* triangles,
-                         __global const float* rays, const uint any_hit, const uint blocks,
-                         __global Hit* hits) {
+                         __global const float* grid, __global const float* rays, const uint any_hit,
+                         const uint blocks, __global Hit* hits) {
   const uint first = (uint)get_global_id(0);
   if (first % BUNDLE != 0u || first >= blocks) return;
+  const World world = make_world(nodes, triangles, grid);
   TracedPacket packets[BUNDLE];
   for (uint i = 0u; i < BUNDLE; ++i) {
     Ray ray = read_rays(rays, min(first + i, blocks - 1u));
@@ -41,9 +45,9 @@ __kernel void trace_rays(__global const AeroBvhNode* nodes, __global const AeroT
     start_packet(packets + i, &ray);
   }
   if (any_hit != 0u) {
-    trace_bundle(nodes, triangles, packets, 1);
+    trace_bundle(&world, packets, TRACE_ANY_FROM_ABOVE);
   } else {
-    trace_bundle(nodes, triangles, packets, 0);
+    trace_bundle(&world, packets, TRACE_NEAREST);
   }
   for (uint i = 0u; i < BUNDLE && first + i < blocks; ++i) hits[first + i] = packets[i].hit;
 }

@@ -4,10 +4,11 @@
 #include "traverse.clh"
 
 __kernel void count_rays(__global const AeroBvhNode* nodes, __global const AeroTriangle* triangles,
-                         __global const float* rays, const uint any_hit, const uint blocks,
-                         __global uint* counters) {
+                         __global const float* grid, __global const float* rays, const uint any_hit,
+                         const uint blocks, __global uint* counters) {
   const uint first = (uint)get_global_id(0);
   if (first % BUNDLE != 0u || first >= blocks) return;
+  const World world = make_world(nodes, triangles, grid);
   TracedPacket packets[BUNDLE];
   uint live = 0u;
   for (uint i = 0u; i < BUNDLE; ++i) {
@@ -19,9 +20,9 @@ __kernel void count_rays(__global const AeroBvhNode* nodes, __global const AeroT
   TraceCounts counts;
   counts.nodes = counts.leaves = counts.triangles = 0u;
   if (any_hit != 0u) {
-    trace_bundle(nodes, triangles, packets, 1, &counts);
+    trace_bundle(&world, packets, TRACE_ANY_FROM_ABOVE, &counts);
   } else {
-    trace_bundle(nodes, triangles, packets, 0, &counts);
+    trace_bundle(&world, packets, TRACE_NEAREST, &counts);
   }
   for (uint i = first; i < first + BUNDLE && i < blocks; ++i) {
     counters[i * 4u] = i == first ? live : 0u;

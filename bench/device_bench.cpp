@@ -83,21 +83,22 @@ RaySet DeviceBench::camera_rays() {
 RaySet DeviceBench::shadow_rays() {
   rays_on_device_ = nullptr;
   time_camera_kernel();
-  opencl::launch(context_, write_shadow_, size(), launch_, scene_, device_.faces, device_.vertices,
-                 hits_.handle(), rays_);
+  opencl::launch(context_, write_shadow_, size(), launch_, scene_, device_.grid, device_.faces,
+                 device_.vertices, hits_.handle(), rays_);
   return {lanes_, launch_.tile.block_count, rays_.read()};
 }
 
 double DeviceBench::time_camera_kernel() {
   return opencl::device_seconds(opencl::launch(context_, trace_camera_, size(), launch_,
-                                               device_.nodes, device_.triangles, hits_.handle()));
+                                               device_.nodes, device_.triangles, device_.grid,
+                                               hits_.handle()));
 }
 
 double DeviceBench::time_shadow_kernel() {
   time_camera_kernel();
   return opencl::device_seconds(opencl::launch(
       context_, trace_shadow_, size(), launch_, scene_, device_.nodes, device_.triangles,
-      device_.faces, device_.vertices, hits_.handle(), visible_.handle()));
+      device_.grid, device_.faces, device_.vertices, hits_.handle(), visible_.handle()));
 }
 
 const opencl::Buffer<float>& DeviceBench::uploaded(const RaySet& rays) {
@@ -108,15 +109,16 @@ const opencl::Buffer<float>& DeviceBench::uploaded(const RaySet& rays) {
 
 double DeviceBench::time_rays(const RaySet& rays, bool any_hit) {
   return opencl::device_seconds(opencl::launch(
-      context_, trace_rays_, size(), device_.nodes, device_.triangles, uploaded(rays),
+      context_, trace_rays_, size(), device_.nodes, device_.triangles, device_.grid, uploaded(rays),
       static_cast<cl_uint>(any_hit), static_cast<cl_uint>(rays.packets), hits_.handle()));
 }
 
 PacketCounts DeviceBench::count(const RaySet& rays, bool any_hit) {
   opencl::Buffer<cl_uint> counters(context_, budget_, std::size_t{rays.packets} * 4,
                                    "the counters");
-  opencl::launch(context_, count_rays_, size(), device_.nodes, device_.triangles, uploaded(rays),
-                 static_cast<cl_uint>(any_hit), static_cast<cl_uint>(rays.packets), counters);
+  opencl::launch(context_, count_rays_, size(), device_.nodes, device_.triangles, device_.grid,
+                 uploaded(rays), static_cast<cl_uint>(any_hit), static_cast<cl_uint>(rays.packets),
+                 counters);
   double sums[4] = {};
   const auto values = counters.read();
   for (std::size_t i = 0; i < values.size(); ++i) sums[i % 4] += values[i];

@@ -94,10 +94,8 @@ void set_rays(RTCRay16& rays, int* valid, const float* packet) {
 }  // namespace
 
 EmbreePeer::EmbreePeer(const render::HostGeometry& geometry) : state_(std::make_unique<State>()) {
-  for (const auto& group : {geometry.world.land, geometry.world.balloon}) {
-    if (!group) continue;
-    for (const auto& object : *group) attach(state_->device, state_->scene, object.mesh);
-  }
+  for (const auto& object : world::as_triangles(geometry.world))
+    attach(state_->device, state_->scene, object.mesh);
   const Stopwatch watch;
   rtcCommitScene(state_->scene);
   commit_seconds_ = watch.seconds();

@@ -72,14 +72,14 @@ scene::Scene read_scene(const Arguments& arguments) {
 ordered_json describe(const Arguments& arguments, const bench::DeviceBench& device,
                       const std::string& device_name, const render::HostGeometry& geometry) {
   const auto& buffers = device.geometry();
-  const auto triangles = static_cast<double>(buffers.triangles.size());
+  const auto triangles = static_cast<double>(buffers.triangle_count());
   return {{"scene", arguments.scene},
           {"device", device_name},
           {"lanes", device.lanes()},
           {"width", arguments.width},
           {"height", arguments.height},
           {"rounds", arguments.rounds},
-          {"triangles", buffers.triangles.size()},
+          {"triangles", buffers.triangle_count()},
           {"bytes_per_triangle", static_cast<double>(buffers.bytes()) / triangles},
           {"tree_bytes_per_triangle", static_cast<double>(buffers.nodes.bytes()) / triangles},
           {"nodes", buffers.tree.nodes},

@@ -3,9 +3,9 @@
 
 /* Radiance of a tile's eye rays, added to the film. */
 __kernel void shade_hits(const AeroLaunch launch, __global const AeroScene* scene,
-                         __global const AeroFace* faces, __global const AeroVertex* vertices,
-                         __global const Hit* hits, __global const lane_uint* visible,
-                         __global AeroFilmPixel* film) {
+                         __global const float* grid, __global const AeroFace* faces,
+                         __global const AeroVertex* vertices, __global const Hit* hits,
+                         __global const lane_uint* visible, __global AeroFilmPixel* film) {
   const uint block = (uint)get_global_id(0);
   if (block >= launch.tile.block_count) return;
   const AeroLaunch task = launch;
@@ -20,13 +20,15 @@ __kernel void shade_hits(const AeroLaunch launch, __global const AeroScene* scen
   lane_uint object = (lane_uint)AERO_OBJECT_SKY;
   if (!lane_all(met)) radiance = sky_radiance(&scene->sky, ray.direction);
   if (lane_any(met)) {
-    const Face face = load_face(faces, hit.triangle);
+    const HeightGrid ground = height_grid(grid);
+    const MeshArrays meshes = mesh_arrays(faces, vertices);
+    const HitTriangle triangle = load_hit_triangle(&ground, &meshes, &hit);
     Lane3 shading_normal;
-    const Lane3 surface = shade_hit(scene, vertices, &face, &ray, &hit, task.frame.pixel_angle,
+    const Lane3 surface = shade_hit(scene, &triangle, &ray, &hit, task.frame.pixel_angle,
                                     visible[block], &shading_normal);
     radiance = select3(met, through_haze(&scene->sky, surface, &ray, hit.t), radiance);
     normal = select3(met, shading_normal, normal);
-    object = lane_select(met, face.object, object);
+    object = lane_select(met, triangle.object, object);
   }
 
   Samples samples;

@@ -4,9 +4,11 @@
 /* Eye rays of a tile: the closest hits of block into hits[block]. Every
  * BUNDLE-th work-item traces that many blocks together. */
 __kernel void trace_camera_rays(const AeroLaunch launch, __global const AeroBvhNode* nodes,
-                                __global const AeroTriangle* triangles, __global Hit* hits) {
+                                __global const AeroTriangle* triangles, __global const float* grid,
+                                __global Hit* hits) {
   const uint first = (uint)get_global_id(0);
   if (first % BUNDLE != 0u || first >= launch.tile.block_count) return;
+  const World world = make_world(nodes, triangles, grid);
   const AeroFrame frame = launch.frame;
   const AeroTile tile = launch.tile;
   TracedPacket packets[BUNDLE];
@@ -16,7 +18,7 @@ __kernel void trace_camera_rays(const AeroLaunch launch, __global const AeroBvhN
     const Ray ray = generate_rays(&frame, &packet);
     start_packet(packets + i, &ray);
   }
-  trace_bundle(nodes, triangles, packets, 0);
+  trace_bundle(&world, packets, TRACE_NEAREST);
   const uint count = min((uint)BUNDLE, tile.block_count - first);
   for (uint i = 0u; i < count; ++i) hits[first + i] = packets[i].hit;
 }

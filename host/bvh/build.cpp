@@ -31,6 +31,7 @@ Bvh build(std::span<const vec3> positions, std::span<const uvec3> triangles,
     bvh.nodes = collapse(tree, primitives, options);
   }
   bvh.order = order_of(primitives);
+  bvh.slots = primitives.count;
   bvh.stats.input_triangles = triangles.size();
   bvh.stats.dropped_non_finite = primitives.non_finite;
   bvh.stats.dropped_degenerate = primitives.degenerate;

@@ -32,10 +32,12 @@ struct BuildStats {
   double seconds = 0.0;
 };
 
-/// A tree over `order.size()` triangles: leaf slot i holds the caller's triangle order[i].
+/// A tree over `slots` triangles: leaf slot i holds the caller's triangle order[i], where `order`
+/// was not given up (emptied). Patches of a height grid have no slots.
 struct Bvh {
   std::vector<AeroBvhNode> nodes;
   std::vector<std::uint32_t> order;
+  std::uint32_t slots = 0;
   Bounds bounds;
   BuildStats stats;
 };
@@ -48,8 +50,9 @@ Bvh build(std::span<const vec3> positions, std::span<const uvec3> triangles,
           const BuildOptions& options = {});
 
 /// Joins trees under a common root without touching them: triangle indices in `order` of tree k are
-/// raised by `first_triangle[k]`, node and leaf references likewise. Where a tree's `order` was
-/// given up (emptied), the result has none. Throws Error{internal} if the result would need more
+/// raised by `first_triangle[k]`, node and leaf references likewise; patches stay what they are, so
+/// that one tree at most may have some. Where a tree's `order` was given up, the result has none.
+/// Throws Error{internal} if the result would need more
 /// stack than the kernels have.
 Bvh join(std::span<const Bvh* const> trees, std::span<const std::uint32_t> first_triangle);
 

@@ -15,6 +15,10 @@ constexpr bool is_inner(std::uint32_t child) {
   return (child & AERO_BVH_LEAF) == 0;
 }
 
+constexpr bool is_patch(std::uint32_t child) {
+  return (child & (AERO_BVH_LEAF | AERO_BVH_PATCH)) == (AERO_BVH_LEAF | AERO_BVH_PATCH);
+}
+
 struct Children {
   std::array<Subtree, kWidth> item;
   int count = 0;
@@ -142,10 +146,12 @@ void append_shifted(const std::vector<AeroBvhNode>& part, std::uint32_t offset, 
 }
 
 struct NodeSums {
+  std::uint64_t children = 0;
   std::uint64_t leaves = 0;
   double area_cost = 0.0;
 
   void operator+=(const NodeSums& other) {
+    children += other.children;
     leaves += other.leaves;
     area_cost += other.area_cost;
   }
@@ -166,6 +172,8 @@ NodeSums sum_children(const AeroBvhNode& node, const BuildOptions& options) {
   for (int i = 0; i < kWidth; ++i) {
     const aero_uint child = node.child[i];
     if (child == AERO_BVH_EMPTY) continue;
+    ++sums.children;
+    if (is_patch(child)) continue;
     const aero_uint triangles = ((child >> AERO_BVH_COUNT_SHIFT) & AERO_BVH_COUNT_MASK) + 1;
     const double cost = is_inner(child)
                             ? static_cast<double>(options.traversal_cost)
@@ -248,12 +256,14 @@ void measure(const std::vector<AeroBvhNode>& nodes, const Bounds& bounds,
     const std::size_t end = std::min((b + 1) * kSumBlock, nodes.size());
     for (std::size_t i = b * kSumBlock; i < end; ++i) blocks[b] += sum_children(nodes[i], options);
   });
+  std::uint64_t children = 0;
   for (const NodeSums& sums : blocks) {
+    children += sums.children;
     stats.leaves += sums.leaves;
     area_cost += sums.area_cost;
   }
   stats.nodes = nodes.size();
-  stats.sah_cost = root_area > 0.0 && stats.leaves > 0 ? area_cost / root_area : 0.0;
+  stats.sah_cost = root_area > 0.0 && children > 0 ? area_cost / root_area : 0.0;
   stats.stack_entries = measure_stack(nodes);
 }
 

@@ -20,8 +20,8 @@ AeroBvhNode empty_node();
 
 void set_child(AeroBvhNode& node, int slot, const Bounds& bounds, std::uint32_t reference);
 
-/// What follows from the nodes: nodes, leaves, stack_entries and sah_cost of `stats`. Parents must
-/// come before children.
+/// What follows from the nodes: nodes, leaves, stack_entries and sah_cost of `stats`, without
+/// patches. Parents must come before children.
 void measure(const std::vector<AeroBvhNode>& nodes, const Bounds& bounds,
              const BuildOptions& options, BuildStats& stats);
 

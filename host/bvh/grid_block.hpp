@@ -2,71 +2,45 @@
 
 #include <array>
 #include <cstdint>
-#include <span>
 
 #include "box.hpp"
 #include "bvh.hpp"
+#include "mesh/grid_mesh.hpp"
 
 namespace aerostat::bvh {
 
-/// Cells of a block along a side: two levels of full wide nodes over one leaf per cell.
+/// Blocks of a grid: 8 x 8 cells each, those at the far rims perhaps fewer.
 inline constexpr std::uint32_t kBlockSide = 8;
-inline constexpr std::uint32_t kBlockCells = kBlockSide * kBlockSide;
 
-/// Stack entries that a block needs at most as a wide node.
-inline constexpr int kBlockStack = 2 * AERO_BVH_WIDTH - 1;
-
-/// A mesh that is a grid of cells; see build_grid.
-struct GridMesh {
-  std::span<const vec3> positions;
-  std::span<const uvec3> triangles;
-  std::uint32_t columns = 0;
-  std::uint32_t rows = 0;
-
-  std::uint32_t block_columns() const { return (columns + kBlockSide - 1) / kBlockSide; }
-  std::uint32_t block_rows() const { return (rows + kBlockSide - 1) / kBlockSide; }
-};
-
-/// How a block is covered by nodes, and what that takes.
+/// How a block is cut into patches.
 struct BlockPlan {
-  std::uint8_t shape = 0;
-  std::uint8_t nodes = 0;
-  std::uint16_t triangles = 0;  // 0: the block is empty
+  std::uint32_t shape = 0;    // AERO_PATCH_...
+  std::uint32_t patches = 0;  // that hold a cell
+  float patch_area = 0.0f;    // sums of half surface areas
+  float cell_area = 0.0f;
 };
 
-/// Up to 8 x 8 cells of a grid: their boxes and which of their triangles can be hit.
+/// The boxes of a block's cells and what can be made of them.
 class GridBlock {
  public:
-  /// Throws Error{internal} if a triangle has a corner outside its cell.
-  GridBlock(const GridMesh& mesh, std::uint32_t number);
+  /// The block whose first cell is (i, j). Throws Error{bad_data} if a height is not finite.
+  GridBlock(const mesh::GridMesh& grid, std::uint32_t i, std::uint32_t j);
 
   const Box& bounds() const { return bounds_; }
-  std::uint32_t non_finite() const { return non_finite_; }
-  std::uint32_t degenerate() const { return degenerate_; }
 
-  /// The cover of least surface area.
+  /// The cut of least surface area.
   BlockPlan plan() const;
 
-  /// Writes the nodes of the plan from nodes[first_node] on and the numbers of the triangles from
-  /// order[first_slot] on. Returns the reference to the whole block.
-  std::uint32_t emit(const BlockPlan& plan, AeroBvhNode* nodes, std::uint32_t first_node,
-                     std::uint32_t* order, std::uint32_t first_slot) const;
+  /// The node over the patches of a cut.
+  AeroBvhNode node(const BlockPlan& plan) const;
 
  private:
-  struct Part;
+  Box patch(std::uint32_t shape, std::uint32_t number) const;
 
-  std::uint32_t first_triangle(std::uint32_t i, std::uint32_t j) const;
-  void add_cell(const GridMesh& mesh, std::uint32_t i, std::uint32_t j, bool finite);
-  int parts_of(unsigned shape, Part* parts) const;
-  Part part(std::uint32_t i, std::uint32_t j, std::uint32_t width, std::uint32_t height) const;
-
-  std::uint32_t columns_ = 0;             // of the grid
-  std::uint32_t left_ = 0, top_ = 0;      // the block's first cell
-  std::uint32_t width_ = 0, height_ = 0;  // cells
-  std::array<Box, kBlockCells> boxes_;
-  std::array<std::uint8_t, kBlockCells> kept_{};  // bit k: triangle k of the cell
+  std::uint32_t i_, j_;
+  std::array<std::array<Box, kBlockSide>, kBlockSide>
+      cells_;  // [row][column]; empty beyond the rim
   Box bounds_;
-  std::uint32_t non_finite_ = 0, degenerate_ = 0;
 };
 
 }  // namespace aerostat::bvh

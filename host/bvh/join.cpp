@@ -19,10 +19,8 @@ double half_area(const Bounds& b) {
   return d.x * (d.y + d.z) + d.y * d.z;
 }
 
-// What `order` holds, or held.
-std::size_t slots_of(const Bvh& tree) {
-  const BuildStats& stats = tree.stats;
-  return stats.input_triangles - stats.dropped_non_finite - stats.dropped_degenerate;
+bool is_slot_leaf(aero_uint child) {
+  return (child & AERO_BVH_LEAF) != 0 && (child & AERO_BVH_PATCH) == 0;
 }
 
 // A tree as the nodes above it see it.
@@ -50,12 +48,14 @@ class Joiner {
     const Top root = raise(0, entries_.size());
     for (Entry& entry : entries_) {
       entry.first_slot = static_cast<std::uint32_t>(slots);
-      slots += slots_of(*entry.tree);
+      slots += entry.tree->slots;
       check_addressable(slots);
     }
-    const bool ordered = std::all_of(entries_.begin(), entries_.end(),
-                                     [](const Entry& entry) { return !entry.tree->order.empty(); });
+    const bool ordered = std::all_of(entries_.begin(), entries_.end(), [](const Entry& entry) {
+      return entry.tree->order.size() == entry.tree->slots;
+    });
     if (ordered) result_.order.resize(slots);
+    result_.slots = static_cast<std::uint32_t>(slots);
     place_trees();
     result_.bounds = root.bounds;
     result_.stats.nodes = result_.nodes.size();
@@ -126,8 +126,8 @@ class Joiner {
     tbb::parallel_for(std::size_t{0}, nodes.size(), [&](std::size_t i) {
       AeroBvhNode& node = result_.nodes[entry.first_node + i] = nodes[i];
       for (aero_uint& child : node.child) {
-        if (child == AERO_BVH_EMPTY) continue;
-        child += (child & AERO_BVH_LEAF) != 0 ? entry.first_slot : entry.first_node;
+        if (is_slot_leaf(child)) child += entry.first_slot;
+        if ((child & AERO_BVH_LEAF) == 0) child += entry.first_node;
       }
     });
     if (!result_.order.empty()) {
@@ -159,7 +159,7 @@ Bvh join(std::span<const Bvh* const> trees, std::span<const std::uint32_t> first
                                          std::to_string(first_triangle.size()));
   std::vector<Entry> entries;
   for (std::size_t i = 0; i < trees.size(); ++i) {
-    if (slots_of(*trees[i]) > 0) entries.push_back({trees[i], first_triangle[i]});
+    if (trees[i]->stats.leaves > 0) entries.push_back({trees[i], first_triangle[i]});
   }
   Bvh joined;
   if (entries.empty()) {

@@ -11,14 +11,11 @@ int export_world(const ExportOptions& options) {
   const MeshFormat format = mesh_format(options.output);
   image::require_writable(options.output);
   const scene::Scene scene = load_scene(options.input);
-  const world::World world = world::build(scene);
+  const world::Objects world = world::as_triangles(world::build(scene));
   std::vector<mesh::ExportObject> objects;
-  for (const world::Group& group : {world.land, world.balloon}) {
-    if (!group) continue;
-    for (const world::Object& object : *group) {
-      objects.push_back(
-          {static_cast<std::uint32_t>(object.id), scene::object_name(object.id), &object.mesh});
-    }
+  for (const world::Object& object : world) {
+    objects.push_back(
+        {static_cast<std::uint32_t>(object.id), scene::object_name(object.id), &object.mesh});
   }
   const auto file = format == MeshFormat::ply ? mesh::ply_bytes(objects) : mesh::obj_bytes(objects);
   image::write_file(options.output, file);

@@ -5,11 +5,10 @@
 #include <oneapi/tbb/parallel_for.h>
 
 #include "bvh/grid.hpp"
+#include "mesh/grid_mesh.hpp"
 
 namespace aerostat::pack {
 namespace {
-
-using Objects = std::vector<const world::Object*>;
 
 /// Several meshes as one, with the object of each triangle.
 struct Soup {
@@ -18,14 +17,14 @@ struct Soup {
   std::vector<std::uint32_t> objects;
 };
 
-Soup merge(const Objects& objects) {
+Soup merge(const world::Objects& objects) {
   Soup soup;
-  for (const world::Object* object : objects) {
-    const auto& mesh = object->mesh;
+  for (const world::Object& object : objects) {
+    const auto& mesh = object.mesh;
     const auto base = static_cast<std::uint32_t>(soup.positions.size());
     soup.positions.insert(soup.positions.end(), mesh.positions.begin(), mesh.positions.end());
     for (const auto& triangle : mesh.triangles) soup.triangles.push_back(triangle + base);
-    soup.objects.resize(soup.triangles.size(), static_cast<std::uint32_t>(object->id));
+    soup.objects.resize(soup.triangles.size(), static_cast<std::uint32_t>(object.id));
   }
   return soup;
 }
@@ -47,50 +46,35 @@ void add_vertices(const mesh::TriangleMesh& mesh, Array<AeroVertex>& vertices) {
   });
 }
 
-/// Adds a tree and what its leaves hold; object_of(triangle) tells what a triangle belongs to.
-template <typename ObjectOf>
-void add_tree(bvh::Bvh tree, std::span<const vec3> positions, std::span<const uvec3> triangles,
-              std::uint32_t first_vertex, const ObjectOf& object_of, PackedGroup& group) {
+/// Adds the tree of a soup and what its leaves hold.
+void add_tree(bvh::Bvh tree, const Soup& soup, PackedGroup& group) {
   const auto& order = tree.order;
   auto& arrays = group.arrays;
-  const std::size_t base = arrays.triangles.size();
-  arrays.triangles.resize(base + order.size());
-  arrays.faces.resize(base + order.size());
+  arrays.triangles.resize(order.size());
+  arrays.faces.resize(order.size());
   tbb::parallel_for(std::size_t{0}, order.size(), [&](std::size_t slot) {
-    const uvec3 triangle = triangles[order[slot]];
-    AeroTriangle& out = arrays.triangles[base + slot];
-    copy(out.v0, positions[triangle.x]);
-    copy(out.v1, positions[triangle.y]);
-    copy(out.v2, positions[triangle.z]);
-    const uvec3 vertex = triangle + first_vertex;
-    arrays.faces[base + slot] = {{vertex.x, vertex.y, vertex.z}, object_of(order[slot])};
+    const uvec3 triangle = soup.triangles[order[slot]];
+    AeroTriangle& out = arrays.triangles[slot];
+    copy(out.v0, soup.positions[triangle.x]);
+    copy(out.v1, soup.positions[triangle.y]);
+    copy(out.v2, soup.positions[triangle.z]);
+    arrays.faces[slot] = {{triangle.x, triangle.y, triangle.z}, soup.objects[order[slot]]};
   });
   tree.order = {};
   group.trees.push_back(std::move(tree));
 }
 
-void add_grid(const world::Object& object, PackedGroup& group) {
-  const auto& mesh = object.mesh;
-  const auto first_vertex = static_cast<std::uint32_t>(group.arrays.vertices.size());
-  add_vertices(mesh, group.arrays.vertices);
-  add_tree(
-      bvh::build_grid(mesh.positions, mesh.triangles, object.grid_cells, object.grid_cells),
-      mesh.positions, mesh.triangles, first_vertex,
-      [id = static_cast<std::uint32_t>(object.id)](std::uint32_t) { return id; }, group);
-}
-
-void add_soup(const Objects& objects, PackedGroup& group) {
+void add_objects(const world::Objects& objects, PackedGroup& group) {
   if (objects.empty()) return;
+  for (const world::Object& object : objects) {
+    mesh::check(object.mesh, scene::object_name(object.id).c_str());
+    add_vertices(object.mesh, group.arrays.vertices);
+  }
   const Soup soup = merge(objects);
-  const auto first_vertex = static_cast<std::uint32_t>(group.arrays.vertices.size());
-  for (const world::Object* object : objects) add_vertices(object->mesh, group.arrays.vertices);
-  add_tree(
-      bvh::build(soup.positions, soup.triangles), soup.positions, soup.triangles, first_vertex,
-      [&soup](std::uint32_t triangle) { return soup.objects[triangle]; }, group);
+  add_tree(bvh::build(soup.positions, soup.triangles), soup, group);
 }
 
-void reserve(const std::vector<world::Object>& objects, const PackedArrays& room,
-             PackedArrays& arrays) {
+void reserve(const world::Objects& objects, const PackedArrays& room, PackedArrays& arrays) {
   std::size_t triangles = room.triangles.size(), vertices = room.vertices.size();
   for (const auto& object : objects) {
     triangles += object.mesh.triangles.size();
@@ -103,19 +87,17 @@ void reserve(const std::vector<world::Object>& objects, const PackedArrays& room
 
 }  // namespace
 
-PackedGroup pack_group(const std::vector<world::Object>& objects, const PackedArrays& room) {
+PackedGroup pack_objects(const world::Objects& objects) {
   PackedGroup group;
-  reserve(objects, room, group.arrays);
-  Objects others;
-  for (const auto& object : objects) {
-    mesh::check(object.mesh, scene::object_name(object.id).c_str());
-    if (object.grid_cells > 0) {
-      add_grid(object, group);
-    } else {
-      others.push_back(&object);
-    }
-  }
-  add_soup(others, group);
+  add_objects(objects, group);
+  return group;
+}
+
+PackedGroup pack_land(const world::Land& land, const PackedArrays& room) {
+  PackedGroup group;
+  group.trees.push_back(bvh::build_grid(*land.ground));
+  reserve(land.objects, room, group.arrays);
+  add_objects(land.objects, group);
   return group;
 }
 

@@ -18,15 +18,18 @@ struct PackedArrays {
   Array<AeroVertex> vertices;
 };
 
-/// A group of objects with its trees: one over each grid, one over all the rest.
+/// Objects with their trees: one over the ground, if there is one, and one over all the rest.
 struct PackedGroup {
   std::vector<bvh::Bvh> trees;  // `order` is given up: it is what the triangles were sorted by
   PackedArrays arrays;
 };
 
-/// Builds the trees of a group and sorts its triangles. Runs on all cores. The arrays get room for
+/// Builds the tree of meshes and sorts their triangles. Runs on all cores.
+PackedGroup pack_objects(const world::Objects& objects);
+
+/// The same with the tree of the ground, which the kernels read as it is. The arrays get room for
 /// as many elements more as `room` holds.
-PackedGroup pack_group(const std::vector<world::Object>& objects, const PackedArrays& room = {});
+PackedGroup pack_land(const world::Land& land, const PackedArrays& room = {});
 
 /// Appends `part` to `whole`.
 void append(PackedArrays& whole, const PackedArrays& part);

@@ -1,5 +1,6 @@
 #include "render/geometry.hpp"
 
+#include <algorithm>
 #include <new>
 
 #include "core/error.hpp"
@@ -8,34 +9,43 @@
 namespace aerostat::render {
 namespace {
 
-/// The meshes of a group gone, its identity left.
-world::Group husk() {
-  return std::make_shared<const std::vector<world::Object>>();
-}
-
-/// Packs groups, or takes them from the former geometry.
+/// Packs the parts of the world, or takes them from the former geometry.
 class Packer {
  public:
   Packer(const HostGeometry& old, Meshes meshes, HostGeometry& geometry)
       : old_(old), meshes_(meshes), geometry_(geometry) {}
 
   void run() {
-    geometry_.balloon = pack(geometry_.world.balloon, old_.world.balloon, old_.balloon, {});
-    static const pack::PackedArrays kNone;
-    const auto& room = geometry_.balloon ? geometry_.balloon->arrays : kNone;
-    geometry_.land = pack(geometry_.world.land, old_.world.land, old_.land, room);
+    pack_balloon();
+    pack_land();
   }
 
  private:
-  template <typename Pointer>
-  Pointer pack(world::Group& group, const world::Group& old_group, const Pointer& old_pack,
-               const pack::PackedArrays& room) {
-    if (!group) return nullptr;
-    if (group == old_group && old_pack) return old_pack;
+  void pack_balloon() {
+    auto& balloon = geometry_.world.balloon;
+    if (!balloon) return;
+    if (balloon == old_.world.balloon && old_.balloon) {
+      geometry_.balloon = old_.balloon;
+      return;
+    }
     ++geometry_.trees_built;
-    const auto packed = std::make_shared<pack::PackedGroup>(pack::pack_group(*group, room));
-    if (meshes_ == Meshes::release) group = husk();
-    return packed;
+    geometry_.balloon = std::make_shared<pack::PackedGroup>(pack::pack_objects(*balloon));
+    // The meshes gone, the identity left.
+    if (meshes_ == Meshes::release) balloon = std::make_shared<const world::Objects>();
+  }
+
+  void pack_land() {
+    auto& land = geometry_.world.land;
+    if (land == old_.world.land && old_.land) {
+      geometry_.land = old_.land;
+      return;
+    }
+    ++geometry_.trees_built;
+    static const pack::PackedArrays kNone;
+    const auto& room = geometry_.balloon ? geometry_.balloon->arrays : kNone;
+    geometry_.land = std::make_shared<pack::PackedGroup>(pack::pack_land(*land, room));
+    if (meshes_ == Meshes::release)
+      land = std::make_shared<const world::Land>(world::Land{land->ground, {}});
   }
 
   const HostGeometry& old_;
@@ -50,7 +60,9 @@ class Packer {
 
 /// The arrays of a group, which are there once.
 pack::PackedArrays taken(pack::PackedGroup& group) {
-  if (group.arrays.vertices.empty() && !group.trees.empty()) {
+  const bool has_slots = std::any_of(group.trees.begin(), group.trees.end(),
+                                     [](const bvh::Bvh& tree) { return tree.slots > 0; });
+  if (group.arrays.vertices.empty() && has_slots) {
     throw Error(ErrorKind::internal, "the land's arrays were given to a frame before");
   }
   return std::move(group.arrays);
@@ -86,6 +98,7 @@ void FrameArrays::assemble(const HostGeometry& geometry) {
     arrays_ = {};
     if (geometry.land) arrays_ = taken(*geometry.land);
     land_ = geometry.land;
+    ground_ = geometry.world.land->ground;
     land_triangles_ = arrays_.triangles.size();
     land_vertices_ = arrays_.vertices.size();
   }
@@ -109,7 +122,11 @@ std::shared_ptr<const bvh::Bvh> join_trees(const HostGeometry& geometry) {
 }
 
 std::uint64_t DeviceGeometry::bytes() const {
-  return nodes.bytes() + triangles.bytes() + faces.bytes() + vertices.bytes();
+  return nodes.bytes() + triangles.bytes() + faces.bytes() + vertices.bytes() + grid.bytes();
+}
+
+std::uint64_t DeviceGeometry::triangle_count() const {
+  return tree.input_triangles - tree.dropped_non_finite - tree.dropped_degenerate;
 }
 
 DeviceGeometry upload(const opencl::Context& context, const opencl::MemoryBudget& budget,
@@ -133,6 +150,7 @@ DeviceGeometry upload(const opencl::Context& context, const opencl::MemoryBudget
   give(device.triangles, std::span(arrays.triangles), frame, "the triangles");
   give(device.faces, std::span(arrays.faces), frame, "the triangles' indices");
   give(device.vertices, std::span(arrays.vertices), frame, "the vertices");
+  give(device.grid, frame->ground()->words(), frame->ground(), "the ground");
   return device;
 }
 

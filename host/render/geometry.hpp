@@ -29,8 +29,8 @@ std::shared_ptr<const HostGeometry> build_geometry(const scene::Scene& scene,
                                                    const HostGeometry* previous,
                                                    Meshes meshes = Meshes::keep);
 
-/// The triangles and vertices of a frame: the land's, taken out of its group rather than copied,
-/// and behind them a copy of the balloon's.
+/// The ground of a frame, and its triangles and vertices: the land's, taken out of its group rather
+/// than copied, and behind them a copy of the balloon's.
 class FrameArrays {
  public:
   /// Makes them those of `geometry`; the land stays if it is the one that is there. Throws
@@ -38,8 +38,10 @@ class FrameArrays {
   void assemble(const HostGeometry& geometry);
 
   const pack::PackedArrays& arrays() const { return arrays_; }
+  const std::shared_ptr<const mesh::GridMesh>& ground() const { return ground_; }
 
  private:
+  std::shared_ptr<const mesh::GridMesh> ground_;
   pack::PackedArrays arrays_;
   std::shared_ptr<const pack::PackedGroup> land_;
   std::size_t land_triangles_ = 0, land_vertices_ = 0;
@@ -54,8 +56,10 @@ struct DeviceGeometry {
   opencl::Buffer<AeroTriangle> triangles;
   opencl::Buffer<AeroFace> faces;
   opencl::Buffer<AeroVertex> vertices;
+  opencl::Buffer<float> grid;  // the ground
   bvh::BuildStats tree;
 
+  std::uint64_t triangle_count() const;
   std::uint64_t bytes() const;
 };
 

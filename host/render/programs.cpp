@@ -18,10 +18,11 @@ void warm_up(const opencl::Context& context, Programs& programs, int lanes) {
   const cl::Buffer& none = nothing.handle();
   const AeroLaunch launch{};
   const auto range = packet_range(1, lanes);
-  opencl::launch(context, programs.trace_camera_rays, range, launch, none, none, none);
+  opencl::launch(context, programs.trace_camera_rays, range, launch, none, none, none, none);
   opencl::launch(context, programs.trace_shadow_rays, range, launch, none, none, none, none, none,
-                 none, none);
-  opencl::launch(context, programs.shade_hits, range, launch, none, none, none, none, none, none);
+                 none, none, none);
+  opencl::launch(context, programs.shade_hits, range, launch, none, none, none, none, none, none,
+                 none);
   opencl::launch(context, programs.clear_film, packet_range(1, 1), none, cl_uint{0});
   opencl::finish(context);
 }

@@ -189,12 +189,13 @@ void Session::State::enqueue_tile(const AeroLaunch& launch) {
   Launch work;
   work.samples = packets * lane_count;
   work.camera = opencl::launch(context, programs->trace_camera_rays, size, launch, device.nodes,
-                               device.triangles, hits.handle());
+                               device.triangles, device.grid, hits.handle());
   work.shadow = opencl::launch(context, programs->trace_shadow_rays, size, launch, scene_buffer,
-                               device.nodes, device.triangles, device.faces, device.vertices,
-                               hits.handle(), visible.handle());
-  work.shade = opencl::launch(context, programs->shade_hits, size, launch, scene_buffer,
-                              device.faces, device.vertices, hits.handle(), visible.handle(), film);
+                               device.nodes, device.triangles, device.grid, device.faces,
+                               device.vertices, hits.handle(), visible.handle());
+  work.shade =
+      opencl::launch(context, programs->shade_hits, size, launch, scene_buffer, device.grid,
+                     device.faces, device.vertices, hits.handle(), visible.handle(), film);
   in_flight.push_back(work);
 }
 
@@ -322,7 +323,7 @@ image::Film Session::render(const scene::Scene& scene, std::stop_token stop,
     state.finished = nullptr;
   }
   state.prepare(scene);
-  state.stats.triangles = state.device.triangles.size();
+  state.stats.triangles = state.device.triangle_count();
   state.stats.tree = state.device.tree;
   image::Film film = state.trace(scene, area);
   state.stats.device_bytes = state.budget.used();

@@ -12,9 +12,9 @@ namespace {
 
 /// The vertices of a graded grid and a ring of further samples around them, from which the normals
 /// at the rim are made.
-class Grid {
+class Samples {
  public:
-  Grid(const scene::Terrain& terrain, const HeightField& field)
+  Samples(const scene::Terrain& terrain, const HeightField& field)
       : stride_(terrain.cells + 3), center_(terrain.center), field_(field) {
     const std::vector<double> axis = graded_axis(terrain.cells, terrain.size_m, terrain.grading);
     const double rim = axis[1] - axis[0];
@@ -31,10 +31,8 @@ class Grid {
                     static_cast<std::size_t>(i + 1)];
   }
 
-  vec3 position(int i, int j) const {
-    return {static_cast<float>(line_[i + 1] + center_.x), height(i, j),
-            static_cast<float>(line_[j + 1] + center_.y)};
-  }
+  std::vector<float> x() const { return lines(center_.x); }
+  std::vector<float> z() const { return lines(center_.y); }
 
   vec3 normal(int i, int j) const {
     return glm::normalize(vec3(-slope(i, height(i - 1, j), height(i, j), height(i + 1, j)), 1.0f,
@@ -47,6 +45,14 @@ class Grid {
     const float a = line_[k + 1] - line_[k];
     const float b = line_[k + 2] - line_[k + 1];
     return ((after - here) * a * a + (here - before) * b * b) / (a * b * (a + b));
+  }
+
+  /// The lines without the ring, in world coordinates.
+  std::vector<float> lines(double center) const {
+    std::vector<float> moved;
+    for (std::size_t k = 1; k + 1 < line_.size(); ++k)
+      moved.push_back(static_cast<float>(line_[k] + center));
+    return moved;
   }
 
   float spacing(int line) const {
@@ -77,30 +83,6 @@ class Grid {
   std::vector<float> heights_;
 };
 
-void fill_row(const Grid& grid, int cells, int j, mesh::TriangleMesh& mesh) {
-  const std::size_t first = static_cast<std::size_t>(j) * static_cast<std::size_t>(cells + 1);
-  for (int i = 0; i <= cells; ++i) {
-    mesh.positions[first + i] = grid.position(i, j);
-    mesh.normals[first + i] = grid.normal(i, j);
-  }
-}
-
-void split_row(int cells, int j, mesh::TriangleMesh& mesh) {
-  const auto side = static_cast<std::uint32_t>(cells + 1);
-  uvec3* out = &mesh.triangles[2u * static_cast<std::size_t>(j) * static_cast<std::size_t>(cells)];
-  for (int i = 0; i < cells; ++i) {
-    const std::uint32_t a = static_cast<std::uint32_t>(j) * side + static_cast<std::uint32_t>(i);
-    const std::uint32_t b = a + 1;
-    const std::uint32_t c = a + side;
-    const std::uint32_t d = c + 1;
-    // The two diagonals differ in height alone.
-    const float ad = std::fabs(mesh.positions[a].y - mesh.positions[d].y);
-    const float bc = std::fabs(mesh.positions[b].y - mesh.positions[c].y);
-    *out++ = ad <= bc ? uvec3(a, c, d) : uvec3(a, c, b);
-    *out++ = ad <= bc ? uvec3(a, d, b) : uvec3(b, c, d);
-  }
-}
-
 }  // namespace
 
 std::vector<double> graded_axis(int cells, double size_m, double grading) {
@@ -129,19 +111,19 @@ std::vector<double> graded_axis(int cells, double size_m, double grading) {
   return axis;
 }
 
-mesh::TriangleMesh terrain_mesh(const scene::Terrain& terrain) {
+mesh::GridMesh terrain_mesh(const scene::Terrain& terrain) {
   return terrain_mesh(terrain, HeightField(terrain));
 }
 
-mesh::TriangleMesh terrain_mesh(const scene::Terrain& terrain, const HeightField& field) {
-  const Grid grid(terrain, field);
-  const auto side = static_cast<std::size_t>(terrain.cells) + 1;
-  mesh::TriangleMesh mesh;
-  mesh.positions.resize(side * side);
-  mesh.normals.resize(side * side);
-  mesh.triangles.resize(2 * (side - 1) * (side - 1));
-  tbb::parallel_for(0, terrain.cells + 1, [&](int j) { fill_row(grid, terrain.cells, j, mesh); });
-  tbb::parallel_for(0, terrain.cells, [&](int j) { split_row(terrain.cells, j, mesh); });
+mesh::GridMesh terrain_mesh(const scene::Terrain& terrain, const HeightField& field) {
+  const Samples samples(terrain, field);
+  mesh::GridMesh mesh(samples.x(), samples.z());
+  tbb::parallel_for(0, terrain.cells + 1, [&](int j) {
+    for (int i = 0; i <= terrain.cells; ++i) {
+      mesh.set(static_cast<std::uint32_t>(i), static_cast<std::uint32_t>(j), samples.height(i, j),
+               samples.normal(i, j));
+    }
+  });
   return mesh;
 }
 

@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "mesh/grid_mesh.hpp"
 #include "mesh/mesh.hpp"
 #include "scene/scene.hpp"
 #include "terrain/height_field.hpp"
@@ -13,15 +14,13 @@ namespace aerostat::terrain {
 /// times the innermost.
 std::vector<double> graded_axis(int cells, double size_m, double grading);
 
-/// The ground of a scene: (cells + 1)^2 vertices, row by row along +x, rows along +z, and two
-/// triangles per cell, split along its shorter diagonal, counter-clockwise seen from above. Detail
-/// too fine for the local cells is left out; normals are central differences over neighbouring
-/// vertices. Runs on all cores; the bits do not depend on how many. No colours.
-/// Throws Error{bad_data} if cells < 1, size_m <= 0 or grading < 1.
-mesh::TriangleMesh terrain_mesh(const scene::Terrain& terrain);
+/// The ground of a scene, cells x cells of them. Detail too fine for the local cells is left out;
+/// normals are central differences over neighbouring vertices. Runs on all cores; the bits do not
+/// depend on how many. Throws Error{bad_data} if cells < 1, size_m <= 0 or grading < 1.
+mesh::GridMesh terrain_mesh(const scene::Terrain& terrain);
 
 /// The same from a field that is already there; it must be that of `terrain`.
-mesh::TriangleMesh terrain_mesh(const scene::Terrain& terrain, const HeightField& field);
+mesh::GridMesh terrain_mesh(const scene::Terrain& terrain, const HeightField& field);
 
 /// The sea over `ground`, which must be terrain_mesh(terrain): every cell that has a corner at
 /// Water::level_m + 0.5 m or below, as a flat sheet at the level with normals up. colors.x is the
@@ -29,6 +28,6 @@ mesh::TriangleMesh terrain_mesh(const scene::Terrain& terrain, const HeightField
 /// island's sea goes on beyond the terrain to 100 km from its centre, joined edge to edge. Empty if
 /// the water is disabled.
 mesh::TriangleMesh water_mesh(const scene::Terrain& terrain, const scene::Water& water,
-                              const mesh::TriangleMesh& ground);
+                              const mesh::GridMesh& ground);
 
 }  // namespace aerostat::terrain

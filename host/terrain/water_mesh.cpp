@@ -15,12 +15,12 @@ constexpr std::uint32_t kUnused = 0xffffffffu;
 
 class WaterBuilder {
  public:
-  WaterBuilder(const scene::Terrain& terrain, float level, const mesh::TriangleMesh& ground)
+  WaterBuilder(const scene::Terrain& terrain, float level, const mesh::GridMesh& ground)
       : cells_(static_cast<std::uint32_t>(terrain.cells)),
         center_(terrain.center),
         level_(level),
         ground_(ground),
-        slot_(ground.positions.size(), kUnused) {}
+        slot_(std::size_t{cells_ + 1} * (cells_ + 1), kUnused) {}
 
   void add_cells();
   void add_ocean();
@@ -28,6 +28,11 @@ class WaterBuilder {
   mesh::TriangleMesh take() { return std::move(mesh_); }
 
  private:
+  /// Ground vertices are numbered row by row.
+  vec3 ground(std::uint32_t vertex) const {
+    return ground_.position(vertex % (cells_ + 1), vertex / (cells_ + 1));
+  }
+
   std::uint32_t add_vertex(float x, float z, float depth) {
     mesh_.positions.emplace_back(x, level_, z);
     mesh_.normals.emplace_back(0.0f, 1.0f, 0.0f);
@@ -38,7 +43,7 @@ class WaterBuilder {
   std::uint32_t over(std::uint32_t ground_vertex) {
     std::uint32_t& slot = slot_[ground_vertex];
     if (slot == kUnused) {
-      const vec3& p = ground_.positions[ground_vertex];
+      const vec3 p = ground(ground_vertex);
       slot = add_vertex(p.x, p.z, std::max(level_ - p.y, 0.0f));
     }
     return slot;
@@ -49,7 +54,7 @@ class WaterBuilder {
   std::uint32_t cells_;
   dvec2 center_;
   float level_;
-  const mesh::TriangleMesh& ground_;
+  const mesh::GridMesh& ground_;
   std::vector<std::uint32_t> slot_;  // water vertex over each ground vertex
   mesh::TriangleMesh mesh_;
 };
@@ -62,7 +67,7 @@ void WaterBuilder::add_cells() {
       const std::uint32_t a = j * side + i;
       const std::array<std::uint32_t, 4> corners = {a, a + 1, a + side, a + side + 1};
       if (std::none_of(corners.begin(), corners.end(),
-                       [&](std::uint32_t v) { return ground_.positions[v].y <= limit; }))
+                       [&](std::uint32_t v) { return ground(v).y <= limit; }))
         continue;
       std::array<std::uint32_t, 4> v{};
       std::transform(corners.begin(), corners.end(), v.begin(),
@@ -91,12 +96,12 @@ void WaterBuilder::add_ocean() {
   std::transform(border.begin(), border.end(), inner.begin(),
                  [this](std::uint32_t v) { return over(v); });
   const vec3 middle(static_cast<float>(center_.x), 0.0f, static_cast<float>(center_.y));
-  const float half = std::fabs(ground_.positions[border[0]].x - middle.x);
+  const float half = std::fabs(ground(border[0]).x - middle.x);
   for (float reach = 1.0f; reach * half < kHorizonM;) {
     reach = std::min(1.7f * reach, std::max(kHorizonM / half, reach));
     std::vector<std::uint32_t> outer(border.size());
     for (std::size_t k = 0; k < border.size(); ++k) {
-      const vec3 out = (ground_.positions[border[k]] - middle) * reach + middle;
+      const vec3 out = (ground(border[k]) - middle) * reach + middle;
       outer[k] = add_vertex(out.x, out.z, kOceanDepth);
     }
     for (std::size_t k = 0; k < border.size(); ++k) {
@@ -112,10 +117,10 @@ void WaterBuilder::add_ocean() {
 }  // namespace
 
 mesh::TriangleMesh water_mesh(const scene::Terrain& terrain, const scene::Water& water,
-                              const mesh::TriangleMesh& ground) {
+                              const mesh::GridMesh& ground) {
   if (!water.enabled) return {};
-  const auto side = static_cast<std::size_t>(terrain.cells) + 1;
-  if (ground.positions.size() != side * side)
+  const auto cells = static_cast<std::uint32_t>(terrain.cells);
+  if (ground.columns() != cells || ground.rows() != cells)
     throw Error(ErrorKind::internal, "water_mesh: the ground is not the mesh of this terrain");
   WaterBuilder builder(terrain, static_cast<float>(water.level_m), ground);
   builder.add_cells();

@@ -11,19 +11,18 @@
 namespace aerostat::world {
 namespace {
 
-Group build_land(const scene::Scene& scene) {
-  auto objects = std::make_shared<std::vector<Object>>();
-  objects->push_back({scene::ObjectId::terrain, terrain::terrain_mesh(scene.terrain),
-                      static_cast<std::uint32_t>(scene.terrain.cells)});
+std::shared_ptr<const Land> build_land(const scene::Scene& scene) {
+  auto land = std::make_shared<Land>();
+  land->ground = std::make_shared<const mesh::GridMesh>(terrain::terrain_mesh(scene.terrain));
   if (scene.biome.water.enabled) {
-    auto water = terrain::water_mesh(scene.terrain, scene.biome.water, objects->front().mesh);
-    if (!water.empty()) objects->push_back({scene::ObjectId::water, std::move(water)});
+    auto water = terrain::water_mesh(scene.terrain, scene.biome.water, *land->ground);
+    if (!water.empty()) land->objects.push_back({scene::ObjectId::water, std::move(water)});
   }
-  return objects;
+  return land;
 }
 
-Group build_balloon(const scene::Scene& scene) {
-  auto objects = std::make_shared<std::vector<Object>>();
+std::shared_ptr<const Objects> build_balloon(const scene::Scene& scene) {
+  auto objects = std::make_shared<Objects>();
   for (auto& part : model::balloon(scene.balloon)) {
     objects->push_back({part.id, std::move(part.mesh)});
   }
@@ -55,6 +54,16 @@ World build(const scene::Scene& scene, const World* previous, const scene::Scene
                 "not enough memory for the world's meshes; a smaller /terrain/cells needs less");
   }
   return world;
+}
+
+Objects as_triangles(const World& world) {
+  Objects objects;
+  if (world.land) {
+    objects.push_back({scene::ObjectId::terrain, mesh::to_triangles(*world.land->ground)});
+    objects.insert(objects.end(), world.land->objects.begin(), world.land->objects.end());
+  }
+  if (world.balloon) objects.insert(objects.end(), world.balloon->begin(), world.balloon->end());
+  return objects;
 }
 
 }  // namespace aerostat::world

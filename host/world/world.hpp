@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "mesh/grid_mesh.hpp"
 #include "mesh/mesh.hpp"
 #include "scene/scene.hpp"
 
@@ -15,22 +16,30 @@ namespace aerostat::world {
 struct Object {
   scene::ObjectId id = scene::ObjectId::terrain;
   mesh::TriangleMesh mesh;
-  std::uint32_t grid_cells = 0;  // per side, if the mesh is such a grid as bvh::build_grid takes
 };
 
-/// The objects that are built, moved and thrown away together; shared because an edit of the scene
-/// keeps the groups it does not touch.
-using Group = std::shared_ptr<const std::vector<Object>>;
+/// The ground and what lies on it.
+struct Land {
+  std::shared_ptr<const mesh::GridMesh> ground;
+  std::vector<Object> objects;  // the water
+};
 
+using Objects = std::vector<Object>;
+
+/// What is built, moved and thrown away together is shared, because an edit of the scene keeps what
+/// it does not touch.
 struct World {
-  Group land;     // terrain and water
-  Group balloon;  // null if there is none
+  std::shared_ptr<const Land> land;
+  std::shared_ptr<const Objects> balloon;  // null if there is none
 };
 
-/// Builds the world of a resolved scene. Groups of `previous` are kept if `previous_scene` asked
+/// Builds the world of a resolved scene. Parts of `previous` are kept if `previous_scene` asked
 /// for the same ones. Runs on all cores. Throws Error{exhausted} if memory does not suffice.
 World build(const scene::Scene& scene, const World* previous = nullptr,
             const scene::Scene* previous_scene = nullptr);
+
+/// All of the world as triangles, the ground first.
+Objects as_triangles(const World& world);
 
 /// Fills in what depends on the terrain: positions given above the ground become positions above
 /// the sea, and the basket view gets its camera.

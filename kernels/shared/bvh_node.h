@@ -20,6 +20,18 @@
 #define AERO_BVH_EMPTY 0xffffffffu
 #define AERO_BVH_MAX_LEAF 8
 
+/* A leaf with this bit, too, is a patch of eight cells of the height grid: bits 28 and 29 hold its
+ * shape, bits 14..27 and 0..13 the row and the column of its first cell. What a node would hold,
+ * the boxes of the cells, is worked out from the heights. */
+#define AERO_BVH_PATCH 0x40000000u
+#define AERO_PATCH_SHAPE_SHIFT 28
+#define AERO_PATCH_SHAPE_MASK 0x3u
+#define AERO_PATCH_ROW_SHIFT 14
+#define AERO_PATCH_CELL_MASK 0x3fffu
+/* Cells of a patch are numbered row by row. */
+#define AERO_PATCH_WIDE 0u /* 4 along x, 2 along z */
+#define AERO_PATCH_DEEP 1u /* 2 along x, 4 along z */
+
 /* Bounds of up to eight children, one array per plane: lo[axis][child]. Node 0 is the root. On the
  * host nodes are aligned so that no plane crosses a cache line for a device that reads them there.
  */

@@ -82,7 +82,7 @@ INSTANTIATE_TEST_SUITE_P(Terrain, EveryKind, testing::ValuesIn(kKinds));
 TEST_P(EveryKind, MeshCoversTheSquareWithUpwardTriangles) {
   scene::Terrain terrain = small_terrain(GetParam());
   terrain.center = {500.0, -250.0};
-  const mesh::TriangleMesh mesh = terrain_mesh(terrain);
+  const mesh::TriangleMesh mesh = mesh::to_triangles(terrain_mesh(terrain));
   ASSERT_EQ(mesh.positions.size(), 161u * 161u);
   ASSERT_EQ(mesh.normals.size(), mesh.positions.size());
   ASSERT_EQ(mesh.triangles.size(), 2u * 160u * 160u);
@@ -108,7 +108,7 @@ TEST_P(EveryKind, BitsDoNotDependOnTheNumberOfThreads) {
   const scene::Terrain terrain = small_terrain(GetParam(), 3);
   const auto build = [&](std::size_t threads) {
     const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
-    return terrain_mesh(terrain);
+    return mesh::to_triangles(terrain_mesh(terrain));
   };
   const mesh::TriangleMesh one = build(1);
   const mesh::TriangleMesh two = build(2);
@@ -121,7 +121,7 @@ TEST_P(EveryKind, BitsDoNotDependOnTheNumberOfThreads) {
 }
 
 TEST_P(EveryKind, NormalsFitTheTriangles) {
-  const mesh::TriangleMesh mesh = terrain_mesh(small_terrain(GetParam()));
+  const mesh::TriangleMesh mesh = mesh::to_triangles(terrain_mesh(small_terrain(GetParam())));
   mesh::TriangleMesh faceted = mesh;
   for (vec3& n : faceted.normals) n = vec3(0.0f);
   for (const uvec3& t : mesh.triangles) {
@@ -190,7 +190,7 @@ TEST_P(EveryKind, SeedAndBaseMatter) {
 TEST(Mountains, HaveAFlatValleyAtTheCentreAndHighPeaks) {
   for (const std::uint32_t seed : {1u, 2u, 3u, 4u}) {
     const scene::Terrain terrain = small_terrain(TerrainKind::mountains, seed);
-    const mesh::TriangleMesh mesh = terrain_mesh(terrain);
+    const mesh::TriangleMesh mesh = mesh::to_triangles(terrain_mesh(terrain));
     const double center = HeightField(terrain).height(0.0, 0.0);
     float highest = 0.0f;
     double steep = 0.0;
@@ -238,8 +238,9 @@ class Island : public testing::Test {
  protected:
   Island() {
     water_.enabled = true;
-    ground_ = terrain_mesh(terrain_);
-    sea_ = water_mesh(terrain_, water_, ground_);
+    const mesh::GridMesh ground = terrain_mesh(terrain_);
+    ground_ = mesh::to_triangles(ground);
+    sea_ = water_mesh(terrain_, water_, ground);
   }
 
   scene::Terrain terrain_ = small_terrain(TerrainKind::island);
@@ -333,7 +334,7 @@ TEST_F(Island, SeaCoversAllWetGroundAndReachesTheHorizonWithoutACrack) {
 
 TEST_F(Island, NoWaterIsAnEmptyMesh) {
   water_.enabled = false;
-  EXPECT_TRUE(water_mesh(terrain_, water_, ground_).empty());
+  EXPECT_TRUE(water_mesh(terrain_, water_, terrain_mesh(terrain_)).empty());
 }
 
 }  // namespace

@@ -14,14 +14,11 @@ namespace aerostat::test {
 namespace {
 
 std::vector<std::uint8_t> ply_of(const scene::Scene& scene) {
-  const world::World world = world::build(scene);
+  const world::Objects world = world::as_triangles(world::build(scene));
   std::vector<mesh::ExportObject> objects;
-  for (const world::Group& group : {world.land, world.balloon}) {
-    if (!group) continue;
-    for (const world::Object& object : *group) {
-      objects.push_back(
-          {static_cast<std::uint32_t>(object.id), scene::object_name(object.id), &object.mesh});
-    }
+  for (const world::Object& object : world) {
+    objects.push_back(
+        {static_cast<std::uint32_t>(object.id), scene::object_name(object.id), &object.mesh});
   }
   return mesh::ply_bytes(objects);
 }

@@ -104,7 +104,7 @@ TEST_P(Bundles, GiveTheBitsOfBruteForce) {
     for (const int lanes : {1, 4, 8, 16}) {
       const std::vector<Hit> hits = mesh.trace_bundles(rays, lanes);
       const std::vector<Hit> alone = mesh.trace(rays, lanes);
-      const std::vector<Hit> shadows = mesh.trace_bundles(rays, lanes, true);
+      const std::vector<Hit> shadows = mesh.trace_bundles(rays, lanes, Wanted::any);
       std::size_t different = 0, alone_different = 0, contrary = 0;
       for (std::size_t i = 0; i < rays.size(); ++i) {
         const auto same = [&](const Hit& hit) {

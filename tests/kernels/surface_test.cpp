@@ -1,6 +1,8 @@
 // What shading reads at a hit.
 #include <random>
 
+#include "height_grid.h"
+#include "scene_params.h"
 #include "shading_scene.hpp"
 #include "trace_triangle.h"
 #include "tracing.hpp"
@@ -64,52 +66,104 @@ class SurfaceProbe : public LaneTest {
 
   std::vector<float> lift(const Surface& surface, const Hits& hits, float side) const {
     const auto lifted = output<float>(3 * kHits);
-    probe.run("probe_lift", kHits, input(surface.faces), input(surface.vertices), input(hits.tuv),
-              input(hits.slots), input(std::vector<float>(kHits, side)), lifted);
+    probe.run("probe_lift", kHits, input(no_grid()), input(surface.faces), input(surface.vertices),
+              input(hits.tuv), input(hits.slots), input(std::vector<float>(kHits, side)), lifted);
     return lifted.read();
   }
 };
 
-TEST_P(SurfaceProbe, LanesReadTheFacesTheyHit) {
-  const Surface surface = random_surface();
-  Hits hits = random_hits(surface.faces.size());
-  for (std::size_t i = 0; i < kHits; i += 5) hits.slots[i] = kNoTriangle;
-  const auto loaded = output<std::uint32_t>(4 * kHits);
-  probe.run("probe_faces", kHits, input(surface.faces), input(hits.slots), loaded);
-  const auto words = loaded.read();
-  for (std::size_t i = 0; i < kHits; ++i) {
-    // Without a hit the first face stands in.
-    const AeroFace& face = surface.faces[hits.slots[i] == kNoTriangle ? 0 : hits.slots[i]];
-    for (std::size_t k = 0; k < 3; ++k) ASSERT_EQ(words[k * kHits + i], face.vertex[k]) << i;
-    ASSERT_EQ(words[3 * kHits + i], face.object) << i;
+/// What a hit on a triangle of these corners must read: position, normal and colour.
+void expect_mixed(const std::vector<float>& values, std::size_t i, const AeroVertex* const* corner,
+                  const Hits& hits, float tolerance) {
+  const float u = hits.tuv[kHits + i], v = hits.tuv[2 * kHits + i];
+  for (std::size_t k = 0; k < 9; ++k) {
+    const auto word = [&](int c) { return reinterpret_cast<const float*>(corner[c])[k]; };
+    const float mixed = (1.0f - u - v) * word(0) + u * word(1) + v * word(2);
+    ASSERT_NEAR(values[k * kHits + i], mixed, tolerance) << i << ", " << k;
   }
 }
 
-TEST_P(SurfaceProbe, AttributesAreTheVerticesAtCornersAndMixedBetween) {
-  const Surface surface = random_surface();
-  const Hits hits = random_hits(surface.faces.size());
-  const auto attributes = output<float>(9 * kHits), planes = output<float>(3 * kHits);
-  probe.run("probe_interpolation", kHits, input(surface.faces), input(surface.vertices),
-            input(hits.tuv), input(hits.slots), attributes, planes);
-  const auto values = attributes.read(), normals = planes.read();
-  for (std::size_t i = 0; i < kHits; ++i) {
-    const AeroFace& face = surface.faces[hits.slots[i]];
-    const float u = hits.tuv[kHits + i], v = hits.tuv[2 * kHits + i];
-    const AeroVertex* corner[3];
-    for (int k = 0; k < 3; ++k) corner[k] = &surface.vertices[face.vertex[k]];
-    for (std::size_t k = 0; k < 9; ++k) {
-      const auto word = [&](int c) { return reinterpret_cast<const float*>(corner[c])[k]; };
-      const float mixed = (1.0f - u - v) * word(0) + u * word(1) + v * word(2);
-      const float actual = values[k * kHits + i];
-      if (i % 4 < 3) {
-        ASSERT_EQ(actual, word(static_cast<int>(i % 4))) << i;
-      }
-      ASSERT_NEAR(actual, mixed, 2e-6f) << i;
+void expect_plane(const std::vector<float>& normals, std::size_t i,
+                  const AeroVertex* const* corner) {
+  const vec3 a = vector_of(corner[0]->position);
+  const vec3 plane = glm::normalize(
+      glm::cross(vector_of(corner[1]->position) - a, vector_of(corner[2]->position) - a));
+  ASSERT_LT(glm::distance(from_planes(normals, i), plane), 1e-4f) << i;
+}
+
+mesh::GridMesh random_ground() {
+  std::mt19937 random(23);
+  const std::vector<float> x{-3.0f, -1.0f, 0.5f, 1.0f, 4.0f}, z{-2.0f, -1.5f, 0.0f, 3.0f};
+  mesh::GridMesh grid(x, z);
+  for (std::uint32_t j = 0; j <= grid.rows(); ++j) {
+    for (std::uint32_t i = 0; i <= grid.columns(); ++i) {
+      vec3 normal = random_direction(random);
+      normal.y = std::fabs(normal.y) + 0.01f;
+      grid.set(i, j, random_point(random, 2.0f).y, glm::normalize(normal));
     }
-    const vec3 a = vector_of(corner[0]->position);
-    const vec3 plane = glm::normalize(
-        glm::cross(vector_of(corner[1]->position) - a, vector_of(corner[2]->position) - a));
-    ASSERT_LT(glm::distance(from_planes(normals, i), plane), 1e-4f) << i;
+  }
+  return grid;
+}
+
+/// Triangle k of the cell (i, j) as the kernels number it, and its corners.
+struct GroundTriangle {
+  std::uint32_t number;
+  AeroVertex corners[3];
+};
+
+std::vector<GroundTriangle> triangles_of(const mesh::GridMesh& grid) {
+  const mesh::TriangleMesh mesh = mesh::to_triangles(grid);
+  std::vector<GroundTriangle> triangles;
+  for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
+    const std::uint32_t cell = t / 2;
+    GroundTriangle triangle{AERO_GRID_TRIANGLE | cell / grid.columns() << AERO_GRID_ROW_SHIFT |
+                                cell % grid.columns() << AERO_GRID_COLUMN_SHIFT | t % 2,
+                            {}};
+    for (int k = 0; k < 3; ++k) {
+      const std::uint32_t v = mesh.triangles[t][k];
+      triangle.corners[k] = vertex_of(mesh.positions[v], mesh.normals[v], vec3(1.0f));
+    }
+    triangles.push_back(triangle);
+  }
+  return triangles;
+}
+
+// Meshes alone, the ground alone, and both among the lanes of a packet, some of which hit nothing.
+TEST_P(SurfaceProbe, LanesReadTheTriangleTheyHit) {
+  const Surface surface = random_surface();
+  const mesh::GridMesh grid = random_ground();
+  const std::vector<GroundTriangle> ground = triangles_of(grid);
+  const std::vector<float> words(grid.words().begin(), grid.words().end());
+  for (const int kind : {0, 1, 2}) {
+    Hits hits = random_hits(surface.faces.size());
+    std::vector<std::size_t> on_ground(kHits, ground.size());
+    for (std::size_t i = 0; i < kHits; ++i) {
+      if (kind == 1 || (kind == 2 && i * 7 % 3 == 0)) {
+        on_ground[i] = i * 31 % ground.size();
+        hits.slots[i] = ground[on_ground[i]].number;
+      }
+      if (i % 5 == 4) hits.slots[i] = kNoTriangle;
+    }
+    const auto attributes = output<float>(9 * kHits), planes = output<float>(3 * kHits);
+    const auto objects = output<std::uint32_t>(kHits);
+    probe.run("probe_interpolation", kHits, input(words), input(surface.faces),
+              input(surface.vertices), input(hits.tuv), input(hits.slots), attributes, planes,
+              objects);
+    const auto values = attributes.read(), normals = planes.read();
+    const auto met = objects.read();
+    for (std::size_t i = 0; i < kHits; ++i) {
+      if (hits.slots[i] == kNoTriangle) continue;
+      const AeroVertex* corner[3];
+      const bool is_ground = on_ground[i] < ground.size();
+      for (int k = 0; k < 3; ++k) {
+        corner[k] = is_ground ? &ground[on_ground[i]].corners[k]
+                              : &surface.vertices[surface.faces[hits.slots[i]].vertex[k]];
+      }
+      expect_mixed(values, i, corner, hits, 2e-6f);
+      expect_plane(normals, i, corner);
+      const std::uint32_t mesh_object = is_ground ? 0 : surface.faces[hits.slots[i]].object;
+      ASSERT_EQ(met[i], is_ground ? AERO_OBJECT_TERRAIN : mesh_object) << i;
+    }
   }
 }
 

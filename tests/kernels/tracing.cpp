@@ -1,5 +1,7 @@
 #include "tracing.hpp"
 
+#include "height_grid.h"
+
 namespace aerostat::test {
 namespace {
 
@@ -58,6 +60,10 @@ vec3 random_direction(std::mt19937& random) {
   return glm::normalize(v);
 }
 
+std::vector<float> no_grid() {
+  return std::vector<float>(AERO_GRID_HEADER + 2, 0.0f);
+}
+
 RayBuffers::RayBuffers(const std::vector<Ray>& rays)
     : elements(whole_packets(rays.size())),
       origins(input(planes(vectors_of(rays, &Ray::origin)))),
@@ -81,24 +87,32 @@ TracedMesh::TracedMesh(const Soup& soup, const bvh::BuildOptions& options)
     : tree_(bvh::build(soup.positions, soup.triangles, options)),
       triangles_(in_leaf_order(soup, tree_)),
       node_buffer_(input(tree_.nodes)),
-      triangle_buffer_(input(triangles_)) {}
+      triangle_buffer_(input(triangles_)),
+      grid_buffer_(input(no_grid())) {}
 
-std::vector<Hit> TracedMesh::trace(const std::vector<Ray>& rays, int lanes, bool any_hit) const {
-  return run("probe_trace", rays, lanes, any_hit);
+TracedMesh::TracedMesh(const mesh::GridMesh& grid)
+    : tree_(bvh::build_grid(grid)),
+      node_buffer_(input(tree_.nodes)),
+      triangle_buffer_(input(triangles_)),
+      grid_buffer_(input(std::vector<float>(grid.words().begin(), grid.words().end()))) {}
+
+std::vector<Hit> TracedMesh::trace(const std::vector<Ray>& rays, int lanes, Wanted wanted) const {
+  return run("probe_trace", rays, lanes, wanted);
 }
 
 std::vector<Hit> TracedMesh::trace_bundles(const std::vector<Ray>& rays, int lanes,
-                                           bool any_hit) const {
+                                           Wanted wanted) const {
   EXPECT_EQ(rays.size() % 64, 0u);
-  return run("probe_bundle", rays, lanes, any_hit);
+  return run("probe_bundle", rays, lanes, wanted);
 }
 
 std::vector<Hit> TracedMesh::run(const char* kernel, const std::vector<Ray>& rays, int lanes,
-                                 bool any_hit) const {
+                                 Wanted wanted) const {
   const Probe probe("trace.cl", lanes);
   const RayBuffers buffers(rays);
-  probe.run(kernel, buffers.elements, node_buffer_, triangle_buffer_, buffers.origins,
-            buffers.directions, buffers.t_max, any_hit ? 1 : 0, buffers.tuv, buffers.slots);
+  probe.run(kernel, buffers.elements, node_buffer_, triangle_buffer_, grid_buffer_, buffers.origins,
+            buffers.directions, buffers.t_max, static_cast<cl_int>(wanted), buffers.tuv,
+            buffers.slots);
   return buffers.hits(rays.size());
 }
 

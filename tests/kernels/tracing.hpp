@@ -5,6 +5,7 @@
 
 #include "../host/bvh_meshes.hpp"
 #include "bvh/bvh.hpp"
+#include "bvh/grid.hpp"
 #include "probe.hpp"
 #include "trace_triangle.h"
 
@@ -45,27 +46,36 @@ struct RayBuffers {
   std::vector<Hit> hits(std::size_t count) const;
 };
 
-/// A soup in the order of its tree's leaves, on the device.
+/// What is asked of rays: TRACE_... of packet.clh.
+enum class Wanted { nearest = 0, any = 1, any_from_above = 2 };
+
+/// A grid of no cells, for worlds without ground.
+std::vector<float> no_grid();
+
+/// A soup in the order of its tree's leaves, or a height grid, on the device.
 class TracedMesh {
  public:
   explicit TracedMesh(const Soup& soup, const bvh::BuildOptions& options = {});
+  explicit TracedMesh(const mesh::GridMesh& grid);
 
-  std::vector<Hit> trace(const std::vector<Ray>& rays, int lanes, bool any_hit = false) const;
+  std::vector<Hit> trace(const std::vector<Ray>& rays, int lanes,
+                         Wanted wanted = Wanted::nearest) const;
   /// Several packets together, as the renderer does; a multiple of 64 rays.
   std::vector<Hit> trace_bundles(const std::vector<Ray>& rays, int lanes,
-                                 bool any_hit = false) const;
+                                 Wanted wanted = Wanted::nearest) const;
 
   const bvh::Bvh& tree() const { return tree_; }
   const std::vector<AeroTriangle>& triangles() const { return triangles_; }
 
  private:
   std::vector<Hit> run(const char* kernel, const std::vector<Ray>& rays, int lanes,
-                       bool any_hit) const;
+                       Wanted wanted) const;
 
   bvh::Bvh tree_;
   std::vector<AeroTriangle> triangles_;
   opencl::Buffer<AeroBvhNode> node_buffer_;
   opencl::Buffer<AeroTriangle> triangle_buffer_;
+  opencl::Buffer<float> grid_buffer_;
 };
 
 /// A triangle's answer to a ray by the 3x3 determinants of a, b, c = V0-V1, d, e, f = V0-V2,

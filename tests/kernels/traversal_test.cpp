@@ -50,7 +50,7 @@ TEST_P(Traversal, FindsWhatBruteForceFinds) {
   for (const Ray& ray : rays) expected.push_back(brute_force(mesh.triangles(), ray));
   for (const int lanes : {1, 4, 8, 16}) {
     const std::vector<Hit> hits = mesh.trace(rays, lanes);
-    const std::vector<Hit> shadows = mesh.trace(rays, lanes, true);
+    const std::vector<Hit> shadows = mesh.trace(rays, lanes, Wanted::any);
     std::size_t wrong = 0, met = 0, sure = 0, contrary = 0;
     for (std::size_t i = 0; i < rays.size(); ++i) {
       contrary += hits[i].met() != shadows[i].met() ? 1 : 0;
@@ -157,12 +157,45 @@ TEST_P(Packets, ReadNothingBeyondTheirBuffers) {
   {
     const cl::Buffer node_buffer = nodes.buffer(), triangle_buffer = triangles.buffer();
     Probe("trace.cl", GetParam())
-        .run("probe_trace", buffers.elements, node_buffer, triangle_buffer, buffers.origins,
-             buffers.directions, buffers.t_max, 0, buffers.tuv, buffers.slots);
+        .run("probe_trace", buffers.elements, node_buffer, triangle_buffer, input(no_grid()),
+             buffers.origins, buffers.directions, buffers.t_max, 0, buffers.tuv, buffers.slots);
   }
   const std::vector<Hit> guarded = buffers.hits(rays.size());
   const std::vector<Hit> plain = mesh.trace(rays, GetParam());
   for (std::size_t i = 0; i < rays.size(); ++i) ASSERT_EQ(guarded[i].slot, plain[i].slot);
+}
+
+TEST_P(Packets, ReadNothingBeyondAGrid) {
+  const std::vector<float> lines{-1.0f, -0.6f, -0.3f, 0.0f, 0.2f, 0.5f, 1.0f};
+  mesh::GridMesh grid(lines, lines);
+  for (std::uint32_t v = 0; v < 49; ++v)
+    grid.set(v % 7, v / 7, 0.1f * static_cast<float>(v * 37 % 11), vec3(0.0f, 1.0f, 0.0f));
+  const TracedMesh mesh(grid);
+  const GuardedBytes nodes(mesh.tree().nodes);
+  const GuardedBytes words(std::vector<float>(grid.words().begin(), grid.words().end()));
+  std::mt19937 random(63);
+  std::vector<Ray> rays;
+  for (int i = 0; i < 4096; ++i) {
+    rays.push_back(ray_towards(random_point(random, 3.0f), dvec3(random_point(random, 1.0f))));
+  }
+  for (const Wanted wanted : {Wanted::nearest, Wanted::any_from_above}) {
+    const RayBuffers buffers(rays);
+    {
+      const cl::Buffer node_buffer = nodes.buffer(), word_buffer = words.buffer();
+      Probe("trace.cl", GetParam())
+          .run("probe_trace", buffers.elements, node_buffer, input(std::vector<AeroTriangle>()),
+               word_buffer, buffers.origins, buffers.directions, buffers.t_max,
+               static_cast<cl_int>(wanted), buffers.tuv, buffers.slots);
+    }
+    const std::vector<Hit> guarded = buffers.hits(rays.size());
+    const std::vector<Hit> plain = mesh.trace(rays, GetParam(), wanted);
+    std::size_t met = 0;
+    for (std::size_t i = 0; i < rays.size(); ++i) {
+      ASSERT_EQ(guarded[i].slot, plain[i].slot);
+      met += plain[i].met() ? 1 : 0;
+    }
+    EXPECT_GT(met, 500u);
+  }
 }
 
 AEROSTAT_AT_EVERY_WIDTH(Packets);

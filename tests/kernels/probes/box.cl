@@ -20,7 +20,8 @@ __kernel void probe_children(__global const AeroBvhNode* nodes, __global const f
   const WideOrigin wide = widen_origin(&origin, room);
   lane_uint bits = (lane_uint)0u;
   for (uint c = 0u; c < AERO_BVH_WIDTH; ++c) {
-    const lane_int hit = hit_child(node, c, &wide, &inverse, t_max);
+    const Box box = box_of_child(node, c);
+    const lane_int hit = hit_box(&box, &wide, &inverse, t_max);
     bits |= lane_select(hit, (lane_uint)(1u << c), (lane_uint)0u);
   }
   STORE(bits, met);
@@ -44,11 +45,13 @@ __kernel void probe_beam(__global const AeroBvhNode* nodes, __global const float
   beams[i] = packet.reach >= 0.0f && make_beam(&packet, 1, &beam) ? 1u : 0u;
   if (beams[i] == 0u) return;
   float8 enter;
-  kept[i] = cull_by_beam(node, &beam, packet.reach, &enter);
+  const BeamBoxes boxes = node_boxes(node, &beam);
+  kept[i] = cull_by_beam(&boxes, &beam, packet.reach, &enter);
   vstore8(enter, i, enters);
   lane_uint bits = (lane_uint)0u;
   for (uint c = 0u; c < AERO_BVH_WIDTH; ++c) {
-    const lane_int hit = hit_child_by_cone(node, c, &beam, &packet.cone, ray.t_max);
+    const BoxPlanes box = child_planes(node, c, &beam);
+    const lane_int hit = hit_box_by_cone(&box, &packet.cone, ray.t_max);
     bits |= lane_select(hit, (lane_uint)(1u << c), (lane_uint)0u);
   }
   STORE(bits, met);

@@ -10,39 +10,31 @@ inline Hit load_hit(__global const float* tuv, __global const uint* slots) {
   return hit;
 }
 
-/* Three vertex numbers and the object of each hit, as planes. */
-__kernel void probe_faces(__global const AeroFace* faces, __global const uint* slots,
-                          __global uint* loaded) {
-  const Face face = load_face(faces, LOAD(slots));
-  for (uint i = 0u; i < 3u; ++i) STORE(face.vertex[i], loaded + i * PLANE);
-  STORE(face.object, loaded + 3u * PLANE);
-}
-
-/* Position, normal and colour at each hit, and the plane's normal. */
-__kernel void probe_interpolation(__global const AeroFace* faces,
+/* Position, normal and colour at each hit, the plane's normal, and the object. */
+__kernel void probe_interpolation(__global const float* grid, __global const AeroFace* faces,
                                   __global const AeroVertex* vertices, __global const float* tuv,
                                   __global const uint* slots, __global float* attributes,
-                                  __global float* planes) {
+                                  __global float* planes, __global uint* objects) {
   const Hit hit = load_hit(tuv, slots);
-  const Face face = load_face(faces, hit.triangle);
-  Lane3 corners[3];
-  load_corners(vertices, &face, normal, corners);
-  store3_planes(interpolate3(corners, &hit), attributes + 3u * PLANE);
-  load_corners(vertices, &face, color, corners);
-  store3_planes(interpolate3(corners, &hit), attributes + 6u * PLANE);
-  load_corners(vertices, &face, position, corners);
-  store3_planes(interpolate3(corners, &hit), attributes);
-  store3_planes(plane_normal(corners), planes);
+  const HeightGrid ground = height_grid(grid);
+  const MeshArrays meshes = mesh_arrays(faces, vertices);
+  const HitTriangle triangle = load_hit_triangle(&ground, &meshes, &hit);
+  store3_planes(interpolate3(triangle.corners, &hit), attributes);
+  store3_planes(interpolate3(triangle.normals, &hit), attributes + 3u * PLANE);
+  store3_planes(interpolate3(triangle.colors, &hit), attributes + 6u * PLANE);
+  store3_planes(plane_normal(triangle.corners), planes);
+  STORE(triangle.object, objects);
 }
 
-__kernel void probe_lift(__global const AeroFace* faces, __global const AeroVertex* vertices,
-                         __global const float* tuv, __global const uint* slots,
-                         __global const float* sides, __global float* lifted) {
+__kernel void probe_lift(__global const float* grid, __global const AeroFace* faces,
+                         __global const AeroVertex* vertices, __global const float* tuv,
+                         __global const uint* slots, __global const float* sides,
+                         __global float* lifted) {
   const Hit hit = load_hit(tuv, slots);
-  const Face face = load_face(faces, hit.triangle);
-  Lane3 corners[3], normals[3];
-  load_corners(vertices, &face, position, corners);
-  load_corners(vertices, &face, normal, normals);
-  const Lane3 position = interpolate3(corners, &hit);
-  store3_planes(lift_from_facets(position, corners, normals, LOAD(sides), &hit), lifted);
+  const HeightGrid ground = height_grid(grid);
+  const MeshArrays meshes = mesh_arrays(faces, vertices);
+  const HitTriangle triangle = load_hit_triangle(&ground, &meshes, &hit);
+  const Lane3 position = interpolate3(triangle.corners, &hit);
+  store3_planes(lift_from_facets(position, triangle.corners, triangle.normals, LOAD(sides), &hit),
+                lifted);
 }

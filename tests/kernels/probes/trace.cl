@@ -12,11 +12,12 @@ inline Ray load_ray(__global const float* origins, __global const float* directi
 
 /* Rays through the tree; tuv receives three planes. */
 __kernel void probe_trace(__global const AeroBvhNode* nodes, __global const AeroTriangle* triangles,
-                          __global const float* origins, __global const float* directions,
-                          __global const float* t_max, const int any_hit, __global float* tuv,
-                          __global uint* slots) {
+                          __global const float* grid, __global const float* origins,
+                          __global const float* directions, __global const float* t_max,
+                          const int wanted, __global float* tuv, __global uint* slots) {
   const Ray ray = load_ray(origins, directions, t_max);
-  const Hit hit = trace_packet(nodes, triangles, &ray, any_hit);
+  const World world = make_world(nodes, triangles, grid);
+  const Hit hit = trace_packet(&world, &ray, wanted);
   store3_planes(lane3(hit.t, hit.u, hit.v), tuv);
   STORE(hit.triangle, slots);
 }
@@ -32,9 +33,10 @@ __kernel void probe_trace(__global const AeroBvhNode* nodes, __global const Aero
 
 /* The same in bundles; the number of packets is a multiple of BUNDLE. */
 __kernel void probe_bundle(__global const AeroBvhNode* nodes,
-                           __global const AeroTriangle* triangles, __global const float* origins,
-                           __global const float* directions, __global const float* t_max,
-                           const int any_hit, __global float* tuv, __global uint* slots) {
+                           __global const AeroTriangle* triangles, __global const float* grid,
+                           __global const float* origins, __global const float* directions,
+                           __global const float* t_max, const int wanted, __global float* tuv,
+                           __global uint* slots) {
   const uint first = (uint)get_global_id(0);
   if (first % BUNDLE != 0u) return;
   TracedPacket packets[BUNDLE];
@@ -48,7 +50,8 @@ __kernel void probe_bundle(__global const AeroBvhNode* nodes,
     ray.t_max = LOAD_PACKET(t_max);
     start_packet(packets + i, &ray);
   }
-  trace_bundle(nodes, triangles, packets, any_hit);
+  const World world = make_world(nodes, triangles, grid);
+  trace_bundle(&world, packets, wanted);
   for (uint i = 0u; i < BUNDLE; ++i) {
     const uint packet = first + i;
     STORE_PACKET(packets[i].hit.t, tuv);

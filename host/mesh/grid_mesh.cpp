@@ -1,0 +1,106 @@
+#include "mesh/grid_mesh.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <string>
+
+#include "core/error.hpp"
+#include "height_grid.h"
+
+namespace aerostat::mesh {
+namespace {
+
+std::uint32_t checked_cells(std::span<const float> lines, const char* axis) {
+  const bool ascending = std::adjacent_find(lines.begin(), lines.end(), [](float a, float b) {
+                           return !(a < b);
+                         }) == lines.end();
+  if (lines.size() >= 2 && lines.size() <= AERO_GRID_MOST + 1 && ascending)
+    return static_cast<std::uint32_t>(lines.size() - 1);
+  throw Error(ErrorKind::internal, "a grid's lines of " + std::string(axis) +
+                                       " must ascend and be 2 to " +
+                                       std::to_string(AERO_GRID_MOST + 1) +
+                                       " in number; there are " + std::to_string(lines.size()));
+}
+
+std::uint32_t padded(std::uint32_t cells) {
+  return (cells + AERO_GRID_BLOCK - 1) / AERO_GRID_BLOCK * AERO_GRID_BLOCK;
+}
+
+/// Copies lines and repeats the last one; returns where they end.
+float* put_lines(std::span<const float> lines, std::uint32_t padded_cells, float* to) {
+  float* const end = to + padded_cells + 1;
+  std::fill(std::copy(lines.begin(), lines.end(), to), end, lines.back());
+  return end;
+}
+
+std::uint32_t as_short(float share) {
+  return static_cast<std::uint16_t>(static_cast<std::int16_t>(std::lround(share * 32767.0f)));
+}
+
+float from_short(std::uint32_t bits) {
+  return static_cast<float>(static_cast<std::int16_t>(bits & 0xffffu)) * (1.0f / 32767.0f);
+}
+
+}  // namespace
+
+GridMesh::GridMesh(std::span<const float> x, std::span<const float> z)
+    : columns_(checked_cells(x, "x")),
+      rows_(checked_cells(z, "z")),
+      padded_columns_(padded(columns_)),
+      padded_rows_(padded(rows_)),
+      stride_(std::size_t{padded_columns_} + 1),
+      first_height_(AERO_GRID_HEADER + stride_ + padded_rows_ + 1),
+      first_normal_(first_height_ + stride_ * (std::size_t{padded_rows_} + 1)),
+      x_(x.begin(), x.end()),
+      z_(z.begin(), z.end()) {
+  words_.resize(2 * first_normal_ - first_height_ + AERO_GRID_SLACK);
+  words_[0] = std::bit_cast<float>(padded_columns_);
+  words_[1] = std::bit_cast<float>(padded_rows_);
+  put_lines(z, padded_rows_, put_lines(x, padded_columns_, words_.data() + AERO_GRID_HEADER));
+  std::fill_n(words_.end() - AERO_GRID_SLACK, AERO_GRID_SLACK, 0.0f);
+}
+
+void GridMesh::set(std::uint32_t i, std::uint32_t j, float height, const vec3& normal) {
+  const vec3 share = normal / (std::fabs(normal.x) + std::fabs(normal.y) + std::fabs(normal.z));
+  const float packed = std::bit_cast<float>(as_short(share.x) | as_short(share.z) << 16);
+  // The rim's vertices are repeated to fill up the last blocks.
+  const std::uint32_t last_i = i == columns_ ? padded_columns_ : i;
+  const std::uint32_t last_j = j == rows_ ? padded_rows_ : j;
+  for (std::uint32_t row = j; row <= last_j; ++row) {
+    for (std::uint32_t column = i; column <= last_i; ++column) {
+      words_[first_height_ + at(column, row)] = height;
+      words_[first_normal_ + at(column, row)] = packed;
+    }
+  }
+}
+
+vec3 GridMesh::normal(std::uint32_t i, std::uint32_t j) const {
+  const auto bits = std::bit_cast<std::uint32_t>(words_[first_normal_ + at(i, j)]);
+  const float nx = from_short(bits), nz = from_short(bits >> 16);
+  return glm::normalize(vec3(nx, 1.0f - std::fabs(nx) - std::fabs(nz), nz));
+}
+
+TriangleMesh to_triangles(const GridMesh& grid) {
+  TriangleMesh mesh;
+  for (std::uint32_t j = 0; j <= grid.rows(); ++j) {
+    for (std::uint32_t i = 0; i <= grid.columns(); ++i) {
+      mesh.positions.push_back(grid.position(i, j));
+      mesh.normals.push_back(grid.normal(i, j));
+    }
+  }
+  mesh.triangles.reserve(grid.triangles());
+  const std::uint32_t row = grid.columns() + 1;
+  for (std::uint32_t j = 0; j < grid.rows(); ++j) {
+    for (std::uint32_t i = 0; i < grid.columns(); ++i) {
+      const std::uint32_t a = j * row + i, b = a + 1, c = a + row, d = c + 1;
+      const float ad = std::fabs(grid.height(i, j) - grid.height(i + 1, j + 1));
+      const float bc = std::fabs(grid.height(i + 1, j) - grid.height(i, j + 1));
+      mesh.triangles.push_back(ad <= bc ? uvec3(a, c, d) : uvec3(b, a, c));
+      mesh.triangles.push_back(ad <= bc ? uvec3(a, d, b) : uvec3(b, c, d));
+    }
+  }
+  return mesh;
+}
+
+}  // namespace aerostat::mesh
