@@ -26,6 +26,7 @@ opencl::SourceTree sources_with_bench() {
   sources["bench_rays.cl"] = read_text(folder / "bench_rays.cl");
   sources["count_rays.cl"] = read_text(folder / "count_rays.cl");
   sources["device/ray_buffer.clh"] = read_text(folder / "ray_buffer.clh");
+  sources["device/bounce.clh"] = read_text(folder / "bounce.clh");
   return sources;
 }
 
@@ -53,6 +54,7 @@ DeviceBench::DeviceBench(const opencl::Device& device, int lanes,
   const opencl::Program bench(context_, sources, "bench_rays.cl", lanes_);
   write_camera_ = bench.kernel("write_camera_rays");
   write_shadow_ = bench.kernel("write_shadow_rays");
+  write_bounce_ = bench.kernel("write_bounce_rays");
   trace_rays_ = bench.kernel("trace_rays");
   count_rays_ = opencl::Program(context_, sources, "count_rays.cl", lanes_).kernel("count_rays");
 
@@ -84,6 +86,14 @@ RaySet DeviceBench::shadow_rays() {
   rays_on_device_ = nullptr;
   time_camera_kernel();
   opencl::launch(context_, write_shadow_, size(), launch_, scene_, device_.grid, device_.faces,
+                 device_.vertices, hits_.handle(), rays_);
+  return {lanes_, launch_.tile.block_count, rays_.read()};
+}
+
+RaySet DeviceBench::bounce_rays() {
+  rays_on_device_ = nullptr;
+  time_camera_kernel();
+  opencl::launch(context_, write_bounce_, size(), launch_, device_.grid, device_.faces,
                  device_.vertices, hits_.handle(), rays_);
   return {lanes_, launch_.tile.block_count, rays_.read()};
 }
