@@ -2,6 +2,7 @@
 
 #include <tbb/parallel_invoke.h>
 
+#include "core/huge_pages.hpp"
 #include "split.hpp"
 #include "sweep.hpp"
 
@@ -67,6 +68,7 @@ BinaryTree build_binary(PrimitiveSet& primitives, const BuildOptions& options) {
   BinaryTree tree;
   if (primitives.count < 2) return tree;
   tree.nodes = std::make_unique_for_overwrite<BinaryNode[]>(primitives.count - 1);
+  prefer_huge_pages(tree.nodes.get(), (primitives.count - 1) * sizeof(BinaryNode));
   const Builder builder(primitives.items.get(), tree.nodes.get(), options);
   builder.build({0, 0, primitives.count}, 0, primitives.bounds, primitives.centroids);
   return tree;

@@ -5,6 +5,8 @@
 
 #include <tbb/parallel_for.h>
 
+#include "core/huge_pages.hpp"
+
 namespace aerostat::bvh {
 namespace {
 
@@ -238,6 +240,8 @@ std::vector<AeroBvhNode> collapse(const BinaryTree& tree, const PrimitiveSet& pr
     nodes[deferred[i].parent].child[deferred[i].slot] = offset[i];
     total += parts[i].size();
   }
+  nodes.reserve(total);
+  prefer_huge_pages(nodes.data(), total * sizeof(AeroBvhNode));
   nodes.resize(total);
   tbb::parallel_for(std::size_t{0}, parts.size(), [&](std::size_t i) {
     append_shifted(parts[i], offset[i], nodes.data() + offset[i]);

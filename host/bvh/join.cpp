@@ -6,6 +6,7 @@
 #include "bvh.hpp"
 #include "collapse.hpp"
 #include "core/error.hpp"
+#include "core/huge_pages.hpp"
 
 namespace aerostat::bvh {
 namespace {
@@ -111,6 +112,8 @@ class Joiner {
       entry.first_node = static_cast<std::uint32_t>(total);
       total += entry.tree->nodes.size();
     }
+    result_.nodes.reserve(total);
+    prefer_huge_pages(result_.nodes.data(), total * sizeof(AeroBvhNode));
     result_.nodes.resize(total);
     for (std::size_t n = 0; n < top_nodes; ++n) {
       for (int slot = 0; slot < AERO_BVH_WIDTH; ++slot) {

@@ -7,6 +7,7 @@
 #include <tbb/parallel_for.h>
 
 #include "core/error.hpp"
+#include "core/huge_pages.hpp"
 
 namespace aerostat::bvh {
 namespace {
@@ -119,6 +120,7 @@ void check_input(std::size_t triangles, const BuildOptions& options) {
 PrimitiveSet collect_primitives(std::span<const vec3> positions, std::span<const uvec3> triangles) {
   PrimitiveSet set;
   set.items = std::make_unique_for_overwrite<Primitive[]>(triangles.size());
+  prefer_huge_pages(set.items.get(), triangles.size() * sizeof(Primitive));
   const Collector collector(positions, triangles, set.items.get());
   std::vector<BlockResult> blocks((triangles.size() + kBlock - 1) / kBlock);
   tbb::parallel_for(std::size_t{0}, blocks.size(), [&](std::size_t b) {

@@ -6,6 +6,8 @@
 #include <utility>
 #include <vector>
 
+#include "core/huge_pages.hpp"
+
 namespace aerostat {
 
 /// Allocates for arrays of many megabytes that all cores are about to fill: elements start without
@@ -20,7 +22,9 @@ class ArrayAllocator {
   explicit ArrayAllocator(const ArrayAllocator<U>&) {}
 
   T* allocate(std::size_t count) {
-    return static_cast<T*>(::operator new(count * sizeof(T), kAlignment));
+    void* const memory = ::operator new(count * sizeof(T), kAlignment);
+    prefer_huge_pages(memory, count * sizeof(T));
+    return static_cast<T*>(memory);
   }
   void deallocate(T* memory, std::size_t) { ::operator delete(memory, kAlignment); }
 
