@@ -1,4 +1,5 @@
-#include <optional>
+#include <algorithm>
+#include <vector>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -12,37 +13,61 @@ namespace aerostat::cli {
 
 namespace {
 
-// The device that a render would take now; none if the environment names one that is not there.
-std::optional<std::string> chosen_selector(const opencl::DeviceList& list) {
+// The devices that a render would take now; none if the environment names one that is not there.
+std::vector<opencl::Device> chosen_devices(const opencl::DeviceList& list) {
   try {
-    return opencl::pick(list, opencl::effective_selector("")).selector();
+    return opencl::pick(list, opencl::effective_selector(""));
   } catch (const Error&) {
-    return std::nullopt;
+    return {};
   }
 }
 
-std::string text_of(const opencl::DeviceList& list, const std::optional<std::string>& chosen) {
+// Whether a render would take it or parts of it.
+bool is_among(const opencl::Device& device, const std::vector<opencl::Device>& chosen) {
+  return std::any_of(chosen.begin(), chosen.end(), [&](const opencl::Device& one) {
+    return one.platform_index == device.platform_index && one.device_index == device.device_index;
+  });
+}
+
+std::string selectors_of(const std::vector<opencl::Device>& devices) {
   std::string text;
-  for (const opencl::Device& device : list.devices) {
-    const bool is_chosen = chosen == device.selector();
-    text += fmt::format(
-        "{} {}  {}\n     platform {}, driver {}\n     {}, {} compute units, {:.1f} GiB, preferred "
-        "float width {}, lanes {}\n",
-        is_chosen ? "*" : " ", device.selector(), device.name, device.platform, device.driver,
-        opencl::type_name(device.type), device.compute_units,
-        static_cast<double>(device.memory_bytes) / 0x1p30, device.preferred_float_width,
-        device.lanes);
-  }
-  for (const std::string& problem : list.problems) text += fmt::format("! {}\n", problem);
-  if (list.devices.empty()) {
-    text += "No OpenCL device can be used: install pocl-opencl-icd or your GPU's driver.\n";
-  } else if (chosen) {
-    text += "* is taken unless --device or AEROSTAT_DEVICE says otherwise.\n";
+  for (const opencl::Device& device : devices) {
+    if (!text.empty()) text += ',';
+    text += device.selector();
   }
   return text;
 }
 
-std::string json_of(const opencl::DeviceList& list, const std::optional<std::string>& chosen) {
+std::string cuts_text(const opencl::Device& device) {
+  if (device.most_parts < 2) return "";
+  const std::string selector = device.selector();
+  return fmt::format("     up to {} parts: {}/2 is two halves, {}/2.0 the first of them\n",
+                     device.most_parts, selector, selector);
+}
+
+std::string text_of(const opencl::DeviceList& list, const std::vector<opencl::Device>& chosen) {
+  std::string text;
+  for (const opencl::Device& device : list.devices) {
+    text += fmt::format(
+        "{} {}  {}\n     platform {}, driver {}\n     {}, {} compute units, {:.1f} GiB, preferred "
+        "float width {}, lanes {}\n",
+        is_among(device, chosen) ? "*" : " ", device.selector(), device.name, device.platform,
+        device.driver, opencl::type_name(device.type), device.compute_units,
+        static_cast<double>(device.memory_bytes) / 0x1p30, device.preferred_float_width,
+        device.lanes);
+    text += cuts_text(device);
+  }
+  for (const std::string& problem : list.problems) text += fmt::format("! {}\n", problem);
+  if (list.devices.empty()) {
+    text += "No OpenCL device can be used: install pocl-opencl-icd or your GPU's driver.\n";
+  } else if (!chosen.empty()) {
+    text += fmt::format("* {} is taken unless --device or AEROSTAT_DEVICE says otherwise.\n",
+                        selectors_of(chosen));
+  }
+  return text;
+}
+
+std::string json_of(const opencl::DeviceList& list, const std::vector<opencl::Device>& chosen) {
   nlohmann::ordered_json devices = nlohmann::ordered_json::array();
   for (const opencl::Device& device : list.devices) {
     devices.push_back({{"selector", device.selector()},
@@ -55,7 +80,8 @@ std::string json_of(const opencl::DeviceList& list, const std::optional<std::str
                        {"compute_units", device.compute_units},
                        {"preferred_float_width", device.preferred_float_width},
                        {"lanes", device.lanes},
-                       {"chosen", chosen == device.selector()}});
+                       {"most_parts", device.most_parts},
+                       {"chosen", is_among(device, chosen)}});
   }
   const nlohmann::ordered_json all = {{"devices", devices}, {"problems", list.problems}};
   // Drivers' names may be no UTF-8.
@@ -66,7 +92,7 @@ std::string json_of(const opencl::DeviceList& list, const std::optional<std::str
 
 int devices(const DevicesOptions& options) {
   const opencl::DeviceList list = opencl::list_devices();
-  const auto chosen = chosen_selector(list);
+  const auto chosen = chosen_devices(list);
   write_stdout(options.json ? json_of(list, chosen) : text_of(list, chosen));
   return list.devices.empty() ? static_cast<int>(ErrorKind::no_device) : 0;
 }

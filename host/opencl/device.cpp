@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "opencl/cache.hpp"
+#include "opencl/partition.hpp"
 #include "opencl/program.hpp"
 
 namespace aerostat::opencl {
@@ -70,6 +71,7 @@ Device described(const cl::Device& handle, const std::string& platform) {
   device.preferred_float_width = handle.getInfo<CL_DEVICE_PREFERRED_VECTOR_WIDTH_FLOAT>();
   device.lanes = lanes_for(device.type, handle.getInfo<CL_DEVICE_NATIVE_VECTOR_WIDTH_FLOAT>(),
                            device.preferred_float_width);
+  device.most_parts = most_parts(handle);
   return device;
 }
 

@@ -24,8 +24,10 @@ struct Device {
   unsigned compute_units = 0;
   unsigned preferred_float_width = 1;
   int lanes = 1;  // rays per work-item that aerostat would use: 1 on GPUs, 4, 8 or 16 on CPUs
+  unsigned most_parts = 0;       // that it can be cut into
+  unsigned parts = 0, part = 0;  // of how many parts of a device this is which; 0: it is whole
 
-  std::string selector() const;  // "0:1"
+  std::string selector() const;  // "0:1", or "0:1/2.0" for the first of two parts
 };
 
 /// What enumeration found: usable devices and, in words, what could not be used and why.
@@ -43,9 +45,9 @@ DeviceList list_devices();
 /// Rays per work-item on a device of `type` that reports these widths of float vectors.
 int lanes_for(DeviceType type, unsigned native_width, unsigned preferred_width);
 
-/// The device of `list` that `selector` names, by the rules of `select_device`. If the selector
-/// fits none and PoCL was left out, throws Error{io} that tells how to mend the cache folder.
-const Device& pick(const DeviceList& list, const std::string& selector);
+/// The devices of `list` that `selector` names, by the rules of `select_devices`. If a name fits
+/// none and PoCL was left out, throws Error{io} that tells how to mend the cache folder.
+std::vector<Device> pick(const DeviceList& list, const std::string& selector);
 
 /// One line: "0:1  name (cpu)".
 std::string describe(const Device& device);
@@ -53,10 +55,17 @@ std::string describe(const Device& device);
 /// "cpu", "gpu" or "other".
 const char* type_name(DeviceType type);
 
-/// The device that `selector` names: "auto" or "" (a GPU if there is one, else a CPU), "cpu",
-/// "gpu", "P:D", or a part of the device's or platform's name (case-insensitive). Throws
-/// Error{no_device} with the list of what there is, or with what to install if nothing is, and
-/// Error{io} if PoCL's cache folder is the cause.
+/// The devices that `selector` names, in its order: "all", or names with commas between them. A
+/// name is "auto" (a GPU if there is one, else a CPU), "cpu", "gpu", "P:D", or a part of the
+/// device's or platform's name (case-insensitive); "" is "auto". Behind it, "/N" cuts the device
+/// into N parts of its compute units and takes them all, "/N.K" the K-th of them, counted from 0.
+/// Throws Error{no_device} with the list of what there is, or with what to install if nothing is;
+/// Error{usage} if the text is malformed or names compute units twice; and Error{io} if PoCL's
+/// cache folder is the cause.
+std::vector<Device> select_devices(const std::string& selector);
+
+/// The one device that `selector` names. Throws as `select_devices` does, and Error{usage} if they
+/// are several.
 Device select_device(const std::string& selector);
 
 /// `selector` if not empty, else AEROSTAT_DEVICE, else "auto".

@@ -1,13 +1,16 @@
 #include <algorithm>
 #include <cctype>
+#include <charconv>
 #include <cstdlib>
 #include <functional>
+#include <optional>
 #include <string_view>
 
 #include <fmt/format.h>
 
 #include "core/error.hpp"
 #include "opencl/device.hpp"
+#include "opencl/partition.hpp"
 
 namespace aerostat::opencl {
 namespace {
@@ -65,10 +68,83 @@ std::vector<Rule> rules_of(const std::string& wanted) {
   throw Error(ErrorKind::no_device, message);
 }
 
+/// One name of a selector, taken apart.
+struct Name {
+  std::string device;
+  unsigned parts = 0;  // 0: the whole
+  std::optional<unsigned> part;
+};
+
+std::optional<unsigned> number(std::string_view digits) {
+  unsigned value = 0;
+  const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
+  if (error != std::errc{} || end != digits.data() + digits.size()) return std::nullopt;
+  return value;
+}
+
+[[noreturn]] void refuse(const std::string& selector, const std::string& why) {
+  throw Error(ErrorKind::usage, fmt::format("device \"{}\": {}", selector, why));
+}
+
+/// Names of devices may hold slashes of their own: only numbers behind one make it a cut.
+Name parse_name(const std::string& text) {
+  Name name;
+  name.device = text;
+  const auto slash = text.rfind('/');
+  const auto cut =
+      slash == std::string::npos ? std::string_view() : std::string_view(text).substr(slash + 1);
+  if (cut.empty() || cut.find_first_not_of("0123456789.") != std::string_view::npos) return name;
+  const auto dot = cut.find('.');
+  name.device.resize(slash);
+  const auto parts = number(cut.substr(0, dot));
+  if (dot != std::string_view::npos) name.part = number(cut.substr(dot + 1));
+  const bool is_one = dot == std::string_view::npos || name.part;
+  if (!parts || *parts == 0 || !is_one || name.part.value_or(0) >= *parts) {
+    refuse(text, "expected DEVICE/N, or DEVICE/N.K with a part K from 0 to N - 1");
+  }
+  name.parts = *parts;
+  return name;
+}
+
+bool overlap(const Device& a, const Device& b) {
+  if (a.platform_index != b.platform_index || a.device_index != b.device_index) return false;
+  return a.parts != b.parts || a.part == b.part;
+}
+
+std::vector<std::string> split(const std::string& text) {
+  std::vector<std::string> items(1);
+  for (const char c : text) {
+    if (c == ',') {
+      items.emplace_back();
+    } else {
+      items.back() += c;
+    }
+  }
+  return items;
+}
+
+const Device& pick_one(const DeviceList& list, const std::string& name) {
+  for (const auto& rule : rules_of(lower(name))) {
+    const auto found = std::find_if(list.devices.begin(), list.devices.end(), rule);
+    if (found != list.devices.end()) return *found;
+  }
+  throw_nothing_found(list, name);
+}
+
+std::vector<Device> pick_named(const DeviceList& list, const std::string& text) {
+  if (lower(text) == "all" && !list.devices.empty()) return list.devices;
+  const Name name = parse_name(text);
+  const Device& device = pick_one(list, name.device);
+  if (name.parts == 0) return {device};
+  const auto parts = cut(device, name.parts);
+  return name.part ? std::vector{parts[*name.part]} : parts;
+}
+
 }  // namespace
 
 std::string Device::selector() const {
-  return fmt::format("{}:{}", platform_index, device_index);
+  const auto whole = fmt::format("{}:{}", platform_index, device_index);
+  return parts == 0 ? whole : fmt::format("{}/{}.{}", whole, parts, part);
 }
 
 const char* type_name(DeviceType type) {
@@ -87,16 +163,33 @@ std::string describe(const Device& device) {
   return fmt::format("{}  {} ({})", device.selector(), device.name, type_name(device.type));
 }
 
-const Device& pick(const DeviceList& list, const std::string& selector) {
-  for (const auto& rule : rules_of(lower(selector))) {
-    const auto found = std::find_if(list.devices.begin(), list.devices.end(), rule);
-    if (found != list.devices.end()) return *found;
+std::vector<Device> pick(const DeviceList& list, const std::string& selector) {
+  std::vector<Device> picked;
+  const auto names = split(selector);
+  for (const auto& name : names) {
+    if (name.empty() && names.size() > 1) refuse(selector, "a name is missing beside a comma");
+    for (const Device& device : pick_named(list, name)) {
+      for (const Device& other : picked) {
+        if (!overlap(device, other)) continue;
+        refuse(selector, fmt::format("{} and {} are the same compute units", other.selector(),
+                                     device.selector()));
+      }
+      picked.push_back(device);
+    }
   }
-  throw_nothing_found(list, selector);
+  return picked;
+}
+
+std::vector<Device> select_devices(const std::string& selector) {
+  return pick(list_devices(), selector);
 }
 
 Device select_device(const std::string& selector) {
-  return pick(list_devices(), selector);
+  const auto devices = select_devices(selector);
+  if (devices.size() > 1) {
+    refuse(selector, fmt::format("these are {} devices; expected one", devices.size()));
+  }
+  return devices.front();
 }
 
 std::string effective_selector(const std::string& selector) {

@@ -68,6 +68,9 @@ TEST_F(Usage, MistakesAreOneClearLineAndCode64) {
       {{"export", scene}, "--output is required"},
       {{"export", scene, "-o", "x.stl"}, ".ply"},
       {{"devices", "--json", "more"}, "more"},
+      {{"render", scene, "--device", "cpu,cpu"}, "same compute units"},
+      {{"render", scene, "--device", "cpu,"}, "beside a comma"},
+      {{"render", scene, "--device", "cpu/2.2"}, "from 0 to N - 1"},
   };
   for (const Mistake& mistake : mistakes) {
     const Outcome outcome = run(mistake.arguments);
@@ -99,6 +102,24 @@ TEST_F(Usage, DevicesAreListed) {
   }
   EXPECT_EQ(chosen, 1);
   EXPECT_TRUE(json.at("problems").is_array());
+}
+
+TEST_F(Usage, DevicesTellWhatCanBeCut) {
+  const Environment two_units{"POCL_MAX_PTHREAD_COUNT=2", "AEROSTAT_DEVICE=cpu/2"};
+  const Outcome text = run({"devices"}, two_units);
+  EXPECT_TRUE(contains(text.out, "up to 2 parts"));
+  EXPECT_TRUE(contains(text.out, "/2.0,"));
+  const auto json = nlohmann::json::parse(run({"devices", "--json"}, two_units).out);
+  int chosen = 0;
+  for (const auto& device : json.at("devices")) {
+    if (!device.at("chosen").get<bool>()) continue;
+    ++chosen;
+    EXPECT_EQ(device.at("most_parts"), 2);
+  }
+  EXPECT_EQ(chosen, 1) << "the device whose parts they are";
+  const Outcome many = run(small_render("snow", {"--device", "cpu/3"}), two_units);
+  EXPECT_EQ(many.code, 69);
+  EXPECT_TRUE(contains(many.err, "cannot be cut into 3 parts: 2 are the most"));
 }
 
 TEST_F(Usage, WithoutPlatformsThereIsNoDevice) {

@@ -72,7 +72,7 @@ TEST(Devices, AreListed) {
     EXPECT_FALSE(device.name.empty());
     EXPECT_GT(device.memory_bytes, 0u);
     EXPECT_GT(device.compute_units, 0u);
-    EXPECT_EQ(pick(list, device.selector()).selector(), device.selector());
+    EXPECT_EQ(pick(list, device.selector()).at(0).selector(), device.selector());
   }
 }
 

@@ -1,4 +1,4 @@
-// Sources, includes and the choice of a device: what needs no device.
+// Sources, includes and options: what needs no device.
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
@@ -150,79 +150,6 @@ TEST(Options, NameTheLanguageAndTheLanes) {
   EXPECT_TRUE(contains(build_options(8), "-cl-std=CL1.2"));
   EXPECT_TRUE(contains(build_options(8), "-DLANES=8"));
   EXPECT_EQ(error_of([] { build_options(3); }).kind(), ErrorKind::usage);
-}
-
-Device made_up(int platform, int index, const char* name, DeviceType type) {
-  Device device;
-  device.platform_index = platform;
-  device.device_index = index;
-  device.platform = platform == 0 ? "Portable Computing Language" : "NVIDIA CUDA";
-  device.name = name;
-  device.type = type;
-  return device;
-}
-
-DeviceList three_devices() {
-  DeviceList list;
-  list.devices = {made_up(0, 0, "pthread-haswell", DeviceType::cpu),
-                  made_up(1, 0, "GeForce One", DeviceType::gpu),
-                  made_up(1, 1, "GeForce Two", DeviceType::gpu)};
-  return list;
-}
-
-TEST(Pick, FollowsTheSelector) {
-  const auto list = three_devices();
-  const auto picked = [&](const char* selector) { return pick(list, selector).selector(); };
-  EXPECT_EQ(picked(""), "1:0");
-  EXPECT_EQ(picked("auto"), "1:0");
-  EXPECT_EQ(picked("cpu"), "0:0");
-  EXPECT_EQ(picked("GPU"), "1:0");
-  EXPECT_EQ(picked("1:1"), "1:1");
-  EXPECT_EQ(picked("geforce two"), "1:1");
-  EXPECT_EQ(picked("portable"), "0:0");
-  EXPECT_EQ(picked("nvidia"), "1:0");
-}
-
-TEST(Pick, AutoTakesTheCpuWhereThereIsNoGpu) {
-  DeviceList list;
-  list.devices = {made_up(0, 0, "dsp", DeviceType::other), made_up(0, 1, "x", DeviceType::cpu)};
-  EXPECT_EQ(pick(list, "auto").selector(), "0:1");
-  list.devices.pop_back();
-  EXPECT_EQ(pick(list, "auto").selector(), "0:0");
-}
-
-TEST(Pick, ListsWhatThereIs) {
-  auto list = three_devices();
-  list.problems = {"platform 2 (Broken): it has no devices"};
-  for (const char* selector : {"2:0", "1:2", "99999999999999999999:0", "radeon"}) {
-    const auto error = error_of([&] { pick(list, selector); });
-    EXPECT_EQ(error.kind(), ErrorKind::no_device);
-    const std::string message = error.what();
-    EXPECT_TRUE(contains(message, selector)) << message;
-    EXPECT_TRUE(contains(message, "\n  0:0  pthread-haswell (cpu)\n")) << message;
-    EXPECT_TRUE(contains(message, "\n  1:1  GeForce Two (gpu)")) << message;
-    EXPECT_TRUE(contains(message, "platform 2 (Broken)")) << message;
-  }
-}
-
-TEST(Pick, TellsWhatToInstallOrMend) {
-  DeviceList list;
-  list.problems = {"no OpenCL platform is installed"};
-  const auto none = error_of([&] { pick(list, "auto"); });
-  EXPECT_EQ(none.kind(), ErrorKind::no_device);
-  EXPECT_TRUE(contains(none.what(), "pocl-opencl-icd")) << none.what();
-  list.cache_problem = "POCL_CACHE_DIR names /nowhere";
-  const auto cache = error_of([&] { pick(list, "auto"); });
-  EXPECT_EQ(cache.kind(), ErrorKind::io);
-  EXPECT_STREQ(cache.what(), "POCL_CACHE_DIR names /nowhere");
-}
-
-TEST(Selector, ComesFromOptionThenVariable) {
-  setenv("AEROSTAT_DEVICE", "gpu", 1);
-  EXPECT_EQ(effective_selector("0:0"), "0:0");
-  EXPECT_EQ(effective_selector(""), "gpu");
-  unsetenv("AEROSTAT_DEVICE");
-  EXPECT_EQ(effective_selector(""), "auto");
 }
 
 TEST(Lanes, FollowTheDevice) {
