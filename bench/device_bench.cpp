@@ -59,9 +59,8 @@ DeviceBench::DeviceBench(const opencl::Device& device, int lanes,
   scene::Scene scene = geometry.scene;
   scene.image.spp = 1;
   launch_.frame = pack::pack_frame(scene);
-  render::Tiles tiles({0, 0, scene.image.width, scene.image.height},
-                      render::packet_shape(lanes_, 1), 0);
-  launch_.tile = tiles.next(~std::uint64_t{0});
+  launch_.tile = render::tile_of({0, 0, scene.image.width, scene.image.height},
+                                 render::packet_shape(lanes_, 1), 0);
   const AeroScene packed = pack::pack_scene(scene);
   scene_ = {context_, budget_, std::span(&packed, 1), "the scene"};
   const std::uint64_t rays = std::uint64_t{launch_.tile.block_count} * lanes_;

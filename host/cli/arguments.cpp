@@ -127,8 +127,8 @@ class Arguments {
 
   void add_execution(CLI::App* sub) {
     sub->add_option("--device", render_.device,
-                    "platform:device, part of a name, cpu, gpu or auto;\n"
-                    "'aerostat devices' lists what there is")
+                    "platform:device, part of a name, cpu, gpu or auto; or\n"
+                    "several, 0:0,1:0; all; or parts of one, 0:0/2 (below)")
         ->type_name("SEL");
     sub->add_option("--lanes", render_.lanes,
                     "Rays per work-item, 1, 4, 8 or 16; by default what\n"

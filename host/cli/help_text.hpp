@@ -12,7 +12,7 @@ inline constexpr const char* kMainFooter = R"(Examples:
   aerostat COMMAND --help
 
 Environment:
-  AEROSTAT_DEVICE      the device, if --device is not given
+  AEROSTAT_DEVICE      the devices, if --device is not given
   AEROSTAT_KERNEL_DIR  reads the kernels from this folder instead of the program
   NO_COLOR             if set, nothing is coloured
 
@@ -24,7 +24,14 @@ inline constexpr const char* kRenderFooter = R"(Examples:
   aerostat render scenes/tropical.json -o beach.png --width 1920 --height 1080 --spp 16
   aerostat render scenes/sand.json -o layers.exr --spp 1
   aerostat render scenes/snow.json --set /sun/elevation_deg=6 --set /balloon/pattern=spiral
-  aerostat render scenes/snow.json --crop 400,200,880,520 --device cpu --stats)";
+  aerostat render scenes/snow.json --crop 400,200,880,520 --device cpu --stats
+  aerostat render scenes/snow.json --device all
+
+Devices:
+  A name is platform:device (as 'aerostat devices' lists them), a part of a name, cpu, gpu or auto.
+  0:0,1:0 is two devices that share the picture, all is every device there is; 0:0/2 is a device cut
+  into 2 parts of its compute units, 0:0/2.1 the second of them. --memory-limit is for each. Devices
+  of one lane width give the same picture, bit by bit, whether together or alone.)";
 
 inline constexpr const char* kDevicesFooter = R"(Examples:
   aerostat devices

@@ -1,4 +1,5 @@
 #include <cstdio>
+#include <map>
 
 #include <fmt/format.h>
 
@@ -74,10 +75,22 @@ void warn_of_nan(const image::Film& film) {
   warn(fmt::format("{} pixels came out as no number and were set to black", film.nan_pixels));
 }
 
+/// Each name once, with how many devices bear it.
+std::string names_of(const std::vector<opencl::Device>& devices) {
+  std::map<std::string, int> counts;
+  for (const opencl::Device& device : devices) ++counts[device.name];
+  std::string text;
+  for (const auto& [name, count] : counts) {
+    if (!text.empty()) text += " and ";
+    text += count == 1 ? name : fmt::format("{} x {}", count, name);
+  }
+  return text;
+}
+
 std::string summary(const fs::path& output, const image::Film& film, int spp,
-                    const opencl::Device& device, double seconds) {
+                    const std::vector<opencl::Device>& devices, double seconds) {
   return fmt::format("wrote {} ({} x {}, {} spp) in {:.1f} s on {}", output.string(), film.width,
-                     film.height, spp, seconds, device.name);
+                     film.height, spp, seconds, names_of(devices));
 }
 
 }  // namespace
@@ -97,8 +110,8 @@ int render(const RenderOptions& options) {
   scene::Scene scene = scene_to_render(options);
   seconds.reading = phase.restart();
   require_encodable(options, scene.image, format);
-  const opencl::Device device = opencl::select_device(opencl::effective_selector(options.device));
-  render::Session session({device, options.lanes, options.memory_limit_bytes, 0});
+  const auto devices = opencl::select_devices(opencl::effective_selector(options.device));
+  render::Session session({devices, options.lanes, options.memory_limit_bytes, 0});
   seconds.device = phase.restart();
   session.begin_kernels();
   world::resolve(scene);
@@ -116,7 +129,7 @@ int render(const RenderOptions& options) {
   seconds.writing = phase.seconds();
 
   if (!options.quiet) {
-    bar.message(summary(output, film, scene.image.spp, device, watch.seconds()));
+    bar.message(summary(output, film, scene.image.spp, devices, watch.seconds()));
   }
   if (options.stats) {
     print_stderr(stats_text(session.stats(), peak_memory_bytes()) + seconds_text(seconds));

@@ -16,12 +16,30 @@ std::string rays_line(const char* name, std::uint64_t rays, double device_second
   return line + "\n";
 }
 
-std::string built(int count) {
-  return count == 0 ? "kept" : fmt::format("{} built", count);
-}
-
 double mebibytes(std::uint64_t bytes) {
   return static_cast<double>(bytes) / 0x1p20;
+}
+
+/// What each of several devices did.
+std::string devices_text(const render::Stats& stats) {
+  std::string text;
+  for (const render::DeviceStats& one : stats.devices) {
+    const double busy = one.primary_seconds + one.shadow_seconds + one.shade_seconds;
+    const double share =
+        static_cast<double>(one.primary_rays) / static_cast<double>(stats.primary_rays);
+    const double rate =
+        one.primary_seconds > 0.0 ? static_cast<double>(one.primary_rays) / one.primary_seconds : 0;
+    text += fmt::format(
+        "  on {}: {} primary rays, {:.1f} % of them, {:.2f} Mrays/s; busy for {:.2f} s, {:.1f} "
+        "MiB\n",
+        one.selector, grouped(one.primary_rays), 100.0 * share, rate * 1e-6, busy,
+        mebibytes(one.bytes));
+  }
+  return text;
+}
+
+std::string built(int count) {
+  return count == 0 ? "kept" : fmt::format("{} built", count);
 }
 
 }  // namespace
@@ -60,6 +78,7 @@ std::string stats_text(const render::Stats& stats, std::uint64_t peak_bytes) {
   text += rays_line("  primary", stats.primary_rays, stats.primary_device_seconds);
   text += rays_line("  shadow", stats.shadow_rays, stats.shadow_device_seconds);
   text += fmt::format("{:<10}{:.2f} s on the device\n", "  shading", stats.shade_device_seconds);
+  if (stats.devices.size() > 1) text += devices_text(stats);
   text += fmt::format("{:<10}{:.1f} MiB at most in the process, {:.1f} MiB of device buffers\n",
                       "memory", mebibytes(peak_bytes), mebibytes(stats.device_bytes));
   return text;

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <cstdint>
+#include <span>
 
 #include "film_pixel.h"
 #include "image/film.hpp"
@@ -9,9 +9,17 @@
 
 namespace aerostat::render {
 
-/// Reads the pixels of `crop` after `samples` samples each and averages them. Pixels that are NaN
-/// or infinite become black and are counted.
-image::Film read_film(const opencl::Buffer<AeroFilmPixel>& film, int image_width, const Crop& crop,
+using FilmBuffer = opencl::Buffer<AeroFilmPixel>;
+
+/// Rows of the image, y0 <= y < y1, and the film that holds them.
+struct FilmRows {
+  int y0 = 0, y1 = 0;
+  const FilmBuffer* film = nullptr;
+};
+
+/// Reads the pixels of `crop`, whose rows are `parts` from the top, after `samples` samples each
+/// and averages them. Pixels that are NaN or infinite become black and are counted.
+image::Film read_film(std::span<const FilmRows> parts, int image_width, const Crop& crop,
                       int samples);
 
 }  // namespace aerostat::render

@@ -7,6 +7,7 @@
 #include <optional>
 #include <stop_token>
 #include <string>
+#include <vector>
 
 #include "bvh/bvh.hpp"
 #include "image/film.hpp"
@@ -17,9 +18,9 @@
 namespace aerostat::render {
 
 struct Options {
-  opencl::Device device;
-  int lanes = 0;                         // 0: what the device prefers
-  std::uint64_t memory_limit_bytes = 0;  // buffers on the device; 0: what the device reports
+  std::vector<opencl::Device> devices;   // that share each picture; at least one
+  int lanes = 0;                         // 0: what each device prefers
+  std::uint64_t memory_limit_bytes = 0;  // buffers on each device; 0: what it reports
   int tile_pixels = 0;                   // 0: chosen so that launches stay short
 };
 
@@ -38,8 +39,16 @@ struct Progress {
   int samples_done = 0;  // per pixel, whole passes
 };
 
-/// Called from the rendering thread, at least every 100 ms of it.
+/// Called from the thread that renders, at least every 100 ms of it.
 using ProgressCallback = std::function<void(const Progress&)>;
+
+/// What one device did for a render. Seconds are by its own clock.
+struct DeviceStats {
+  std::string selector, name;
+  std::uint64_t primary_rays = 0;
+  double primary_seconds = 0.0, shadow_seconds = 0.0, shade_seconds = 0.0;
+  std::uint64_t bytes = 0;
+};
 
 /// What a render did. Counts of what was re-used let a caller see that nothing was built twice.
 struct Stats {
@@ -48,7 +57,7 @@ struct Stats {
   double kernel_seconds = 0.0;
   double upload_seconds = 0.0;
   double rays_seconds = 0.0;
-  double primary_device_seconds = 0.0;  // by the device's own clock
+  double primary_device_seconds = 0.0;  // of all devices together
   double shadow_device_seconds = 0.0;
   double shade_device_seconds = 0.0;
   std::uint64_t primary_rays = 0;
@@ -59,10 +68,14 @@ struct Stats {
   int trees_built = 0;
   int programs_built = 0;
   bvh::BuildStats tree;
+  std::vector<DeviceStats> devices;
 };
 
-/// Renders scenes on one device, one after the other, keeping meshes, trees, buffers and programs
-/// that the next scene can use. Not for use from two threads at once, except `snapshot`.
+/// Renders scenes, one after the other, keeping meshes, trees, buffers and programs that the next
+/// scene can use. Several devices share a picture by its rows, each taking the next ones when it is
+/// done with its last; devices of one lane width give the bits that one of them would give alone.
+/// What goes wrong on one of several ends the render with an error that names it. Not for use from
+/// two threads at once, except `snapshot`.
 class Session {
  public:
   explicit Session(Options options);

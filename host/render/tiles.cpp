@@ -16,28 +16,21 @@ PacketShape packet_shape(int lanes, int remaining) {
   return shape;
 }
 
-Tiles::Tiles(const Crop& crop, const PacketShape& shape, std::uint32_t first_sample)
-    : crop_(crop), shape_(shape), first_sample_(first_sample), y_(crop.y0) {
-  const auto width = static_cast<std::uint32_t>(crop.x1 - crop.x0);
-  packets_per_row_ = (width + (1u << shape.log2_w) - 1) >> shape.log2_w;
-}
-
-AeroTile Tiles::next(std::uint64_t max_packets) {
-  const int block_height = 1 << shape_.log2_h;
-  const auto left = static_cast<std::uint64_t>((crop_.y1 - y_ + block_height - 1) / block_height);
-  const std::uint64_t rows = std::clamp<std::uint64_t>(max_packets / packets_per_row_, 1, left);
+AeroTile tile_of(const Crop& area, const PacketShape& shape, std::uint32_t first_sample) {
+  const auto blocks = [](int pixels, std::uint32_t log2_size) {
+    return (static_cast<std::uint32_t>(pixels) + (1u << log2_size) - 1) >> log2_size;
+  };
   AeroTile tile{};
-  tile.x0 = static_cast<std::uint32_t>(crop_.x0);
-  tile.y0 = static_cast<std::uint32_t>(y_);
-  tile.x1 = static_cast<std::uint32_t>(crop_.x1);
-  y_ = std::min(crop_.y1, y_ + static_cast<int>(rows) * block_height);
-  tile.y1 = static_cast<std::uint32_t>(y_);
-  tile.blocks_per_row = packets_per_row_;
-  tile.block_count = static_cast<std::uint32_t>(rows) * packets_per_row_;
-  tile.first_sample = first_sample_;
-  tile.log2_w = shape_.log2_w;
-  tile.log2_h = shape_.log2_h;
-  tile.log2_samples = shape_.log2_samples;
+  tile.x0 = static_cast<std::uint32_t>(area.x0);
+  tile.y0 = static_cast<std::uint32_t>(area.y0);
+  tile.x1 = static_cast<std::uint32_t>(area.x1);
+  tile.y1 = static_cast<std::uint32_t>(area.y1);
+  tile.blocks_per_row = blocks(area.x1 - area.x0, shape.log2_w);
+  tile.block_count = tile.blocks_per_row * blocks(area.y1 - area.y0, shape.log2_h);
+  tile.first_sample = first_sample;
+  tile.log2_w = shape.log2_w;
+  tile.log2_h = shape.log2_h;
+  tile.log2_samples = shape.log2_samples;
   return tile;
 }
 

@@ -16,23 +16,9 @@ struct PacketShape {
 /// rays), the other lanes as square a block of pixels as possible. `lanes` is a power of two.
 PacketShape packet_shape(int lanes, int remaining);
 
-/// Cuts a crop into bands of whole rows of packets, for launches of about `samples_per_launch`.
-/// What a pixel becomes does not depend on the cut: a packet's rays do not influence each other.
-class Tiles {
- public:
-  Tiles(const Crop& crop, const PacketShape& shape, std::uint32_t first_sample);
-
-  bool done() const { return y_ >= crop_.y1; }
-
-  /// The next band of at most `max_packets` packets (at least one row of them).
-  AeroTile next(std::uint64_t max_packets);
-
- private:
-  Crop crop_;
-  PacketShape shape_;
-  std::uint32_t first_sample_;
-  std::uint32_t packets_per_row_;
-  int y_;
-};
+/// The work of one launch that gives each pixel of `area` the samples from `first_sample` on, as
+/// many as `shape` holds. Blocks begin at the corner of the area: what a pixel becomes does not
+/// depend on where that is, since a packet's rays do not influence each other.
+AeroTile tile_of(const Crop& area, const PacketShape& shape, std::uint32_t first_sample);
 
 }  // namespace aerostat::render

@@ -49,6 +49,21 @@ TEST_F(Render, TheSameCommandGivesTheSameBytes) {
   EXPECT_EQ(read_bytes(folder_ / "a.png"), read_bytes(folder_ / "b.png"));
 }
 
+TEST_F(Render, SeveralDevicesGiveThePictureOfOne) {
+  const Environment two_units{"POCL_MAX_PTHREAD_COUNT=2"};
+  const auto picture = [&](const std::string& devices, const std::string& name) {
+    return run(small_render("snow", {"--spp", "20", "-o", name, "--device", devices, "--stats"}),
+               two_units);
+  };
+  const Outcome one = picture("cpu", "one.exr"), two = picture("cpu/2", "two.exr");
+  ASSERT_EQ(one.code, 0) << one.err;
+  ASSERT_EQ(two.code, 0) << two.err;
+  EXPECT_EQ(read_bytes(folder_ / "one.exr"), read_bytes(folder_ / "two.exr"));
+  EXPECT_TRUE(contains(two.err, "/2.0: "));
+  EXPECT_TRUE(contains(two.err, "/2.1: "));
+  EXPECT_FALSE(contains(one.err, "% of them"));
+}
+
 TEST_F(Render, OptionsWinOverSet) {
   const Outcome outcome = run(small_render("sand", {"--set", "/image/width=64", "--spp", "1"}));
   ASSERT_EQ(outcome.code, 0) << outcome.err;

@@ -53,14 +53,14 @@ scene::Scene small_scene(const std::string& name, const Size& size) {
   return scene;
 }
 
-const opencl::Device& device() {
-  static const opencl::Device chosen = opencl::select_device(opencl::effective_selector(""));
+const std::vector<opencl::Device>& devices() {
+  static const auto chosen = opencl::select_devices(opencl::effective_selector(""));
   return chosen;
 }
 
 render::Options options(int lanes) {
   render::Options chosen;
-  chosen.device = device();
+  chosen.devices = devices();
   chosen.lanes = lanes;
   return chosen;
 }

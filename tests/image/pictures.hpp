@@ -26,10 +26,10 @@ struct Size {
 /// scenes/<name>.json, resolved, at another size.
 scene::Scene small_scene(const std::string& name, const Size& size = {});
 
-/// The device of AEROSTAT_DEVICE, else the automatic one. No device is a failure: throws.
-const opencl::Device& device();
+/// The devices of AEROSTAT_DEVICE, else the automatic one. No device is a failure: throws.
+const std::vector<opencl::Device>& devices();
 
-/// Options on `device()`.
+/// Options on `devices()`.
 render::Options options(int lanes = 0);
 
 /// The session of all tests of this process that need no session of their own.

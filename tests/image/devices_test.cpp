@@ -1,0 +1,226 @@
+// Several devices at one picture: parts of PoCL's, as they are everywhere.
+#include <algorithm>
+#include <cstdlib>
+#include <numeric>
+
+#include "core/error.hpp"
+#include "pictures.hpp"
+#include "render/row_queue.hpp"
+
+namespace aerostat::test {
+namespace {
+
+using render::Crop;
+using render::RowQueue;
+using render::RowRun;
+using render::Session;
+
+/// Three compute units, however many cores there are: halves of two and of one. Set before the
+/// first call of OpenCL.
+class ThreeComputeUnits : public testing::Environment {
+ public:
+  void SetUp() override { ::setenv("POCL_MAX_PTHREAD_COUNT", "3", 1); }
+};
+const auto* const kThreeUnits = testing::AddGlobalTestEnvironment(new ThreeComputeUnits);
+
+render::Options on(const std::string& selector) {
+  render::Options options;
+  options.devices = opencl::select_devices(selector);
+  return options;
+}
+
+Session& whole() {
+  static Session session(on("cpu"));
+  return session;
+}
+
+Session& halves() {
+  static Session session(on("cpu/2"));
+  return session;
+}
+
+/// The rays of all devices, and how many of them traced any.
+std::pair<std::uint64_t, int> rays_and_workers(const Session& session) {
+  std::uint64_t rays = 0;
+  int workers = 0;
+  for (const render::DeviceStats& one : session.stats().devices) {
+    rays += one.primary_rays;
+    workers += one.primary_rays > 0 ? 1 : 0;
+  }
+  return {rays, workers};
+}
+
+TEST(Devices, GiveTheBitsOfOneInPassesOfAnyShape) {
+  // One pass, several of one shape, and a last one with blocks of several rows.
+  for (const int spp : {1, 4, 5, 16, 37}) {
+    const auto scene = small_scene("snow", {97, 61, spp, 128});
+    const image::Film expected = whole().render(scene);
+    EXPECT_TRUE(same_bits(expected, halves().render(scene))) << spp << " spp";
+    EXPECT_TRUE(same_bits(expected, halves().snapshot())) << spp << " spp";
+    EXPECT_EQ(rays_and_workers(halves()).first, 97u * 61u * static_cast<unsigned>(spp));
+    EXPECT_EQ(halves().stats().shadow_rays, whole().stats().shadow_rays);
+  }
+}
+
+TEST(Devices, GiveTheBitsOfOneWhateverTheTiles) {
+  const auto scene = small_scene("snow", {97, 61, 21, 128});
+  const image::Film expected = whole().render(scene);
+  for (const int pixels : {1, 777}) {
+    auto options = on("cpu/3");
+    options.tile_pixels = pixels;
+    Session session(options);
+    EXPECT_TRUE(same_bits(expected, session.render(scene))) << pixels << " pixels a tile";
+    EXPECT_EQ(rays_and_workers(session).first, 97u * 61u * 21u);
+    if (pixels > 1) continue;
+    EXPECT_EQ(rays_and_workers(session).second, 3) << "all had something to do";
+  }
+}
+
+TEST(Devices, GiveTheBitsOfOneInACrop) {
+  const auto scene = small_scene("tropical", {97, 61, 18, 128});
+  const image::Film all = whole().render(scene);
+  for (const Crop crop : {Crop{13, 7, 61, 44}, Crop{96, 60, 97, 61}, Crop{0, 30, 97, 31}}) {
+    EXPECT_TRUE(same_bits(cut(all, crop), halves().render(scene, {}, {}, crop)))
+        << "crop " << crop.x0 << "," << crop.y0 << "," << crop.x1 << "," << crop.y1;
+  }
+}
+
+TEST(Devices, KeepWhatTheNextSceneCanUse) {
+  auto scene = small_scene("snow");
+  halves().render(scene);
+  scene.camera.position += dvec3(3.0, 1.0, -5.0);
+  EXPECT_TRUE(same_bits(whole().render(scene), halves().render(scene)));
+  EXPECT_EQ(halves().stats().worlds_built, 0);
+  EXPECT_EQ(halves().stats().programs_built, 0);
+  scene.balloon.position += dvec3(4.0, 2.0, 1.0);
+  EXPECT_TRUE(same_bits(whole().render(scene), halves().render(scene)));
+}
+
+TEST(Devices, OfDifferentWidthsGiveRowsOfOneOrTheOther) {
+  const auto scene = small_scene("snow", {97, 61, 8, 128});
+  auto options = on("cpu/2");
+  std::vector<image::Film> alone;
+  for (const int lanes : {16, 1}) {
+    options.lanes = lanes;
+    alone.push_back(Session(options).render(scene));
+  }
+  options.lanes = 0;
+  options.devices[0].lanes = 16;
+  options.devices[1].lanes = 1;
+  options.tile_pixels = 1;
+  Session session(options);
+  const image::Film mixed = session.render(scene);
+  EXPECT_EQ(rays_and_workers(session), (std::pair{std::uint64_t{97u * 61u * 8u}, 2}));
+  for (int y = 0; y < 61; ++y) {
+    const Crop row{0, y, 97, y + 1};
+    const image::Film here = cut(mixed, row);
+    EXPECT_TRUE(same_bits(here, cut(alone[0], row)) || same_bits(here, cut(alone[1], row)))
+        << "row " << y;
+  }
+}
+
+TEST(Devices, AreNamedWhenOneFails) {
+  const auto scene = small_scene("snow", {320, 180, 4, 128});
+  auto options = on("cpu/2");
+  options.tile_pixels = 1;
+  Session frugal(options);
+  const image::Film expected = frugal.render(scene);
+  // Enough for all but the hits of larger launches, which are asked for while rays are traced.
+  std::uint64_t most = 0;
+  for (const auto& one : frugal.stats().devices) most = std::max(most, one.bytes);
+  options.memory_limit_bytes = most + 1024;
+  options.tile_pixels = 1 << 20;
+  Session session(options);
+  try {
+    session.render(scene);
+    FAIL() << "it fitted";
+  } catch (const Error& error) {
+    EXPECT_EQ(error.kind(), ErrorKind::exhausted);
+    const std::string message = error.what();
+    EXPECT_NE(message.find("on " + options.devices[0].selector().substr(0, 5)), std::string::npos)
+        << message;
+    EXPECT_NE(message.find("the hits"), std::string::npos) << message;
+  }
+  auto smaller = scene;
+  smaller.image.width = smaller.image.height = 32;
+  EXPECT_TRUE(same_bits(session.render(smaller), frugal.render(smaller))) << "the session goes on";
+}
+
+TEST(Devices, StopTogether) {
+  const auto endless = small_scene("sand-empty", {640, 360, 4096, 64});
+  std::stop_source stop;
+  EXPECT_THROW(halves().render(endless, stop.get_token(),
+                               [&](const render::Progress& progress) {
+                                 if (progress.samples_done > 0) stop.request_stop();
+                               }),
+               Error);
+  EXPECT_EQ(halves().snapshot().width, 640) << "what was done stays readable";
+  const auto scene = small_scene("snow");
+  EXPECT_TRUE(same_bits(whole().render(scene), halves().render(scene))) << "nothing is left of it";
+}
+
+TEST(Devices, NoneIsAnError) {
+  EXPECT_THROW(Session(render::Options{}), Error);
+}
+
+/// What a device is given, of a queue of rows 10 to 19.
+std::vector<int> rows_of(const std::optional<RowRun>& run) {
+  std::vector<int> rows(run ? static_cast<std::size_t>(run->y1 - run->y0) : 0);
+  if (run) std::iota(rows.begin(), rows.end(), run->y0);
+  return rows;
+}
+
+TEST(RowQueue, GivesOneDeviceWhatItAsksFor) {
+  RowQueue queue(10, 20, 1);
+  EXPECT_FALSE(queue.next(0, 1, 4)) << "no pass has begun";
+  queue.begin_pass();
+  EXPECT_EQ(rows_of(queue.next(0, 1, 4)), (std::vector<int>{10, 11, 12, 13}));
+  EXPECT_EQ(rows_of(queue.next(0, 1, 4)), (std::vector<int>{14, 15, 16, 17}));
+  EXPECT_EQ(rows_of(queue.next(0, 1, 4)), (std::vector<int>{18, 19}));
+  EXPECT_FALSE(queue.next(0, 1, 4));
+}
+
+TEST(RowQueue, GivesSeveralLessTowardsTheEnd) {
+  RowQueue queue(0, 100, 2);
+  queue.begin_pass();
+  int device = 0, left = 100;
+  while (const auto run = queue.next(device, 2, 1000)) {
+    const int rows = run->y1 - run->y0;
+    EXPECT_EQ(rows, std::min(left, std::max(2, left / 4)));
+    left -= rows;
+    device = 1 - device;
+  }
+  EXPECT_EQ(left, 0);
+}
+
+TEST(RowQueue, LetsDevicesKeepTheirRowsAndTakeOthersAtTheEnd) {
+  RowQueue queue(0, 8, 2);
+  queue.begin_pass();
+  EXPECT_EQ(queue.next(0, 1, 2)->holder, RowQueue::kNobody);  // 0, 1
+  queue.next(1, 2, 2);                                        // 2, 3
+  queue.next(0, 2, 2);                                        // 4, 5
+  queue.next(1, 2, 2);                                        // 6, 7
+  queue.begin_pass();
+  EXPECT_EQ(rows_of(queue.next(1, 4, 4)), (std::vector<int>{2, 3})) << "not further than its own";
+  EXPECT_EQ(rows_of(queue.next(1, 4, 4)), (std::vector<int>{6, 7}));
+  const auto taken = queue.next(1, 1, 1);
+  EXPECT_EQ(rows_of(taken), (std::vector<int>{5})) << "what the other would come to last";
+  EXPECT_EQ(taken->holder, 0);
+  EXPECT_EQ(rows_of(queue.next(0, 4, 4)), (std::vector<int>{0, 1}));
+  EXPECT_EQ(rows_of(queue.next(0, 4, 4)), (std::vector<int>{4}));
+  EXPECT_FALSE(queue.next(0, 4, 4));
+  std::vector<int> holders;
+  for (const RowRun& run : queue.held()) holders.insert(holders.end(), {run.y0, run.holder});
+  EXPECT_EQ(holders, (std::vector<int>{0, 0, 2, 1, 4, 0, 5, 1}));
+}
+
+TEST(RowQueue, IsEmptyWhenClosed) {
+  RowQueue queue(0, 8, 2);
+  queue.begin_pass();
+  queue.next(0, 1, 2);
+  queue.close();
+  EXPECT_FALSE(queue.next(0, 1, 2));
+}
+
+}  // namespace
+}  // namespace aerostat::test
