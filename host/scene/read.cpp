@@ -15,6 +15,7 @@
 #include "scene/schema.hpp"
 #include "scene/semantics.hpp"
 #include "scene/sun_angles.hpp"
+#include "scene/sun_position.hpp"
 
 namespace aerostat::scene {
 
@@ -101,6 +102,11 @@ void settle_sun(const Json& document, Sun& sun, const Sun& usual) {
     sun.direction = detail::direction_of(angles);
   }
   sun.direction = unit(sun.direction);
+  if (given.contains("date")) {
+    const auto days = detail::days_from_2000(given["date"], given["time"]);
+    sun.direction = detail::direction_of(
+        detail::sun_angles_at(days.value(), given["latitude_deg"], given["longitude_deg"]));
+  }
 }
 
 /// Ahead of the schema, since another version has another one.

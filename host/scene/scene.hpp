@@ -127,7 +127,7 @@ struct Camera {
 };
 
 /// `direction` (unit, towards the sun) is what counts; files may give azimuth_deg and
-/// elevation_deg in its place.
+/// elevation_deg, or date, time, latitude_deg and longitude_deg in its place.
 struct Sun {
   dvec3 direction{0.0, 1.0, 0.0};
   vec3 color{1.0f};         // largest component 1

@@ -104,6 +104,20 @@ INSTANTIATE_TEST_SUITE_P(
             "or angles"},
         Case{R"("camera": {"up": [0, 0, 0]})",
              "/camera/up: found [0, 0, 0], expected a vector that is not null"},
+        Case{R"("sun": {"date": "2024-06-21", "time": "6:30", "latitude_deg": 0})",
+             "/sun/longitude_deg: found nothing, expected date, time, latitude_deg and "
+             "longitude_deg, which belong together"},
+        Case{R"("sun": {"date": "2024-06-31", "time": "06:30", "latitude_deg": 0,
+                        "longitude_deg": 0})",
+             "/sun/date: found \"2024-06-31\", expected a day of the years 1900 to 2100 such as "
+             "\"2024-06-21\""},
+        Case{R"("sun": {"date": "2024-06-21", "time": "6:30", "latitude_deg": 0,
+                        "longitude_deg": 0})",
+             "/sun/time: found \"6:30\", expected a time of day such as \"06:30\", "
+             "\"06:30:15Z\" or \"06:30+02:00\""},
+        Case{R"("sun": {"date": "2024-06-21", "azimuth_deg": 3})",
+             "/sun/azimuth_deg: found a direction beside date, time and place, expected either "
+             "the one or the other"},
         Case{R"("camera": {"position": [1, 2, 3], "target": [1, 2, 3]})",
              "/camera/target: found the camera's own position, expected another point"},
         Case{R"("camera": {"position": [1, 2, 3], "target": [1, 9, 3]})",
