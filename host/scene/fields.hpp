@@ -164,7 +164,7 @@ void fields(Archive& archive, Image& image) {
   archive("spp", image.spp);
   archive("seed", image.seed);
   archive("filter", image.filter);
-  archive("exposure_ev", image.exposure_ev);
+  archive("exposure_ev", image.exposure_ev, image.exposure_given);
 }
 
 template <class Archive>

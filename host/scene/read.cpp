@@ -38,7 +38,8 @@ class Reader {
     return true;
   }
 
-  void operator()(const char* key, dvec3& value, bool& given) {
+  template <class T>
+  void operator()(const char* key, T& value, bool& given) {
     if ((*this)(key, value)) given = true;
   }
 

@@ -196,7 +196,8 @@ struct Image {
   int spp = 4;
   std::uint32_t seed = 1;
   Filter filter = Filter::gaussian;
-  double exposure_ev = 0.0;
+  double exposure_ev = 0.0;     // stops; counts if it is given
+  bool exposure_given = false;  // false: the exposure follows from the picture
 };
 
 struct Scene {

@@ -43,6 +43,7 @@ void walk(const json& rule, const json& root, const std::string& path,
 Scene full_scene() {
   Scene scene = defaults(BiomeKind::snow, View::outside);
   scene.lights.emplace_back();
+  scene.image.exposure_given = true;
   return scene;
 }
 

@@ -130,7 +130,7 @@ TEST(SceneText, EveryFieldSurvivesTheRoundTrip) {
   scene.biome.water.absorption_per_m = {0.31f, 0.07f, 0.0123456789f};
   scene.lights = {{{1, 2, 3}, {0.5f, 1, 1}, 7, false}};
   scene.shading = Shading::flat;
-  scene.image = {33, 44, 5, 6, Filter::tent, -1.5};
+  scene.image = {33, 44, 5, 6, Filter::tent, -1.5, true};
   const std::string dump = write_text(scene);
   const Scene back = read_text(dump, "dump");
   EXPECT_EQ(write_text(back), dump);
