@@ -18,7 +18,7 @@ __kernel void shade_hits(const AeroLaunch launch, __global const AeroScene* scen
   Lane3 radiance = lane3(zero, zero, zero);
   Lane3 normal = lane3(zero, zero, zero);
   lane_uint object = (lane_uint)AERO_OBJECT_SKY;
-  if (!lane_all(met)) radiance = sky_radiance(&scene->sky, ray.direction);
+  if (!lane_all(met)) radiance = sky_radiance(scene, &ray);
   if (lane_any(met)) {
     const HeightGrid ground = height_grid(grid);
     const MeshArrays meshes = mesh_arrays(faces, vertices);
@@ -26,7 +26,7 @@ __kernel void shade_hits(const AeroLaunch launch, __global const AeroScene* scen
     Lane3 shading_normal;
     const Lane3 surface = shade_hit(scene, &triangle, &ray, &hit, task.frame.pixel_angle,
                                     visible[block], &shading_normal);
-    radiance = select3(met, through_haze(&scene->sky, surface, &ray, hit.t), radiance);
+    radiance = select3(met, through_air(scene, surface, &ray, hit.t), radiance);
     normal = select3(met, shading_normal, normal);
     object = lane_select(met, triangle.object, object);
   }

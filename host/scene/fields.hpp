@@ -122,20 +122,34 @@ void fields(Archive& archive, PointLight& light) {
 
 template <class Archive>
 void fields(Archive& archive, Sky& sky) {
-  archive("zenith", sky.zenith);
-  archive("horizon", sky.horizon);
-  archive("glow", sky.glow);
-  archive("glow_strength", sky.glow_strength);
-  archive("ambient_up", sky.ambient_up);
-  archive("ambient_down", sky.ambient_down);
   archive("cloud_cover", sky.cloud_cover);
   archive("cloud_height_m", sky.cloud_height_m);
+}
+
+template <class Archive>
+void fields(Archive& archive, Air& air) {
+  archive("density", air.density);
+  archive("ozone_du", air.ozone_du);
+  archive("ground_albedo", air.ground_albedo);
 }
 
 template <class Archive>
 void fields(Archive& archive, Haze& haze) {
   archive("visibility_m", haze.visibility_m);
   archive("scale_height_m", haze.scale_height_m);
+  archive("angstrom", haze.angstrom);
+  archive("asymmetry", haze.asymmetry);
+  archive("albedo", haze.albedo);
+}
+
+template <class Archive>
+void fields(Archive& archive, Fog& fog) {
+  archive("enabled", fog.enabled);
+  archive("visibility_m", fog.visibility_m);
+  archive("top_m", fog.top_m);
+  archive("softness_m", fog.softness_m);
+  archive("billow_m", fog.billow_m);
+  archive("billow_width_m", fog.billow_width_m);
 }
 
 template <class Archive>
@@ -176,7 +190,9 @@ void fields(Archive& archive, Scene& scene) {
   archive("sun", scene.sun);
   archive("lights", scene.lights);
   archive("sky", scene.sky);
+  archive("air", scene.air);
   archive("haze", scene.haze);
+  archive("fog", scene.fog);
   archive("materials", scene.materials);
   archive("shading", scene.shading);
   archive("image", scene.image);

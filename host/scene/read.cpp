@@ -102,12 +102,12 @@ void settle_sun(const Json& document, Sun& sun, const Sun& usual) {
     angles.elevation_deg = given.value("elevation_deg", angles.elevation_deg);
     sun.direction = detail::direction_of(angles);
   }
-  sun.direction = unit(sun.direction);
   if (given.contains("date")) {
     const auto days = detail::days_from_2000(given["date"], given["time"]);
     sun.direction = detail::direction_of(
         detail::sun_angles_at(days.value(), given["latitude_deg"], given["longitude_deg"]));
   }
+  sun.direction = unit(sun.direction);
 }
 
 /// Ahead of the schema, since another version has another one.

@@ -130,8 +130,8 @@ struct Camera {
 /// elevation_deg, or date, time, latitude_deg and longitude_deg in its place.
 struct Sun {
   dvec3 direction{0.0, 1.0, 0.0};
-  vec3 color{1.0f};         // largest component 1
-  double irradiance = 3.0;  // on a plane that faces the sun
+  vec3 color{1.0f};         // outside the air; largest component 1
+  double irradiance = 5.0;  // outside the air, on a plane that faces the sun
   bool shadows = true;
 };
 
@@ -142,22 +142,39 @@ struct PointLight {
   bool shadows = true;
 };
 
-/// Radiance of the sky by direction, and the light that arrives from all of it.
+/// What is in the sky beside sun and air.
 struct Sky {
-  vec3 zenith{0.1f, 0.25f, 0.6f};
-  vec3 horizon{0.6f, 0.75f, 0.95f};
-  vec3 glow{1.0f, 0.8f, 0.5f};  // added around the sun
-  double glow_strength = 0.3;
-  vec3 ambient_up{0.25f, 0.35f, 0.55f};    // irradiance / pi on a plane that faces up
-  vec3 ambient_down{0.08f, 0.08f, 0.08f};  // on a plane that faces down
-  double cloud_cover = 0.4;                // of the sky by thin high cloud, 0 to 1
-  double cloud_height_m = 7000.0;          // above the eye
+  double cloud_cover = 0.4;        // of the sky by thin high cloud, 0 to 1
+  double cloud_height_m = 7000.0;  // above the eye
 };
 
-/// Aerial perspective: extinction 3.912 / visibility at sea level, falling off with height.
+/// The gases of the air and the ground under it, as far as its light goes.
+struct Air {
+  double density = 1.0;      // of the molecules, relative to the Earth's; 0 = none
+  double ozone_du = 300.0;   // Dobson units
+  vec3 ground_albedo{0.2f};  // of the land around: its light goes up and comes back from the air
+};
+
+/// Droplets and dust. With the molecules they dim contrast to 2 % over the visibility at sea level
+/// (extinction 3.912 / visibility); they thin out with height.
 struct Haze {
   double visibility_m = 60000.0;
   double scale_height_m = 1500.0;
+  double angstrom = 1.2;    // extinction goes with wavelength to the power -angstrom: 0 = grey
+  double asymmetry = 0.76;  // mean cosine of the deflection: how far light goes on forwards
+  vec3 albedo{0.96f};       // share of the extinction that is scattering
+};
+
+/// Fog that fills the valleys: even up to its top, then thinning out.
+struct Fog {
+  bool enabled = false;
+  double visibility_m = 500.0;
+  double top_m = 200.0;         // mean height above the sea
+  double softness_m = 30.0;     // over which it thins out
+  double billow_m = 60.0;       // how far its top goes up and down
+  double billow_width_m = 900;  // wavelength of that
+
+  bool operator==(const Fog&) const = default;
 };
 
 /// What the balloon's parts, the ground and the sea are made of. One object, one material; the
@@ -208,7 +225,9 @@ struct Scene {
   Sun sun;
   std::vector<PointLight> lights;
   Sky sky;
+  Air air;
   Haze haze;
+  Fog fog;
   std::array<Material, kObjectCount> materials;
   Shading shading = Shading::phong;
   Image image;

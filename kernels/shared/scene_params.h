@@ -1,6 +1,7 @@
 #ifndef AEROSTAT_SHARED_SCENE_PARAMS_H
 #define AEROSTAT_SHARED_SCENE_PARAMS_H
 
+#include "air_params.h"
 #include "layout.h"
 
 /* Lengths in metres, colours linear Rec. 709, slopes as cosines (the y of a unit normal). */
@@ -35,21 +36,17 @@ typedef struct AeroPointLight {
 
 AERO_ASSERT_LAYOUT(AeroPointLight, 28);
 
-/* Sky, sun and air. */
+/* Sun and clouds. */
 typedef struct AeroSky {
-  aero_float zenith[3], horizon[3], glow[3];
-  aero_float ambient_up[3], ambient_down[3]; /* irradiance / pi */
   aero_float sun_direction[3];
-  aero_float sun_irradiance[3];
-  aero_float sun_cos;         /* of the disc's angular radius */
-  aero_float haze_extinction; /* per metre at sea level */
-  aero_float haze_height;     /* scale height */
-  aero_float cloud_cover;     /* 0 to 1 */
-  aero_float cloud_height;    /* metres above the eye */
+  aero_float sun_irradiance[3]; /* outside the air */
+  aero_float sun_cos;           /* of the disc's angular radius */
+  aero_float cloud_cover;       /* 0 to 1 */
+  aero_float cloud_height;      /* metres above the eye */
   aero_uint sun_shadows;
 } AeroSky;
 
-AERO_ASSERT_LAYOUT(AeroSky, 108);
+AERO_ASSERT_LAYOUT(AeroSky, 40);
 
 /* Colour rules of the ground. */
 typedef struct AeroGround {
@@ -86,8 +83,9 @@ typedef struct AeroScene {
   AeroPointLight lights[AERO_MAX_POINT_LIGHTS];
   aero_uint light_count;
   aero_uint shading; /* AERO_SHADING_... */
+  AeroAir air;
 } AeroScene;
 
-AERO_ASSERT_LAYOUT(AeroScene, 1244);
+AERO_ASSERT_LAYOUT(AeroScene, 33700);
 
 #endif

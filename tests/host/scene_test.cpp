@@ -61,7 +61,7 @@ TEST(SceneDefaults, EveryBiomeBringsItsOwn) {
   EXPECT_NE(snow.balloon.colors, tropical.balloon.colors);
   EXPECT_NE(tropical.balloon.colors, sand.balloon.colors);
   EXPECT_NE(snow.sun.direction, sand.sun.direction);
-  EXPECT_NE(snow.sky.horizon, sand.sky.horizon);
+  EXPECT_NE(snow.air.ground_albedo, sand.air.ground_albedo);
   EXPECT_NE(snow.haze.visibility_m, tropical.haze.visibility_m);
   EXPECT_EQ(write_text(read("")), write_text(snow));
 }
@@ -113,9 +113,9 @@ TEST(SceneText, FileOverridesDefaults) {
 }
 
 TEST(SceneText, NumbersKeepTheirShortText) {
-  const std::string dump = write_text(read(R"("sky": {"zenith": [0.35, 0.1, 1e-7]},
+  const std::string dump = write_text(read(R"("air": {"ground_albedo": [0.35, 0.1, 1e-7]},
       "haze": {"visibility_m": 12345.678}, "balloon": {"position": [0.1, -0.0, 1e5]})"));
-  EXPECT_NE(dump.find("\"zenith\": [0.35, 0.1, 1e-07]"), std::string::npos) << dump;
+  EXPECT_NE(dump.find("\"ground_albedo\": [0.35, 0.1, 1e-07]"), std::string::npos) << dump;
   EXPECT_NE(dump.find("\"visibility_m\": 12345.678"), std::string::npos);
   EXPECT_NE(dump.find("\"position\": [0.1, 0, 100000]"), std::string::npos);
 }
@@ -129,6 +129,8 @@ TEST(SceneText, EveryFieldSurvivesTheRoundTrip) {
   scene.biome.ground.snow_slope_deg[1] = 61;
   scene.biome.water.absorption_per_m = {0.31f, 0.07f, 0.0123456789f};
   scene.lights = {{{1, 2, 3}, {0.5f, 1, 1}, 7, false}};
+  scene.fog = {true, 123.0, 45.0, 6.0, 7.0, 89.0};
+  scene.haze = {12345.0, 678.0, 0.5, 0.6, {0.7f, 0.8f, 0.9f}};
   scene.shading = Shading::flat;
   scene.image = {33, 44, 5, 6, Filter::tent, -1.5, true};
   const std::string dump = write_text(scene);
@@ -139,6 +141,10 @@ TEST(SceneText, EveryFieldSurvivesTheRoundTrip) {
   EXPECT_EQ(back.biome.water.absorption_per_m, scene.biome.water.absorption_per_m);
   EXPECT_EQ(back.lights[0].color, scene.lights[0].color);
   EXPECT_EQ(back.image.filter, Filter::tent);
+  EXPECT_EQ(back.image.exposure_ev, -1.5);
+  EXPECT_TRUE(back.image.exposure_given);
+  EXPECT_EQ(back.fog, scene.fog);
+  EXPECT_EQ(back.haze.albedo, scene.haze.albedo);
   EXPECT_EQ(back.terrain.center, scene.terrain.center);
 }
 

@@ -94,9 +94,10 @@ TEST(GoldenTolerance, LetsNoChangedColourPass) {
   changed("one colour of the envelope");
   scene.biome.ground.snow *= 0.8f;
   changed("the snow a fifth darker");
-  scene.sky.zenith *= 1.25f;
-  scene.sky.horizon *= 1.25f;
-  changed("the sky a quarter brighter");
+  scene.air.density *= 1.25;
+  changed("the air a quarter denser");
+  scene.haze.visibility_m *= 0.8;
+  changed("the view a fifth shorter");
   scene.sun.irradiance *= 0.9;
   changed("the sun a tenth dimmer");
   scene.camera.fov_y_deg *= 1.03;
