@@ -83,6 +83,15 @@ void fields(Archive& archive, Biome& biome) {
 }
 
 template <class Archive>
+void fields(Archive& archive, Vegetation& vegetation) {
+  archive("enabled", vegetation.enabled);
+  archive("density", vegetation.density);
+  archive("size", vegetation.size);
+  archive("reach_m", vegetation.reach_m);
+  archive("seed", vegetation.seed);
+}
+
+template <class Archive>
 void fields(Archive& archive, Balloon& balloon) {
   archive("enabled", balloon.enabled);
   archive("position", balloon.position);
@@ -171,6 +180,7 @@ template <class Archive>
 void fields(Archive& archive, Scene& scene) {
   archive("biome", scene.biome);
   archive("terrain", scene.terrain);
+  archive("vegetation", scene.vegetation);
   archive("balloon", scene.balloon);
   archive("camera", scene.camera);
   archive("sun", scene.sun);

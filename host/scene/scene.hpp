@@ -102,6 +102,17 @@ struct Biome {
   Water water;
 };
 
+/// Plants and stones that stand on the ground, placed by the biome's rules.
+struct Vegetation {
+  bool enabled = true;
+  double density = 1.0;     // 1: woods as dense as the ground's painted ones, 0: none
+  double size = 1.0;        // factor on all heights
+  double reach_m = 6000.0;  // single trees stand this far from the camera
+  std::uint32_t seed = 1;
+
+  bool operator==(const Vegetation&) const = default;
+};
+
 struct Balloon {
   bool enabled = true;
   dvec3 position{0.0, 0.0, 0.0};  // centre of the basket's floor
@@ -202,6 +213,7 @@ struct Image {
 struct Scene {
   Biome biome;
   Terrain terrain;
+  Vegetation vegetation;
   Balloon balloon;
   Camera camera;
   Sun sun;

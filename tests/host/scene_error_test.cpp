@@ -91,7 +91,8 @@ INSTANTIATE_TEST_SUITE_P(
              "flame, floor, frame, rim, skirt, terrain, water"},
         Case{R"("a/b~c\u001b": 5)",
              "/a~1b~0c\\u001b: found an unknown key, expected one of $schema, balloon, biome, "
-             "camera, haze, image, lights, materials, shading, sky, sun, terrain, version"},
+             "camera, haze, image, lights, materials, shading, sky, sun, terrain, vegetation, "
+             "version"},
         Case{R"("image": {"exposure_ev": 1e999})",
              "/image/exposure_ev: found a number that is too large, expected a finite number"},
         Case{R"("image": {"spp": 1, "spp": 2})",

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <vector>
+
+#include "mesh/mesh.hpp"
+
+namespace aerostat::scatter {
+
+/// A point of the ground as it is rendered.
+struct SurfacePoint {
+  vec3 position{0.0f};
+  vec3 normal{0.0f, 1.0f, 0.0f};  // unit, interpolated as in shading
+};
+
+/// The ground's mesh as a function of the place: `ground` is a terrain_mesh of cells x cells quads
+/// and must outlive this.
+class Surface {
+ public:
+  /// Throws Error{internal} if the mesh has another number of vertices.
+  Surface(const mesh::TriangleMesh& ground, int cells);
+
+  /// The point of the triangle over or under (x, z); outside the mesh its rim goes on level.
+  SurfacePoint at(double x, double z) const;
+  float height(double x, double z) const { return at(x, z).position.y; }
+
+ private:
+  std::size_t vertex(std::size_t i, std::size_t j) const { return j * side_ + i; }
+
+  const mesh::TriangleMesh& ground_;
+  std::size_t side_;
+  std::vector<float> x_, z_;  // the grid's lines
+};
+
+}  // namespace aerostat::scatter
