@@ -103,7 +103,7 @@ const Tree kShrubs[] = {{.crown_y = 0.72,
                          .dark = 0.42,
                          .green = {0.062f, 0.122f, 0.026f},
                          .bark = {0.13f, 0.11f, 0.085f}},
-                        {.crown_y = 1.1,
+                        {.crown_y = 1.02,
                          .crown = {1.25, 1.3, 1.25},
                          .cluster_m = 0.5,
                          .flat = 0.9,
@@ -120,15 +120,15 @@ const Tree kShrubs[] = {{.crown_y = 0.72,
 struct Level {
   int clusters;
   int leaves;         // a cluster
-  double leaf_scale;  // leaves are so much larger than near ones
+  double leaf_reach;  // length of a leaf in cluster radii; 0: leaf_m
   int limbs;
   bool fine;    // limbs divide into a twig for every other cluster
   int cores;    // how many clusters have a dark inside
   double core;  // its size in clusters
 };
-constexpr Level kLevels[3] = {{78, 96, 1.0, 9, true, 78, 0.62},
-                              {40, 17, 2.2, 5, false, 32, 0.7},
-                              {20, 4, 4.9, 0, false, 5, 0.9}};
+constexpr Level kLevels[3] = {{78, 96, 0.0, 9, true, 78, 0.62},
+                              {40, 17, 0.75, 5, false, 32, 0.7},
+                              {20, 4, 1.7, 0, false, 5, 0.9}};
 
 class TreeBuilder {
  public:
@@ -143,7 +143,8 @@ class TreeBuilder {
     if (tree_.fork_y > 0.0) add_trunk();
     if (!level_.fine) {
       // What keeps the light out between fewer clusters.
-      add_core(mesh_, middle_, tree_.crown * 0.66, tree_.green * 0.45f, 0.4, crown_);
+      const dvec3 radii = tree_.crown * 0.66 + dvec3(0.0, 0.35 * tree_.cluster_m, 0.0);
+      add_core(mesh_, middle_, radii, tree_.green * 0.45f, 0.4, crown_);
     }
     add_limbs();
     for (std::size_t i = 0; i < clusters_.size(); ++i) {
@@ -222,7 +223,8 @@ class TreeBuilder {
   /// Leaves lie on their cluster like tiles, tips out and down.
   void add_leaves(std::size_t cluster) {
     const vec3 green = random_.varied(tree_.green, 0.24, 0.2);
-    const double length = tree_.leaf_m * level_.leaf_scale;
+    const double length =
+        level_.leaf_reach > 0.0 ? level_.leaf_reach * tree_.cluster_m : tree_.leaf_m;
     for (int i = 0; i < level_.leaves; ++i) {
       dvec3 out = random_.direction();
       if (out.y < -0.35) out.y = -out.y;

@@ -21,7 +21,7 @@ struct Conifer {
 };
 constexpr Conifer kConifers[] = {
     {17.0, 2.9, 0.05, 0.85, 0.30, 0.16, {0.038f, 0.056f, 0.026f}},
-    {14.0, 2.0, 0.02, 0.95, 0.42, 0.14, {0.033f, 0.053f, 0.030f}},
+    {14.0, 2.0, 0.05, 0.95, 0.42, 0.14, {0.033f, 0.053f, 0.030f}},
     {21.0, 3.3, 0.16, 0.80, 0.38, 0.32, {0.042f, 0.055f, 0.024f}},
 };
 const vec3 kBark{0.100f, 0.084f, 0.070f};
@@ -36,8 +36,8 @@ struct Level {
   double sheet_reach;  // how far along the branch it goes
   int trunk_sides;
 };
-constexpr Level kLevels[3] = {{290, 12, 0.235, 0.13, 0.42, 0.62, 9},
-                              {104, 4, 0.36, 0.5, 0.66, 0.9, 5},
+constexpr Level kLevels[3] = {{275, 12, 0.235, 0.13, 0.42, 0.62, 9},
+                              {97, 4, 0.42, 0.5, 0.76, 0.97, 5},
                               {52, 0, 0.0, 0.0, 1.05, 1.06, 3}};
 
 double smooth(double from, double to, double x) {
@@ -104,7 +104,7 @@ class ConiferBuilder {
     branch.origin = {0.0, crown_foot() + gathered * (tree_.height_m - crown_foot()), 0.0};
     branch.length = radius(gathered) * (1.0 + tree_.ragged * random_.range(-1.0, 0.8)) + 0.12;
     branch.rise = -0.18 + 0.85 * t * t + random_.range(-0.1, 0.1);
-    branch.sag = tree_.droop * (1.15 - t) * random_.range(0.6, 1.3) * (snowy_ ? 1.45 : 1.0);
+    branch.sag = tree_.droop * (1.15 - t) * random_.range(0.6, 1.3) * (snowy_ ? 1.3 : 1.0);
     branch.rise -= snowy_ ? 0.1 : 0.0;
     add_needles(branch);
     if (snowy_ && random_.chance(0.5 + 0.4 * std::min(branch.length, 1.0))) add_snow(branch);
@@ -169,7 +169,7 @@ class ConiferBuilder {
       const dvec3 tip = branch.at(level_.sheet_reach * to);
       const dvec3 base = glm::mix(sheet_top(branch), tip, 0.8 * from);
       const dvec3 lift = (branch.out + dvec3(0.0, 0.8, 0.0)) * (0.03 + 0.02 * branch.length);
-      const double width = 0.48 * level_.sheet_width * branch.length + 0.05;
+      const double width = 0.33 * level_.sheet_width * branch.length + 0.05;
       add_snow_leaf(base + lift, tip + lift, branch.side * (0.5 * width));
       return;
     }
@@ -179,7 +179,7 @@ class ConiferBuilder {
       const double s1 = from + (to - from) * (i + 1.25) / kPieces;
       const double swell = random_.range(0.75, 1.2) * (1.15 - 0.5 * s0);
       const dvec3 lift(0.0, (0.05 + 0.035 * branch.length) * swell, 0.0);
-      const double width = (0.18 * branch.length + 0.12) * swell;
+      const double width = (0.2 * branch.length + 0.13) * swell;
       add_snow_leaf(branch.at(s0) + 0.7 * lift, branch.at(std::min(s1, 1.05)) + 0.6 * lift,
                     branch.side * (0.5 * width));
     }

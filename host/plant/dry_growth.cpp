@@ -29,8 +29,8 @@ struct Scrub {
   double bend;
   vec3 green;
 };
-constexpr Scrub kScrubs[] = {{1.45, 1.05, 0.5, {0.125f, 0.122f, 0.072f}},
-                             {2.7, 0.75, 0.9, {0.098f, 0.112f, 0.064f}}};
+constexpr Scrub kScrubs[] = {{1.45, 1.05, 0.5, {0.150f, 0.145f, 0.085f}},
+                             {2.7, 0.75, 0.9, {0.120f, 0.135f, 0.076f}}};
 const vec3 kTwig{0.15f, 0.11f, 0.08f};
 
 struct ScrubLevel {
@@ -91,7 +91,7 @@ void build_scrub(mesh::TriangleMesh& mesh, int variant, Detail detail) {
   Random random(static_cast<std::uint64_t>(400 + variant));
   const double reach = scrub.stem_m;
   const Crown crown =
-      ellipsoid_crown({0.0, 0.3 * reach, 0.0}, dvec3(0.85, 0.75, 0.85) * reach, 0.35);
+      ellipsoid_crown({0.0, 0.3 * reach, 0.0}, dvec3(0.85, 0.75, 0.85) * reach, 0.5);
   for (int k = 0; k < level.stems; ++k) {
     add_stem(mesh, scrub, level, (k + 0.5) / level.stems, 2.399963 * k, random, crown);
   }
@@ -102,13 +102,13 @@ void build_tussock(mesh::TriangleMesh& mesh, int variant, Detail detail) {
   const TussockLevel& level = at_level(kTussockLevels, detail);
   Random random(static_cast<std::uint64_t>(420 + variant));
   const double size = tussock.blade_m;
-  const Crown crown = ellipsoid_crown({0.0, 0.25 * size, 0.0}, dvec3(size), 0.45);
+  const Crown crown = ellipsoid_crown({0.0, 0.25 * size, 0.0}, dvec3(size), 0.6);
   for (int k = 0; k < level.blades; ++k) {
     const double t = (k + 0.5) / level.blades;
     const double around = 2.399963 * k + random.range(-0.4, 0.4);
     const dvec3 foot = level_direction(random.turn()) * (0.13 * size * std::sqrt(random.unit()));
     const double length = size * random.range(0.6, 1.1) * (1.0 - 0.2 * t);
-    const auto path = bending_path(foot - dvec3(0.0, 0.02, 0.0), around, length, 0.75 * t,
+    const auto path = bending_path(foot - dvec3(0.0, 0.02, 0.0), around, length, 0.95 * t,
                                    random.range(0.3, 1.1) * (0.3 + t), level.pieces);
     const dvec3 wide = across(level_direction(around)).right;
     add_blade(mesh, path, wide * (0.5 * level.width * size),

@@ -102,12 +102,12 @@ void build_boulder(mesh::TriangleMesh& mesh, int variant, bool snowy, Detail det
   mesh = unit_sphere(at_level(splits, detail));
   const Boulder boulder(static_cast<std::uint64_t>(500 + variant));
   std::vector<dvec3> directions(mesh.positions.begin(), mesh.positions.end());
-  for (vec3& p : mesh.positions) p = vec3(boulder.at(dvec3(p)) + dvec3(0.0, 0.5, 0.0));
+  for (vec3& p : mesh.positions) p = vec3(boulder.at(dvec3(p)) + dvec3(0.0, 0.28, 0.0));
   mesh::compute_normals(mesh);
   for (std::size_t i = 0; i < directions.size(); ++i) {
     const vec3& n = mesh.normals[i];
     const double grain = boulder.grain(directions[i] * 1.7);
-    const double near_ground = std::clamp(0.5 + 1.1 * mesh.positions[i].y, 0.55, 1.0);
+    const double near_ground = std::clamp(0.6 + 1.1 * mesh.positions[i].y, 0.6, 1.0);
     const vec3 stone = kStone * static_cast<float>((1.0 + 1.6 * grain) * near_ground);
     const float lies = std::clamp((n.y - 0.55f + static_cast<float>(grain)) * 9.0f, 0.0f, 1.0f);
     mesh.colors.push_back(snowy ? glm::mix(stone, kSnow, lies) : stone);
@@ -117,8 +117,8 @@ void build_boulder(mesh::TriangleMesh& mesh, int variant, bool snowy, Detail det
 void build_driftwood(mesh::TriangleMesh& mesh, int variant, Detail detail) {
   Random random(static_cast<std::uint64_t>(520 + variant));
   const vec3 grey(0.29f, 0.265f, 0.23f);
-  const int sides[3] = {12, 6, 4};
-  const int pieces[3] = {26, 9, 4};
+  const int sides[3] = {12, 7, 3};
+  const int pieces[3] = {26, 10, 3};
   const int count = at_level(pieces, detail);
   std::vector<dvec3> trunk;
   for (int i = 0; i <= count; ++i) {
@@ -127,13 +127,13 @@ void build_driftwood(mesh::TriangleMesh& mesh, int variant, Detail detail) {
   }
   add_wood(mesh, trunk, 0.17, 0.05, at_level(sides, detail), grey);
   for (int k = 0; k < 4; ++k) {
-    const dvec3 from = trunk[static_cast<std::size_t>(count * (k + 1) / 6)];
+    const dvec3 from = trunk[static_cast<std::size_t>((count * (k + 1) + 3) / 6)];
     const double around = random.turn();
     const dvec3 out = level_direction(around) * 0.5 + dvec3(0.3, 0.36, 0.0);
     const double length = random.range(0.5, 1.1);
     const dvec3 path[3] = {from, from + out * (0.5 * length),
                            from + out * length + dvec3(0.1, -0.06, 0.0)};
-    add_wood(mesh, path, 0.07, 0.02, at_level(sides, detail) / 2 + 1, grey * 0.95f);
+    add_wood(mesh, path, 0.07, 0.02, std::max(at_level(sides, detail) / 2 + 1, 3), grey * 0.95f);
   }
 }
 

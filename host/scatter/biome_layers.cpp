@@ -11,11 +11,11 @@ namespace {
 const vec3 kBoulderAlbedo{0.19f, 0.183f, 0.175f};
 
 /// Boulders come in heaps, more of them towards bare rock; none in water or deep in the woods.
-float boulder_chance(const GroundRule& rule, const Site& site) {
+float boulder_chance(const GroundRule& rule, const Site& site, float heaps) {
   const GroundMix mix = rule.mix(site.position, site.normal.y, site.noise);
   const float heap = ramp(0.25f, 0.9f, site.noise.fine - 0.4f * site.noise.broad);
   const float shore = ramp(4.0f, 1.5f, site.above_sea) * ramp(0.1f, 0.7f, -site.noise.broad);
-  const float likely = 0.10f * heap + 0.35f * mix.rock + 0.3f * shore;
+  const float likely = heaps * heap + 0.35f * mix.rock + 0.3f * shore;
   return likely * (1.0f - 0.9f * mix.forest);
 }
 
@@ -69,15 +69,18 @@ vec3 any_tint(plant::Random& random, double brightness, double warmth) {
   return random.varied(vec3(1.0f), brightness, warmth);
 }
 
-Layer boulder_layer(const Nature& nature, std::uint32_t id, double spacing_m, double reach_m) {
+Layer boulder_layer(const Nature& nature, std::uint32_t id, double spacing_m, double reach_m,
+                    float heaps) {
   Layer layer;
   layer.id = id;
   layer.spacing_m = spacing_of(nature, spacing_m);
   layer.reach_m = reach_of(nature, reach_m);
   layer.lowest = sea_level(nature) - 0.4f;
   layer.steepest_cos = std::cos(radians_from_degrees(42.0f));
-  layer.most = 0.75f;
-  layer.chance = [&rule = nature.rule](const Site& site) { return boulder_chance(rule, site); };
+  layer.most = 0.65f + heaps;
+  layer.chance = [&rule = nature.rule, heaps](const Site& site) {
+    return boulder_chance(rule, site, heaps);
+  };
   layer.choose = [nature](const Site& site, plant::Random& random) {
     const GroundMix mix = nature.rule.mix(site.position, site.normal.y, site.noise);
     const auto species = random.chance(static_cast<double>(mix.snow))

@@ -41,7 +41,9 @@ vec2 any_lean(plant::Random& random, double most);
 /// White, brighter or darker and warmer or cooler by up to these shares.
 vec3 any_tint(plant::Random& random, double brightness, double warmth);
 
-/// Boulders where the ground is rough or steep, in the colour of its rock.
-Layer boulder_layer(const Nature& nature, std::uint32_t id, double spacing_m, double reach_m);
+/// Boulders towards bare rock, along shores and, with this probability, in heaps elsewhere; in the
+/// colour of the ground's rock.
+Layer boulder_layer(const Nature& nature, std::uint32_t id, double spacing_m, double reach_m,
+                    float heaps);
 
 }  // namespace aerostat::scatter

@@ -82,7 +82,8 @@ Layer acacias(const Nature& nature) {
 }  // namespace
 
 std::vector<Layer> sand_layers(const Nature& nature) {
-  return {scrub(nature), grass(nature), acacias(nature), boulder_layer(nature, 24, 11.0, 3000.0)};
+  return {scrub(nature), grass(nature), acacias(nature),
+          boulder_layer(nature, 24, 11.0, 3000.0, 0.012f)};
 }
 
 }  // namespace aerostat::scatter

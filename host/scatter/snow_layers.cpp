@@ -71,7 +71,7 @@ Layer outskirts(const Nature& nature) {
 }  // namespace
 
 std::vector<Layer> snow_layers(const Nature& nature) {
-  return {woods(nature), outskirts(nature), boulder_layer(nature, 3, 9.0, 1500.0)};
+  return {woods(nature), outskirts(nature), boulder_layer(nature, 3, 9.0, 1500.0, 0.1f)};
 }
 
 }  // namespace aerostat::scatter

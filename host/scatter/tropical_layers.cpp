@@ -122,7 +122,8 @@ Layer driftwood(const Nature& nature) {
 }  // namespace
 
 std::vector<Layer> tropical_layers(const Nature& nature) {
-  std::vector<Layer> layers{woods(nature), shrubs(nature), boulder_layer(nature, 15, 8.0, 1500.0)};
+  std::vector<Layer> layers{woods(nature), shrubs(nature),
+                            boulder_layer(nature, 15, 8.0, 1500.0, 0.1f)};
   if (nature.scene.biome.water.enabled) {
     layers.push_back(palms(nature));
     layers.push_back(driftwood(nature));
