@@ -35,8 +35,8 @@ const Tree kBroadleaves[] = {{.crown_y = 9.0,
                               .hollow = 0.5,
                               .leaf_m = 0.44,
                               .leaf_wide = 0.5,
-                              .dark = 0.42,
-                              .green = {0.074f, 0.132f, 0.030f},
+                              .dark = 0.5,
+                              .green = {0.086f, 0.150f, 0.034f},
                               .bark = {0.15f, 0.13f, 0.105f}},
                              {.crown_y = 12.6,
                               .crown = {5.6, 3.0, 5.6},
@@ -48,8 +48,8 @@ const Tree kBroadleaves[] = {{.crown_y = 9.0,
                               .hollow = 0.5,
                               .leaf_m = 0.46,
                               .leaf_wide = 0.48,
-                              .dark = 0.44,
-                              .green = {0.062f, 0.120f, 0.032f},
+                              .dark = 0.5,
+                              .green = {0.074f, 0.140f, 0.036f},
                               .bark = {0.19f, 0.175f, 0.15f}},
                              {.crown_y = 7.0,
                               .crown = {3.9, 4.0, 3.9},
@@ -61,8 +61,8 @@ const Tree kBroadleaves[] = {{.crown_y = 9.0,
                               .hollow = 0.45,
                               .leaf_m = 0.4,
                               .leaf_wide = 0.55,
-                              .dark = 0.42,
-                              .green = {0.090f, 0.146f, 0.030f},
+                              .dark = 0.5,
+                              .green = {0.100f, 0.160f, 0.034f},
                               .bark = {0.13f, 0.11f, 0.09f}}};
 const Tree kAcacias[] = {{.crown_y = 4.7,
                           .crown = {3.9, 0.75, 3.9},
@@ -100,7 +100,7 @@ const Tree kShrubs[] = {{.crown_y = 0.72,
                          .hollow = 0.45,
                          .leaf_m = 0.2,
                          .leaf_wide = 0.5,
-                         .dark = 0.42,
+                         .dark = 0.5,
                          .green = {0.062f, 0.122f, 0.026f},
                          .bark = {0.13f, 0.11f, 0.085f}},
                         {.crown_y = 1.02,
@@ -113,7 +113,7 @@ const Tree kShrubs[] = {{.crown_y = 0.72,
                          .hollow = 0.45,
                          .leaf_m = 0.24,
                          .leaf_wide = 0.42,
-                         .dark = 0.42,
+                         .dark = 0.5,
                          .green = {0.080f, 0.130f, 0.028f},
                          .bark = {0.13f, 0.11f, 0.085f}}};
 
@@ -144,7 +144,7 @@ class TreeBuilder {
     if (!level_.fine) {
       // What keeps the light out between fewer clusters.
       const dvec3 radii = tree_.crown * 0.66 + dvec3(0.0, 0.35 * tree_.cluster_m, 0.0);
-      add_core(mesh_, middle_, radii, tree_.green * 0.45f, 0.4, crown_);
+      add_core(mesh_, middle_, radii, tree_.green * 0.6f, 0.4, crown_);
     }
     add_limbs();
     for (std::size_t i = 0; i < clusters_.size(); ++i) {
@@ -152,7 +152,7 @@ class TreeBuilder {
           static_cast<int>((i + 1) * static_cast<std::size_t>(level_.cores) / clusters_.size())) {
         add_core(mesh_, clusters_[i] - dvec3(0.0, 0.12 * tree_.cluster_m, 0.0),
                  cluster_size(i) * (level_.core * std::min(0.4 + 0.8 * tree_.flat, 1.0)),
-                 tree_.green * 0.5f, random_.turn(), crown_);
+                 tree_.green * 0.6f, random_.turn(), crown_);
       }
       add_leaves(i);
     }

@@ -80,6 +80,7 @@ class Planter {
     if (random.unit() >= kept_at(distance, layer_.reach_m)) return;
     const double fate = random.unit();
     if (!(fate < static_cast<double>(layer_.most))) return;
+    if (!place_.surface.covers(x, z)) return;
     const SurfacePoint ground = place_.surface.at(x, z);
     const float height = ground.position.y;
     if (height < layer_.lowest || height > layer_.highest) return;

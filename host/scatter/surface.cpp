@@ -35,6 +35,14 @@ Surface::Surface(const mesh::TriangleMesh& ground, int cells)
   }
 }
 
+bool Surface::covers(double x, double z) const {
+  const auto within = [](const std::vector<float>& lines, double value) {
+    return value >= static_cast<double>(lines.front()) &&
+           value <= static_cast<double>(lines.back());
+  };
+  return within(x_, x) && within(z_, z);
+}
+
 SurfacePoint Surface::at(double x, double z) const {
   const Place u = place_between(x_, x), v = place_between(z_, z);
   const std::size_t a = vertex(u.cell, v.cell), b = a + 1, c = a + side_, d = c + 1;

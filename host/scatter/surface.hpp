@@ -21,6 +21,7 @@ class Surface {
 
   /// The point of the triangle over or under (x, z); outside the mesh its rim goes on level.
   SurfacePoint at(double x, double z) const;
+  bool covers(double x, double z) const;
   float height(double x, double z) const { return at(x, z).position.y; }
 
  private:

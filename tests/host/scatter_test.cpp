@@ -307,6 +307,21 @@ TEST(Scatter, NothingGrowsUnderWaterOrOnCliffs) {
   EXPECT_GT(on_beach, 500u);
 }
 
+TEST(Scatter, NothingStandsBeyondTheLand) {
+  scene::Scene scene = scene::defaults(BiomeKind::snow, scene::View::outside);
+  scene.terrain.cells = 4;
+  scene.biome.ground.forest_share = 1.0;
+  scene.biome.ground.forest_top_m = 1e5;
+  scene.camera.position = {400.0, 500.0, 0.0};
+  scene.balloon.enabled = false;
+  const mesh::TriangleMesh ground = mesh_over(4, 1000.0, [](double, double) { return 100.0; });
+  const Growth growth = scatter(scene, ground);
+  EXPECT_GT(growth.instances.size(), 10000u);
+  for (const Instance& instance : growth.instances) {
+    ASSERT_LE(std::max(std::fabs(instance.position.x), std::fabs(instance.position.z)), 500.0f);
+  }
+}
+
 TEST(Scatter, AxesAreATurnWithTheLeanAsked) {
   Instance instance;
   instance.yaw_rad = 0.7f;
