@@ -82,8 +82,8 @@ plant::Detail detail_of(const Instance& instance, const plant::ModelKey& model, 
   const double height = plant::model_height(model) * static_cast<double>(instance.scale);
   const double distance = std::max(glm::distance(dvec3(instance.position), eye), 0.1);
   const double pixels = height / (distance * pixel_angle);
-  if (pixels > 250.0) return plant::Detail::near;
-  return pixels > 40.0 ? plant::Detail::middle : plant::Detail::far;
+  if (pixels > 120.0) return plant::Detail::near;
+  return pixels > 30.0 ? plant::Detail::middle : plant::Detail::far;
 }
 
 }  // namespace aerostat::scatter

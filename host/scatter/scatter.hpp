@@ -47,8 +47,8 @@ struct Growth {
 /// Empty if the vegetation is disabled.
 Growth scatter(const scene::Scene& scene, const mesh::TriangleMesh& ground);
 
-/// The level that suffices from `eye`: near where the plant is more than 250 pixels high, far where
-/// it is less than 40. `pixel_angle` is the angle across a pixel in radians.
+/// The level that suffices from `eye`: near where the plant is more than 120 pixels high, far where
+/// it is less than 30. `pixel_angle` is the angle across a pixel in radians.
 plant::Detail detail_of(const Instance& instance, const plant::ModelKey& model, const dvec3& eye,
                         double pixel_angle);
 

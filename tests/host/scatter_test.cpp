@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <ctime>
 #include <random>
 #include <string>
 #include <tuple>
@@ -12,7 +13,6 @@
 #include <tbb/global_control.h>
 
 #include "core/error.hpp"
-#include "core/stopwatch.hpp"
 #include "scatter/layer.hpp"
 #include "scene/io.hpp"
 #include "terrain/terrain_mesh.hpp"
@@ -342,27 +342,29 @@ TEST(Scatter, AxesAreATurnWithTheLeanAsked) {
 TEST(Scatter, DetailFallsWithDistance) {
   Instance tree;
   const plant::ModelKey model{Species::spruce, 0};
-  const double pixel = 1e-3;  // 17 m are 250 pixels at 68 m, 40 at 425
-  EXPECT_EQ(detail_of(tree, model, {0.0, 0.0, 60.0}, pixel), plant::Detail::near);
-  EXPECT_EQ(detail_of(tree, model, {0.0, 0.0, 80.0}, pixel), plant::Detail::middle);
-  EXPECT_EQ(detail_of(tree, model, {0.0, 0.0, 500.0}, pixel), plant::Detail::far);
+  const double pixel = 1e-3;  // 17 m are 120 pixels at 142 m, 30 at 567
+  EXPECT_EQ(detail_of(tree, model, {0.0, 0.0, 120.0}, pixel), plant::Detail::near);
+  EXPECT_EQ(detail_of(tree, model, {0.0, 0.0, 200.0}, pixel), plant::Detail::middle);
+  EXPECT_EQ(detail_of(tree, model, {0.0, 0.0, 650.0}, pixel), plant::Detail::far);
   tree.scale = 2.0f;
-  EXPECT_EQ(detail_of(tree, model, {0.0, 0.0, 80.0}, pixel), plant::Detail::near);
+  EXPECT_EQ(detail_of(tree, model, {0.0, 0.0, 200.0}, pixel), plant::Detail::near);
 }
 
-TEST(Scatter, HalfAMillionTakesUnderFiveSeconds) {
+TEST(Scatter, HalfAMillionTakesFewSecondsOfProcessorTime) {
   scene::Scene scene = scene::defaults(BiomeKind::snow, scene::View::outside);
   scene.terrain.cells = 64;
-  scene.terrain.size_m = 40000.0;
   scene.biome.ground.forest_share = 0.7;
   scene.camera.position = {0.0, 500.0, 0.0};
   scene.vegetation.reach_m = 5000.0;
   const mesh::TriangleMesh ground = mesh_over(64, 40000.0, [](double, double) { return 100.0; });
-  Stopwatch watch;
+  const std::clock_t start = std::clock();
   const Growth growth = scatter(scene, ground);
-  // Half a second on two idle cores; the bound allows for busy and instrumented ones.
-  EXPECT_LT(watch.seconds(), 5.0);
+  const double seconds = static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
   EXPECT_GT(growth.instances.size(), 500000u);
+  // One second on two idle cores with AVX2; the bound leaves room for busy ones.
+#if !defined(__SANITIZE_ADDRESS__)
+  EXPECT_LT(seconds, 5.0);
+#endif
 }
 
 }  // namespace
