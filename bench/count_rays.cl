@@ -4,11 +4,12 @@
 #include "traverse.clh"
 
 __kernel void count_rays(__global const AeroBvhNode* nodes, __global const AeroTriangle* triangles,
-                         __global const float* grid, __global const float* rays, const uint any_hit,
-                         const uint blocks, __global uint* counters) {
+                         __global const AeroInstance* instances, __global const float* grid,
+                         __global const float* rays, const uint any_hit, const uint blocks,
+                         __global uint* counters) {
   const uint first = (uint)get_global_id(0);
   if (first % BUNDLE != 0u || first >= blocks) return;
-  const World world = make_world(nodes, triangles, grid);
+  const World world = make_world(nodes, triangles, instances, grid);
   TracedPacket packets[BUNDLE];
   uint live = 0u;
   for (uint i = 0u; i < BUNDLE; ++i) {

@@ -26,6 +26,7 @@ opencl::SourceTree sources_with_bench() {
   sources["bench_rays.cl"] = read_text(folder / "bench_rays.cl");
   sources["count_rays.cl"] = read_text(folder / "count_rays.cl");
   sources["device/ray_buffer.clh"] = read_text(folder / "ray_buffer.clh");
+  sources["device/bounce.clh"] = read_text(folder / "bounce.clh");
   return sources;
 }
 
@@ -53,6 +54,7 @@ DeviceBench::DeviceBench(const opencl::Device& device, int lanes,
   const opencl::Program bench(context_, sources, "bench_rays.cl", lanes_);
   write_camera_ = bench.kernel("write_camera_rays");
   write_shadow_ = bench.kernel("write_shadow_rays");
+  write_bounce_ = bench.kernel("write_bounce_rays");
   trace_rays_ = bench.kernel("trace_rays");
   count_rays_ = opencl::Program(context_, sources, "count_rays.cl", lanes_).kernel("count_rays");
 
@@ -64,7 +66,7 @@ DeviceBench::DeviceBench(const opencl::Device& device, int lanes,
   const AeroScene packed = pack::pack_scene(scene);
   scene_ = {context_, budget_, std::span(&packed, 1), "the scene"};
   const std::uint64_t rays = std::uint64_t{launch_.tile.block_count} * lanes_;
-  hits_ = {context_, budget_, rays * 16, "the hits", CL_MEM_READ_WRITE};
+  hits_ = {context_, budget_, rays * 20, "the hits", CL_MEM_READ_WRITE};
   visible_ = {context_, budget_, rays * 4, "the shadows", CL_MEM_READ_WRITE};
   rays_ = {context_, budget_, static_cast<std::size_t>(rays * 8), "the rays"};
 }
@@ -82,22 +84,31 @@ RaySet DeviceBench::camera_rays() {
 RaySet DeviceBench::shadow_rays() {
   rays_on_device_ = nullptr;
   time_camera_kernel();
-  opencl::launch(context_, write_shadow_, size(), launch_, scene_, device_.grid, device_.faces,
-                 device_.vertices, hits_.handle(), rays_);
+  opencl::launch(context_, write_shadow_, size(), launch_, scene_, device_.instances, device_.grid,
+                 device_.faces, device_.vertices, hits_.handle(), rays_);
+  return {lanes_, launch_.tile.block_count, rays_.read()};
+}
+
+RaySet DeviceBench::bounce_rays() {
+  rays_on_device_ = nullptr;
+  time_camera_kernel();
+  opencl::launch(context_, write_bounce_, size(), launch_, device_.instances, device_.grid,
+                 device_.faces, device_.vertices, hits_.handle(), rays_);
   return {lanes_, launch_.tile.block_count, rays_.read()};
 }
 
 double DeviceBench::time_camera_kernel() {
   return opencl::device_seconds(opencl::launch(context_, trace_camera_, size(), launch_,
-                                               device_.nodes, device_.triangles, device_.grid,
-                                               hits_.handle()));
+                                               device_.nodes, device_.triangles, device_.instances,
+                                               device_.grid, hits_.handle()));
 }
 
 double DeviceBench::time_shadow_kernel() {
   time_camera_kernel();
-  return opencl::device_seconds(opencl::launch(
-      context_, trace_shadow_, size(), launch_, scene_, device_.nodes, device_.triangles,
-      device_.grid, device_.faces, device_.vertices, hits_.handle(), visible_.handle()));
+  return opencl::device_seconds(opencl::launch(context_, trace_shadow_, size(), launch_, scene_,
+                                               device_.nodes, device_.triangles, device_.instances,
+                                               device_.grid, device_.faces, device_.vertices,
+                                               hits_.handle(), visible_.handle()));
 }
 
 const opencl::Buffer<float>& DeviceBench::uploaded(const RaySet& rays) {
@@ -107,17 +118,18 @@ const opencl::Buffer<float>& DeviceBench::uploaded(const RaySet& rays) {
 }
 
 double DeviceBench::time_rays(const RaySet& rays, bool any_hit) {
-  return opencl::device_seconds(opencl::launch(
-      context_, trace_rays_, size(), device_.nodes, device_.triangles, device_.grid, uploaded(rays),
-      static_cast<cl_uint>(any_hit), static_cast<cl_uint>(rays.packets), hits_.handle()));
+  return opencl::device_seconds(opencl::launch(context_, trace_rays_, size(), device_.nodes,
+                                               device_.triangles, device_.instances, device_.grid,
+                                               uploaded(rays), static_cast<cl_uint>(any_hit),
+                                               static_cast<cl_uint>(rays.packets), hits_.handle()));
 }
 
 PacketCounts DeviceBench::count(const RaySet& rays, bool any_hit) {
   opencl::Buffer<cl_uint> counters(context_, budget_, std::size_t{rays.packets} * 4,
                                    "the counters");
-  opencl::launch(context_, count_rays_, size(), device_.nodes, device_.triangles, device_.grid,
-                 uploaded(rays), static_cast<cl_uint>(any_hit), static_cast<cl_uint>(rays.packets),
-                 counters);
+  opencl::launch(context_, count_rays_, size(), device_.nodes, device_.triangles, device_.instances,
+                 device_.grid, uploaded(rays), static_cast<cl_uint>(any_hit),
+                 static_cast<cl_uint>(rays.packets), counters);
   double sums[4] = {};
   const auto values = counters.read();
   for (std::size_t i = 0; i < values.size(); ++i) sums[i % 4] += values[i];

@@ -41,6 +41,8 @@ class DeviceBench {
   RaySet camera_rays();
   /// Shadow rays to the sun from their hits.
   RaySet shadow_rays();
+  /// From each of their hits one ray in a random direction, by the cosine with the surface.
+  RaySet bounce_rays();
 
   /// Seconds of the renderer's own kernels over the whole frame.
   double time_camera_kernel();
@@ -62,7 +64,8 @@ class DeviceBench {
   opencl::Buffer<float> rays_;
   const RaySet* rays_on_device_ = nullptr;
   opencl::RawBuffer hits_, visible_;
-  cl::Kernel trace_camera_, trace_shadow_, write_camera_, write_shadow_, trace_rays_, count_rays_;
+  cl::Kernel trace_camera_, trace_shadow_, write_camera_, write_shadow_, write_bounce_;
+  cl::Kernel trace_rays_, count_rays_;
 };
 
 }  // namespace aerostat::bench

@@ -50,10 +50,11 @@ double over_packets(const RaySet& rays, F f) {
   return watch.seconds();
 }
 
-RTCIntersectContext context_with(RTCIntersectContextFlags flags) {
+RTCIntersectContext context_for(Coherence coherence) {
   RTCIntersectContext context;
   rtcInitIntersectContext(&context);
-  context.flags = flags;
+  context.flags = coherence == Coherence::coherent ? RTC_INTERSECT_CONTEXT_FLAG_COHERENT
+                                                   : RTC_INTERSECT_CONTEXT_FLAG_INCOHERENT;
   return context;
 }
 
@@ -103,9 +104,19 @@ EmbreePeer::EmbreePeer(const render::HostGeometry& geometry) : state_(std::make_
 
 EmbreePeer::~EmbreePeer() = default;
 
+double EmbreePeer::time_commit(const mesh::TriangleMesh& mesh) const {
+  RTCScene scene = rtcNewScene(state_->device);
+  attach(state_->device, scene, mesh);
+  const Stopwatch watch;
+  rtcCommitScene(scene);
+  const double seconds = watch.seconds();
+  rtcReleaseScene(scene);
+  return seconds;
+}
+
 double EmbreePeer::time_closest_1(const RaySet& rays) const {
   return over_packets(rays, [&](const float* packet) {
-    auto context = context_with(RTC_INTERSECT_CONTEXT_FLAG_INCOHERENT);
+    auto context = context_for(Coherence::incoherent);
     for (std::size_t i = 0; i < static_cast<std::size_t>(rays.lanes); ++i) {
       RTCRayHit hit;
       set_ray(hit.ray, packet, static_cast<std::size_t>(rays.lanes), i);
@@ -117,7 +128,7 @@ double EmbreePeer::time_closest_1(const RaySet& rays) const {
 
 double EmbreePeer::time_occluded_1(const RaySet& rays) const {
   return over_packets(rays, [&](const float* packet) {
-    auto context = context_with(RTC_INTERSECT_CONTEXT_FLAG_INCOHERENT);
+    auto context = context_for(Coherence::incoherent);
     for (std::size_t i = 0; i < static_cast<std::size_t>(rays.lanes); ++i) {
       RTCRay ray;
       set_ray(ray, packet, static_cast<std::size_t>(rays.lanes), i);
@@ -126,23 +137,23 @@ double EmbreePeer::time_occluded_1(const RaySet& rays) const {
   });
 }
 
-double EmbreePeer::time_closest_16(const RaySet& rays) const {
+double EmbreePeer::time_closest_16(const RaySet& rays, Coherence coherence) const {
   return over_packets(rays, [&](const float* packet) {
     alignas(64) int valid[kWidth];
     alignas(64) RTCRayHit16 hits;
     set_rays(hits.ray, valid, packet);
     std::fill_n(hits.hit.geomID, kWidth, RTC_INVALID_GEOMETRY_ID);
-    auto context = context_with(RTC_INTERSECT_CONTEXT_FLAG_COHERENT);
+    auto context = context_for(coherence);
     rtcIntersect16(valid, state_->scene, &context, &hits);
   });
 }
 
-double EmbreePeer::time_occluded_16(const RaySet& rays) const {
+double EmbreePeer::time_occluded_16(const RaySet& rays, Coherence coherence) const {
   return over_packets(rays, [&](const float* packet) {
     alignas(64) int valid[kWidth];
     alignas(64) RTCRay16 ray;
     set_rays(ray, valid, packet);
-    auto context = context_with(RTC_INTERSECT_CONTEXT_FLAG_COHERENT);
+    auto context = context_for(coherence);
     rtcOccluded16(valid, state_->scene, &context, &ray);
   });
 }

@@ -1,10 +1,14 @@
 #pragma once
 
 #include <memory>
+#include <vector>
 
 #include "device_bench.hpp"
 
 namespace aerostat::bench {
+
+/// What Embree is told of the rays of a packet.
+enum class Coherence { coherent, incoherent };
 
 /// Embree on the same triangles and the same rays, on all cores.
 class EmbreePeer {
@@ -12,13 +16,16 @@ class EmbreePeer {
   explicit EmbreePeer(const render::HostGeometry& geometry);
   ~EmbreePeer();
 
+  /// Of the scene, at Embree's default quality.
   double commit_seconds() const { return commit_seconds_; }
+  /// Seconds of building another tree over one mesh.
+  double time_commit(const mesh::TriangleMesh& mesh) const;
 
   double time_closest_1(const RaySet& rays) const;
   double time_occluded_1(const RaySet& rays) const;
-  /// Packets of 16 with the coherent flag; the rays must come in packets of 16.
-  double time_closest_16(const RaySet& rays) const;
-  double time_occluded_16(const RaySet& rays) const;
+  /// The rays must come in packets of 16.
+  double time_closest_16(const RaySet& rays, Coherence coherence) const;
+  double time_occluded_16(const RaySet& rays, Coherence coherence) const;
 
  private:
   struct State;

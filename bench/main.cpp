@@ -8,6 +8,7 @@
 #include "device_bench.hpp"
 #include "report.hpp"
 #include "scene/io.hpp"
+#include "soup.hpp"
 #include "world/world.hpp"
 #ifdef AEROSTAT_HAVE_EMBREE
 #include "embree_peer.hpp"
@@ -20,6 +21,7 @@ using nlohmann::ordered_json;
 
 struct Arguments {
   std::string scene;
+  std::size_t soup = 0;  // triangles; 0: the scene
   std::string device;
   std::vector<std::string> set;
   int width = 1920, height = 1080;
@@ -28,10 +30,10 @@ struct Arguments {
   bool json = false;
 };
 
-/// Something to time: a tracer of a kind of ray.
+/// Something to time: a tracer of a kind of ray, or a builder.
 struct Entry {
   std::string kind, tracer;
-  std::uint64_t rays;
+  std::uint64_t count;  // rays or triangles
   std::function<double()> seconds;
 };
 
@@ -46,9 +48,9 @@ ordered_json time_entries(const std::vector<Entry>& entries, int rounds) {
   std::map<std::string, double> own;
   for (std::size_t i = 0; i < entries.size(); ++i) {
     const auto& entry = entries[i];
-    const double rate = static_cast<double>(entry.rays) / bench::median(times[i]) / 1e6;
+    const double rate = static_cast<double>(entry.count) / bench::median(times[i]) / 1e6;
     if (own.count(entry.kind) == 0) own[entry.kind] = rate;
-    ordered_json figures{{"mrays_per_s", rate}, {"rays", entry.rays}};
+    ordered_json figures{{"millions_per_s", rate}, {"count", entry.count}};
     if (entry.tracer.find("Embree") == 0) figures["aerostat_ratio"] = own[entry.kind] / rate;
     result[entry.kind][entry.tracer] = figures;
   }
@@ -59,21 +61,25 @@ ordered_json as_json(const bench::PacketCounts& counts) {
   return {{"nodes", counts.nodes}, {"leaves", counts.leaves}, {"triangles", counts.triangles}};
 }
 
-scene::Scene read_scene(const Arguments& arguments) {
+std::shared_ptr<const render::HostGeometry> build(const Arguments& arguments) {
+  if (arguments.soup > 0) {
+    return bench::build_soup(arguments.soup, arguments.width, arguments.height);
+  }
   std::vector<scene::Override> overrides;
   for (const auto& text : arguments.set) overrides.push_back(scene::parse_override(text));
   scene::Scene scene = scene::read_file(arguments.scene, overrides);
   scene.image.width = arguments.width;
   scene.image.height = arguments.height;
+  scene.vegetation.enabled = false;  // peers have no instances here
   world::resolve(scene);
-  return scene;
+  return render::build_geometry(scene, nullptr);
 }
 
 ordered_json describe(const Arguments& arguments, const bench::DeviceBench& device,
                       const std::string& device_name, const render::HostGeometry& geometry) {
   const auto& buffers = device.geometry();
   const auto triangles = static_cast<double>(buffers.triangle_count());
-  return {{"scene", arguments.scene},
+  return {{"scene", arguments.soup > 0 ? "soup" : arguments.scene},
           {"device", device_name},
           {"lanes", device.lanes()},
           {"width", arguments.width},
@@ -89,38 +95,73 @@ ordered_json describe(const Arguments& arguments, const bench::DeviceBench& devi
           {"tree_seconds", geometry.tree_seconds}};
 }
 
+/// A kind of ray; `coherent` is what the peer is told.
+struct Kind {
+  std::string name;
+  const bench::RaySet& rays;
+  bool any_hit, coherent;
+};
+
+#ifdef AEROSTAT_HAVE_EMBREE
+void add_peer(const bench::EmbreePeer& embree, const Kind& kind, std::vector<Entry>& entries) {
+  const bench::RaySet& rays = kind.rays;
+  const std::string name = kind.any_hit ? "Embree rtcOccluded" : "Embree rtcIntersect";
+  const auto coherence = kind.coherent ? bench::Coherence::coherent : bench::Coherence::incoherent;
+  entries.push_back({kind.name, name + "1", rays.active(), [&, any_hit = kind.any_hit] {
+                       return any_hit ? embree.time_occluded_1(rays) : embree.time_closest_1(rays);
+                     }});
+  if (rays.lanes != 16) return;
+  entries.push_back({kind.name, name + (kind.coherent ? "16, coherent" : "16"), rays.active(),
+                     [&, coherence, any_hit = kind.any_hit] {
+                       return any_hit ? embree.time_occluded_16(rays, coherence)
+                                      : embree.time_closest_16(rays, coherence);
+                     }});
+}
+
+/// Both builders on the soup.
+ordered_json time_builds(const mesh::TriangleMesh& mesh, const bench::EmbreePeer& embree,
+                         int rounds) {
+  const auto own = [&] { return bvh::build(mesh.positions, mesh.triangles).stats.seconds; };
+  const auto triangles = static_cast<std::uint64_t>(mesh.triangles.size());
+  return time_entries({{"build", "aerostat", triangles, own},
+                       {"build", "Embree", triangles, [&] { return embree.time_commit(mesh); }}},
+                      rounds)["build"];
+}
+#endif
+
 void run(const Arguments& arguments) {
   const auto device = opencl::select_device(opencl::effective_selector(arguments.device));
-  const auto geometry = render::build_geometry(read_scene(arguments), nullptr);
+  const auto geometry = build(arguments);
   bench::DeviceBench own(device, arguments.lanes, *geometry);
-  const bench::RaySet camera = own.camera_rays();
-  const bench::RaySet shadow = own.shadow_rays();
+  const bench::RaySet camera = own.camera_rays(), shadow = own.shadow_rays();
+  const bench::RaySet bounce = own.bounce_rays();
   ordered_json figures = describe(arguments, own, device.name, *geometry);
+  const std::vector<Kind> kinds{{"primary", camera, false, true},
+                                {"shadow", shadow, true, true},
+                                {"incoherent", bounce, false, false},
+                                {"occlusion", bounce, true, false}};
 
-  std::vector<Entry> entries{
-      {"primary", "aerostat", camera.active(), [&] { return own.time_rays(camera, false); }},
-      {"primary", "aerostat, renderer's kernel", camera.active(),
-       [&] { return own.time_camera_kernel(); }},
-      {"shadow", "aerostat", shadow.active(), [&] { return own.time_rays(shadow, true); }},
-      {"shadow", "aerostat, renderer's kernel", shadow.active(),
-       [&] { return own.time_shadow_kernel(); }}};
+  std::vector<Entry> entries;
+  for (const Kind& kind : kinds) {
+    entries.push_back({kind.name, "aerostat", kind.rays.active(),
+                       [&own, &kind] { return own.time_rays(kind.rays, kind.any_hit); }});
+  }
+  entries.push_back({"primary", "aerostat, renderer's kernel", camera.active(),
+                     [&] { return own.time_camera_kernel(); }});
+  entries.push_back({"shadow", "aerostat, renderer's kernel", shadow.active(),
+                     [&] { return own.time_shadow_kernel(); }});
 #ifdef AEROSTAT_HAVE_EMBREE
   const bench::EmbreePeer embree(*geometry);
   figures["embree_commit_seconds"] = embree.commit_seconds();
-  entries.push_back({"primary", "Embree rtcIntersect1", camera.active(),
-                     [&] { return embree.time_closest_1(camera); }});
-  entries.push_back({"shadow", "Embree rtcOccluded1", shadow.active(),
-                     [&] { return embree.time_occluded_1(shadow); }});
-  if (own.lanes() == 16) {
-    entries.push_back({"primary", "Embree rtcIntersect16, coherent", camera.active(),
-                       [&] { return embree.time_closest_16(camera); }});
-    entries.push_back({"shadow", "Embree rtcOccluded16, coherent", shadow.active(),
-                       [&] { return embree.time_occluded_16(shadow); }});
+  if (arguments.soup > 0) {
+    figures["build"] = time_builds(geometry->world.balloon->front().mesh, embree, arguments.rounds);
   }
+  for (const Kind& kind : kinds) add_peer(embree, kind, entries);
 #endif
   figures["rays"] = time_entries(entries, arguments.rounds);
-  figures["rays"]["primary"]["per_packet"] = as_json(own.count(camera, false));
-  figures["rays"]["shadow"]["per_packet"] = as_json(own.count(shadow, true));
+  for (const Kind& kind : kinds) {
+    figures["rays"][kind.name]["per_packet"] = as_json(own.count(kind.rays, kind.any_hit));
+  }
   fmt::print("{}", arguments.json ? figures.dump(2) + "\n" : bench::table(figures));
 }
 
@@ -129,7 +170,12 @@ void run(const Arguments& arguments) {
 int main(int argc, char** argv) {
   Arguments arguments;
   CLI::App app{"Rays per second of a scene on an OpenCL device, beside Embree on the same rays"};
-  app.add_option("scene", arguments.scene, "Scene file")->required();
+  auto* scene = app.add_option("scene", arguments.scene, "Scene file");
+  auto* soup = app.add_option("--soup", arguments.soup,
+                              "In place of a scene: so many triangles without order, and the time "
+                              "of building their tree")
+                   ->check(CLI::Range(1000, 100000000))
+                   ->excludes(scene);
   app.add_option("--device", arguments.device, "OpenCL device, as for aerostat");
   app.add_option("--lanes", arguments.lanes, "Rays per work-item")
       ->check(CLI::IsMember({1, 4, 8, 16}));
@@ -139,6 +185,10 @@ int main(int argc, char** argv) {
   app.add_option("--rounds", arguments.rounds, "Timed rounds")->check(CLI::Range(1, 1000));
   app.add_flag("--json", arguments.json, "Figures as JSON");
   CLI11_PARSE(app, argc, argv);
+  if (scene->empty() == soup->empty()) {
+    fmt::print(stderr, "aerostat_bench: give a scene file or --soup\n");
+    return static_cast<int>(ErrorKind::usage);
+  }
   try {
     run(arguments);
   } catch (const Error& error) {

@@ -9,22 +9,34 @@ namespace {
 
 std::string ray_rows(const nlohmann::ordered_json& rays) {
   std::string text =
-      fmt::format("{:<10}{:<34}{:>10}{:>10}\n", "rays", "tracer", "Mrays/s", "ratio");
+      fmt::format("{:<12}{:<34}{:>10}{:>10}\n", "rays", "tracer", "Mrays/s", "ratio");
   for (const auto& [kind, tracers] : rays.items()) {
     for (const auto& [tracer, figures] : tracers.items()) {
-      if (!figures.contains("mrays_per_s")) continue;
+      if (!figures.contains("millions_per_s")) continue;
       const std::string ratio = figures.contains("aerostat_ratio")
                                     ? fmt::format("{:.2f}", figures["aerostat_ratio"].get<double>())
                                     : "";
-      text += fmt::format("{:<10}{:<34}{:>10.2f}{:>10}\n", kind, tracer,
-                          figures["mrays_per_s"].get<double>(), ratio);
+      text += fmt::format("{:<12}{:<34}{:>10.2f}{:>10}\n", kind, tracer,
+                          figures["millions_per_s"].get<double>(), ratio);
     }
     const auto& counts = tracers["per_packet"];
-    text += fmt::format("{:<10}per packet: {:.1f} nodes, {:.1f} leaves, {:.1f} triangles\n", kind,
+    text += fmt::format("{:<12}per packet: {:.1f} nodes, {:.1f} leaves, {:.1f} triangles\n", kind,
                         counts["nodes"].get<double>(), counts["leaves"].get<double>(),
                         counts["triangles"].get<double>());
   }
   return text;
+}
+
+std::string build_rows(const nlohmann::ordered_json& builders) {
+  std::string text = fmt::format("{:<46}{:>10}{:>10}\n", "general tree", "Mtris/s", "ratio");
+  for (const auto& [builder, figures] : builders.items()) {
+    const std::string ratio = figures.contains("aerostat_ratio")
+                                  ? fmt::format("{:.2f}", figures["aerostat_ratio"].get<double>())
+                                  : "";
+    text += fmt::format("{:<46}{:>10.2f}{:>10}\n", builder, figures["millions_per_s"].get<double>(),
+                        ratio);
+  }
+  return text + "\n";
 }
 
 }  // namespace
@@ -49,7 +61,9 @@ std::string table(const nlohmann::ordered_json& figures) {
   if (figures.contains("embree_commit_seconds")) {
     text += fmt::format(", Embree's tree {:.2f} s", figures["embree_commit_seconds"].get<double>());
   }
-  return text + "\n\n" + ray_rows(figures["rays"]);
+  text += fmt::format(", cost by surface area {:.2f}\n\n", figures["sah_cost"].get<double>());
+  if (figures.contains("build")) text += build_rows(figures["build"]);
+  return text + ray_rows(figures["rays"]);
 }
 
 }  // namespace aerostat::bench

@@ -3,9 +3,10 @@
 
 /* Radiance of a tile's eye rays, added to the film. */
 __kernel void shade_hits(const AeroLaunch launch, __global const AeroScene* scene,
-                         __global const float* grid, __global const AeroFace* faces,
-                         __global const AeroVertex* vertices, __global const Hit* hits,
-                         __global const lane_uint* visible, __global AeroFilmPixel* film) {
+                         __global const AeroInstance* instances, __global const float* grid,
+                         __global const AeroFace* faces, __global const AeroVertex* vertices,
+                         __global const Hit* hits, __global const lane_uint* visible,
+                         __global const lane_float* open, __global AeroFilmPixel* film) {
   const uint block = (uint)get_global_id(0);
   if (block >= launch.tile.block_count) return;
   const AeroLaunch task = launch;
@@ -18,15 +19,16 @@ __kernel void shade_hits(const AeroLaunch launch, __global const AeroScene* scen
   Lane3 radiance = lane3(zero, zero, zero);
   Lane3 normal = lane3(zero, zero, zero);
   lane_uint object = (lane_uint)AERO_OBJECT_SKY;
-  if (!lane_all(met)) radiance = sky_radiance(&scene->sky, ray.direction);
+  if (!lane_all(met)) radiance = sky_radiance(scene, &ray);
   if (lane_any(met)) {
     const HeightGrid ground = height_grid(grid);
-    const MeshArrays meshes = mesh_arrays(faces, vertices);
+    const MeshArrays meshes = mesh_arrays(faces, vertices, instances);
     const HitTriangle triangle = load_hit_triangle(&ground, &meshes, &hit);
+    const lane_float sky_share = scene->sky.ambient_reach > 0.0f ? open[block] : (lane_float)1.0f;
     Lane3 shading_normal;
     const Lane3 surface = shade_hit(scene, &triangle, &ray, &hit, task.frame.pixel_angle,
-                                    visible[block], &shading_normal);
-    radiance = select3(met, through_haze(&scene->sky, surface, &ray, hit.t), radiance);
+                                    visible[block], sky_share, &shading_normal);
+    radiance = select3(met, through_air(scene, surface, &ray, hit.t), radiance);
     normal = select3(met, shading_normal, normal);
     object = lane_select(met, triangle.object, object);
   }

@@ -4,11 +4,12 @@
 /* Eye rays of a tile: the closest hits of block into hits[block]. Every
  * BUNDLE-th work-item traces that many blocks together. */
 __kernel void trace_camera_rays(const AeroLaunch launch, __global const AeroBvhNode* nodes,
-                                __global const AeroTriangle* triangles, __global const float* grid,
+                                __global const AeroTriangle* triangles,
+                                __global const AeroInstance* instances, __global const float* grid,
                                 __global Hit* hits) {
   const uint first = (uint)get_global_id(0);
   if (first % BUNDLE != 0u || first >= launch.tile.block_count) return;
-  const World world = make_world(nodes, triangles, grid);
+  const World world = make_world(nodes, triangles, instances, grid);
   const AeroFrame frame = launch.frame;
   const AeroTile tile = launch.tile;
   TracedPacket packets[BUNDLE];

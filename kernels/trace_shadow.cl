@@ -5,14 +5,16 @@
  * arrives. Every BUNDLE-th work-item traces that many blocks together. */
 __kernel void trace_shadow_rays(const AeroLaunch launch, __global const AeroScene* scene,
                                 __global const AeroBvhNode* nodes,
-                                __global const AeroTriangle* triangles, __global const float* grid,
+                                __global const AeroTriangle* triangles,
+                                __global const AeroInstance* instances, __global const float* grid,
                                 __global const AeroFace* faces, __global const AeroVertex* vertices,
                                 __global const Hit* hits, __global lane_uint* visible) {
   const uint first = (uint)get_global_id(0);
   if (first % BUNDLE != 0u || first >= launch.tile.block_count) return;
   const uint count = min((uint)BUNDLE, launch.tile.block_count - first);
-  const World world = make_world(nodes, triangles, grid);
-  const MeshArrays meshes = mesh_arrays(faces, vertices);
+  const World world = make_world(nodes, triangles, instances, grid);
+  const MeshArrays meshes = mesh_arrays(faces, vertices, instances);
+  const AeroLaunch task = launch;
   ShadowWork work[BUNDLE];
   lane_int any = (lane_int)0;
   for (uint i = 0u; i < BUNDLE; ++i) {
@@ -23,7 +25,9 @@ __kernel void trace_shadow_rays(const AeroLaunch launch, __global const AeroScen
   }
   if (lane_any(any)) {
     for (uint i = 0u; i < BUNDLE; ++i) {
+      const PixelPacket packet = pixel_packet(&task.tile, first + i);
       work[i].point = shadow_point(&world.grid, &meshes, &work[i].hit);
+      work[i].to_sun = shadow_sun(&scene->sky, &task.frame, &packet);
     }
     find_visible_lights(scene, &world, work);
   }

@@ -49,11 +49,18 @@ struct Bvh {
 Bvh build(std::span<const vec3> positions, std::span<const uvec3> triangles,
           const BuildOptions& options = {});
 
+/// Trees under a common root, and models' trees among the same nodes.
+struct JoinedBvh : Bvh {
+  std::vector<std::uint32_t> model_roots;  // node at which each model's tree begins
+};
+
 /// Joins trees under a common root without touching them: triangle indices in `order` of tree k are
-/// raised by `first_triangle[k]`, node and leaf references likewise; patches stay what they are, so
-/// that one tree at most may have some. Where a tree's `order` was given up, the result has none.
-/// Throws Error{internal} if the result would need more
-/// stack than the kernels have.
-Bvh join(std::span<const Bvh* const> trees, std::span<const std::uint32_t> first_triangle);
+/// raised by `first_triangle[k]`, node and leaf references likewise; patches and instances stay
+/// what they are, so that one tree at most may have some of either. Where a tree's `order` was
+/// given up, the result has none. The trees of `models`, whose slots come behind all others, are
+/// placed beside them and referred to by instances alone. Throws Error{internal} if the result
+/// would need more stack than the kernels have.
+JoinedBvh join(std::span<const Bvh* const> trees, std::span<const std::uint32_t> first_triangle,
+               std::span<const Bvh* const> models = {});
 
 }  // namespace aerostat::bvh

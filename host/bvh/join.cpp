@@ -41,11 +41,13 @@ struct Top {
 
 class Joiner {
  public:
-  explicit Joiner(std::vector<Entry> entries) : entries_(std::move(entries)) {}
+  /// The entries behind the first `trees` are models.
+  Joiner(std::vector<Entry> entries, std::size_t trees)
+      : entries_(std::move(entries)), trees_(trees) {}
 
-  Bvh join() {
+  JoinedBvh join() {
     std::size_t slots = 0;
-    const Top root = raise(0, entries_.size());
+    const Top root = trees_ > 0 ? raise(0, trees_) : no_trees();
     for (Entry& entry : entries_) {
       entry.first_slot = static_cast<std::uint32_t>(slots);
       slots += entry.tree->slots;
@@ -57,6 +59,8 @@ class Joiner {
     if (ordered) result_.order.resize(slots);
     result_.slots = static_cast<std::uint32_t>(slots);
     place_trees();
+    for (std::size_t i = trees_; i < entries_.size(); ++i)
+      result_.model_roots.push_back(entries_[i].first_node);
     result_.bounds = root.bounds;
     result_.stats.nodes = result_.nodes.size();
     result_.stats.stack_entries = static_cast<std::uint32_t>(root.stack);
@@ -71,6 +75,12 @@ class Joiner {
     throw Error(ErrorKind::bad_data, "joining BVHs: " + std::to_string(triangles) +
                                          " triangles, expected at most " +
                                          std::to_string(std::size_t{AERO_BVH_FIRST_MASK} + 1));
+  }
+
+  Top no_trees() {
+    result_.nodes.push_back(empty_node());
+    tree_children_.push_back(0);
+    return {{}, 0, 1, 0.0};
   }
 
   // Makes the nodes above trees [begin, end). References to trees are their numbers until
@@ -139,8 +149,9 @@ class Joiner {
   }
 
   std::vector<Entry> entries_;
+  std::size_t trees_;
   std::vector<std::uint32_t> tree_children_;  // per node of the top: which slots hold trees
-  Bvh result_;
+  JoinedBvh result_;
 };
 
 void add_counts(const BuildStats& from, BuildStats& to) {
@@ -152,7 +163,8 @@ void add_counts(const BuildStats& from, BuildStats& to) {
 
 }  // namespace
 
-Bvh join(std::span<const Bvh* const> trees, std::span<const std::uint32_t> first_triangle) {
+JoinedBvh join(std::span<const Bvh* const> trees, std::span<const std::uint32_t> first_triangle,
+               std::span<const Bvh* const> models) {
   if (trees.size() != first_triangle.size())
     throw Error(ErrorKind::internal, "joining BVHs: " + std::to_string(trees.size()) +
                                          " trees, but the first triangles of " +
@@ -161,15 +173,11 @@ Bvh join(std::span<const Bvh* const> trees, std::span<const std::uint32_t> first
   for (std::size_t i = 0; i < trees.size(); ++i) {
     if (trees[i]->stats.leaves > 0) entries.push_back({trees[i], first_triangle[i]});
   }
-  Bvh joined;
-  if (entries.empty()) {
-    joined.nodes = {empty_node()};
-    joined.stats.nodes = 1;
-    joined.stats.stack_entries = 1;
-  } else {
-    joined = Joiner(std::move(entries)).join();
-  }
+  const std::size_t joined_trees = entries.size();
+  for (const Bvh* model : models) entries.push_back({model, 0});
+  JoinedBvh joined = Joiner(std::move(entries), joined_trees).join();
   for (const Bvh* tree : trees) add_counts(tree->stats, joined.stats);
+  for (const Bvh* model : models) add_counts(model->stats, joined.stats);
   if (joined.stats.stack_entries > AERO_BVH_STACK)
     throw Error(ErrorKind::internal, "joining BVHs: the result needs a stack of " +
                                          std::to_string(joined.stats.stack_entries) +

@@ -98,24 +98,28 @@ Plane search(const Bins& bins) {
   return best;
 }
 
-// Partitions in place and gathers the centroid bounds of both sides on the way.
+// Partitions in place and gathers the centroid bounds of both sides on the way. Which side comes
+// next cannot be foretold, so nothing branches on it: every primitive changes places with the first
+// one known to be right (or itself), and each side's bounds take in a point that cannot widen them
+// where the primitive is not theirs.
 Parts partition(std::span<Primitive> range, const BinMap& map, const Plane& plane) {
   Parts parts;
-  std::size_t left = 0, right = range.size();
-  const auto goes_left = [&](Float4 centre) { return map(centre)[plane.axis] < plane.bin; };
-  while (true) {
-    for (; left < right; ++left) {
-      const Float4 centre = load_box(range[left]).half_centre();
-      if (!goes_left(centre)) break;
-      parts.centroids[0].grow(centre);
+  std::size_t left = 0;
+  const Float4 none = broadcast(kInfinity);
+  for (std::size_t i = 0; i < range.size(); ++i) {
+    const Primitive moved = range[i];
+    const Float4 centre = load_box(moved).half_centre();
+    const bool goes_left = map(centre)[plane.axis] < plane.bin;
+    const Int4 is_left = Int4{} - static_cast<std::int32_t>(goes_left);
+    range[i] = range[left];
+    range[left] = moved;
+    left += goes_left ? 1 : 0;
+    for (int side = 0; side < 2; ++side) {
+      const Int4 counts = side == 0 ? is_left : ~is_left;
+      Box& box = parts.centroids[side];
+      box.lo = min4(box.lo, counts ? centre : none);
+      box.hi = max4(box.hi, counts ? centre : -none);
     }
-    for (; left < right; --right) {
-      const Float4 centre = load_box(range[right - 1]).half_centre();
-      if (goes_left(centre)) break;
-      parts.centroids[1].grow(centre);
-    }
-    if (left >= right) break;
-    std::swap(range[left], range[right - 1]);
   }
   parts.left_count = static_cast<std::uint32_t>(left);
   parts.bounds[0] = plane.bounds[0];

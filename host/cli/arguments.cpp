@@ -110,6 +110,11 @@ class Arguments {
     sub->add_option("--height", render_.height, "Pixels down, 1 to 32768; wins over the scene")
         ->check(side)
         ->type_name("H");
+    sub->add_option("--quality", render_.quality,
+                    "draft, standard or final: samples, soft shadows and\n"
+                    "ambient occlusion where the scene does not set them")
+        ->check(unnamed(CLI::IsMember({"draft", "standard", "final"})))
+        ->type_name("Q");
     sub->add_option("--spp", render_.spp,
                     "Samples per pixel, 1 to 65536; a single one passes\n"
                     "through the pixel's centre")
@@ -168,6 +173,8 @@ class Arguments {
                     "or x.obj")
         ->required()
         ->type_name("FILE");
+    sub->add_flag("--plants", export_.plants,
+                  "Every plant, too: millions of triangles, and gigabytes of memory");
   }
 
   CLI::App app_;

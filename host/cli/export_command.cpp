@@ -11,7 +11,8 @@ int export_world(const ExportOptions& options) {
   const MeshFormat format = mesh_format(options.output);
   image::require_writable(options.output);
   const scene::Scene scene = load_scene(options.input);
-  const world::Objects world = world::as_triangles(world::build(scene));
+  const world::Objects world = world::as_triangles(
+      world::build(scene), options.plants ? world::Grown::included : world::Grown::left_out);
   std::vector<mesh::ExportObject> objects;
   for (const world::Object& object : world) {
     objects.push_back(

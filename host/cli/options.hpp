@@ -19,6 +19,7 @@ struct SceneOptions {
 struct RenderOptions {
   SceneOptions input;
   std::filesystem::path output;  // empty: the scene's name and .png in the current folder
+  std::string quality;           // empty: as the scene says
   std::optional<int> width, height, spp;
   std::optional<std::uint32_t> seed;
   std::optional<render::Crop> crop;
@@ -36,6 +37,7 @@ struct DevicesOptions {
 struct ExportOptions {
   SceneOptions input;
   std::filesystem::path output;
+  bool plants = false;
 };
 
 }  // namespace aerostat::cli

@@ -45,7 +45,10 @@ class WarningsAbove {
 
 /// Not resolved yet.
 scene::Scene scene_to_render(const RenderOptions& options) {
-  scene::Scene scene = read_scene(options.input);
+  SceneOptions input = options.input;
+  // Options win over --set.
+  if (!options.quality.empty()) input.overrides.push_back("/quality=" + options.quality);
+  scene::Scene scene = read_scene(input);
   if (options.width) scene.image.width = *options.width;
   if (options.height) scene.image.height = *options.height;
   if (options.spp) scene.image.spp = *options.spp;
@@ -65,9 +68,10 @@ void require_encodable(const RenderOptions& options, const scene::Image& image,
 }
 
 std::vector<std::uint8_t> encode(const image::Film& film, PictureFormat format,
-                                 double exposure_ev) {
-  return format == PictureFormat::exr ? image::encode_exr(film)
-                                      : image::encode_png(image::develop(film, exposure_ev));
+                                 const scene::Image& image) {
+  if (format == PictureFormat::exr) return image::encode_exr(film);
+  const double ev = image.exposure_given ? image.exposure_ev : image::automatic_exposure_ev(film);
+  return image::encode_png(image::develop(film, ev));
 }
 
 void warn_of_nan(const image::Film& film) {
@@ -122,7 +126,7 @@ int render(const RenderOptions& options) {
   bar.clear();
   warn_of_nan(film);
   phase.restart();
-  const auto bytes = encode(film, format, scene.image.exposure_ev);
+  const auto bytes = encode(film, format, scene.image);
   seconds.encoding = phase.restart();
   if (interrupt.token().stop_requested()) throw Error(ErrorKind::interrupted, "interrupted");
   image::write_file(output, bytes);

@@ -24,7 +24,8 @@ double mebibytes(std::uint64_t bytes) {
 std::string devices_text(const render::Stats& stats) {
   std::string text;
   for (const render::DeviceStats& one : stats.devices) {
-    const double busy = one.primary_seconds + one.shadow_seconds + one.shade_seconds;
+    const double busy =
+        one.primary_seconds + one.shadow_seconds + one.ambient_seconds + one.shade_seconds;
     const double share =
         static_cast<double>(one.primary_rays) / static_cast<double>(stats.primary_rays);
     const double rate =
@@ -61,7 +62,7 @@ std::uint64_t peak_memory_bytes() {
 }
 
 std::string stats_text(const render::Stats& stats, std::uint64_t peak_bytes) {
-  const std::uint64_t rays = stats.primary_rays + stats.shadow_rays;
+  const std::uint64_t rays = stats.primary_rays + stats.shadow_rays + stats.ambient_rays;
   const double rate =
       stats.rays_seconds > 0.0 ? static_cast<double>(rays) * 1e-6 / stats.rays_seconds : 0.0;
   std::string text;
@@ -77,6 +78,9 @@ std::string stats_text(const render::Stats& stats, std::uint64_t peak_bytes) {
                       stats.rays_seconds, grouped(rays), rate);
   text += rays_line("  primary", stats.primary_rays, stats.primary_device_seconds);
   text += rays_line("  shadow", stats.shadow_rays, stats.shadow_device_seconds);
+  if (stats.ambient_rays > 0) {
+    text += rays_line("  ambient", stats.ambient_rays, stats.ambient_device_seconds);
+  }
   text += fmt::format("{:<10}{:.2f} s on the device\n", "  shading", stats.shade_device_seconds);
   if (stats.devices.size() > 1) text += devices_text(stats);
   text += fmt::format("{:<10}{:.1f} MiB at most in the process, {:.1f} MiB of device buffers\n",

@@ -16,6 +16,12 @@ struct Pixels {
   std::vector<std::uint8_t> rgb;
 };
 
+/// Stops that suit a picture: the mean logarithm of its luminance, without the darkest fifth and
+/// the brightest twentieth of the pixels, goes to a grey of 0.25, or up to two stops darker where
+/// that keeps the brightest hundredth below white, so that snow does not clip. 0 for a picture
+/// without light.
+double automatic_exposure_ev(const Film& film);
+
 /// Exposure (2^ev), a filmic tone curve, the sRGB transfer function, and ordered dither against
 /// banding; deterministic.
 Pixels develop(const Film& film, double exposure_ev);

@@ -6,6 +6,7 @@
 
 #include "bvh/grid.hpp"
 #include "mesh/grid_mesh.hpp"
+#include "pack/pack_plants.hpp"
 
 namespace aerostat::pack {
 namespace {
@@ -74,8 +75,8 @@ void add_objects(const world::Objects& objects, PackedGroup& group) {
   add_tree(bvh::build(soup.positions, soup.triangles), soup, group);
 }
 
-void reserve(const world::Objects& objects, const PackedArrays& room, PackedArrays& arrays) {
-  std::size_t triangles = room.triangles.size(), vertices = room.vertices.size();
+void reserve(const world::Objects& objects, const Room& room, PackedArrays& arrays) {
+  std::size_t triangles = room.triangles, vertices = room.vertices;
   for (const auto& object : objects) {
     triangles += object.mesh.triangles.size();
     vertices += object.mesh.positions.size();
@@ -93,7 +94,7 @@ PackedGroup pack_objects(const world::Objects& objects) {
   return group;
 }
 
-PackedGroup pack_land(const world::Land& land, const PackedArrays& room) {
+PackedGroup pack_land(const world::Land& land, const Room& room) {
   PackedGroup group;
   group.trees.push_back(bvh::build_grid(*land.ground));
   reserve(land.objects, room, group.arrays);
@@ -112,13 +113,18 @@ void append(PackedArrays& whole, const PackedArrays& part) {
   }
 }
 
-bvh::Bvh join_trees(const std::vector<const PackedGroup*>& groups) {
-  std::vector<const bvh::Bvh*> trees;
+bvh::JoinedBvh join_trees(const std::vector<const PackedGroup*>& groups,
+                          const PackedPlants* plants) {
+  std::vector<const bvh::Bvh*> trees, models;
   for (const PackedGroup* group : groups) {
     if (group == nullptr) continue;
     for (const bvh::Bvh& tree : group->trees) trees.push_back(&tree);
   }
-  return bvh::join(trees, std::vector<std::uint32_t>(trees.size(), 0));
+  if (plants != nullptr) {
+    trees.push_back(&plants->tree);
+    for (const bvh::Bvh& model : plants->models) models.push_back(&model);
+  }
+  return bvh::join(trees, std::vector<std::uint32_t>(trees.size(), 0), models);
 }
 
 }  // namespace aerostat::pack

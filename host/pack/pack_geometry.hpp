@@ -27,15 +27,26 @@ struct PackedGroup {
 /// Builds the tree of meshes and sorts their triangles. Runs on all cores.
 PackedGroup pack_objects(const world::Objects& objects);
 
-/// The same with the tree of the ground, which the kernels read as it is. The arrays get room for
-/// as many elements more as `room` holds.
-PackedGroup pack_land(const world::Land& land, const PackedArrays& room = {});
+/// Elements that are to be appended later.
+struct Room {
+  std::size_t triangles = 0, vertices = 0;
+
+  Room operator+(const Room& other) const {
+    return {triangles + other.triangles, vertices + other.vertices};
+  }
+};
+
+/// The same with the tree of the ground, which the kernels read as it is. The arrays get `room`.
+PackedGroup pack_land(const world::Land& land, const Room& room = {});
 
 /// Appends `part` to `whole`.
 void append(PackedArrays& whole, const PackedArrays& part);
 
-/// The common tree of several groups whose arrays are appended in this order; null ones are left
-/// out.
-bvh::Bvh join_trees(const std::vector<const PackedGroup*>& groups);
+struct PackedPlants;
+
+/// The common tree of several groups, whose arrays are appended in this order and followed by those
+/// of the plants; null ones are left out.
+bvh::JoinedBvh join_trees(const std::vector<const PackedGroup*>& groups,
+                          const PackedPlants* plants);
 
 }  // namespace aerostat::pack

@@ -5,18 +5,13 @@
 
 #include <fmt/format.h>
 
+#include "air/atmosphere.hpp"
 #include "core/error.hpp"
+#include "pack/copy.hpp"
+#include "pack/pack_air.hpp"
 
 namespace aerostat::pack {
 namespace {
-
-constexpr double kSunAngularRadius = 0.5 * 0.53 * (std::numbers::pi / 180.0);
-
-void copy(float (&to)[3], const dvec3& from) {
-  to[0] = static_cast<float>(from.x);
-  to[1] = static_cast<float>(from.y);
-  to[2] = static_cast<float>(from.z);
-}
 
 float cosine_of_deg(double degrees) {
   return static_cast<float>(std::cos(degrees * (std::numbers::pi / 180.0)));
@@ -24,20 +19,15 @@ float cosine_of_deg(double degrees) {
 
 AeroSky pack_sky(const scene::Scene& scene) {
   AeroSky sky{};
-  copy(sky.zenith, scene.sky.zenith);
-  copy(sky.horizon, scene.sky.horizon);
-  copy(sky.glow, dvec3(scene.sky.glow) * scene.sky.glow_strength);
-  copy(sky.ambient_up, scene.sky.ambient_up);
-  copy(sky.ambient_down, scene.sky.ambient_down);
   copy(sky.sun_direction, glm::normalize(scene.sun.direction));
   copy(sky.sun_irradiance, dvec3(scene.sun.color) * scene.sun.irradiance);
-  sky.sun_cos = static_cast<float>(std::cos(kSunAngularRadius));
-  // Koschmieder: contrast falls to 2 % at the visibility.
-  sky.haze_extinction = static_cast<float>(3.912 / scene.haze.visibility_m);
-  sky.haze_height = static_cast<float>(scene.haze.scale_height_m);
+  sky.sun_cos = static_cast<float>(std::cos(air::kSunRadius));
   sky.cloud_cover = static_cast<float>(scene.sky.cloud_cover);
   sky.cloud_height = static_cast<float>(scene.sky.cloud_height_m);
   sky.sun_shadows = scene.sun.shadows ? 1u : 0u;
+  sky.sun_spread = scene.sun.soft_shadows ? static_cast<float>(std::tan(air::kSunRadius)) : 0.0f;
+  sky.ambient_reach =
+      scene.sky.ambient_occlusion ? static_cast<float>(scene.sky.occlusion_m) : 0.0f;
   return sky;
 }
 
@@ -177,6 +167,7 @@ AeroScene pack_scene(const scene::Scene& scene) {
   }
   packed.light_count = static_cast<std::uint32_t>(scene.lights.size());
   packed.shading = shading_of(scene.shading);
+  packed.air = pack_air(scene);
   return packed;
 }
 

@@ -5,7 +5,7 @@
 namespace aerostat::render {
 namespace {
 
-// One launch of the three kernels takes about this long, and two are in flight: a watchdog never
+// One launch of all kernels takes about this long, and two are in flight: a watchdog never
 // fires, and an interrupt is answered in time.
 constexpr double kLaunchSeconds = 0.03;
 constexpr std::uint64_t kFirstLaunchRays = 1u << 15;
@@ -47,6 +47,7 @@ void DeviceWorker::begin_frame(const AeroScene& scene, std::size_t pixels) {
   in_flight_.clear();
   rays_done_ = 0;
   stats_ = {};
+  occlusion_ = scene.sky.ambient_reach > 0.0f;
   scene_ = {context_, budget_, std::span(&scene, 1), "the scene"};
   if (film_.size() != pixels) {
     film_ = {};
@@ -110,11 +111,13 @@ void DeviceWorker::reserve(std::uint64_t packets) {
   retire(0);
   hits_ = {};
   visible_ = {};
+  open_ = {};
   packets_capacity_ = 0;
   const std::uint64_t rays = packets * static_cast<std::uint64_t>(lanes_);
-  // A hit is four words per lane, the lights that reach it one.
-  hits_ = {context_, budget_, rays * 16, "the hits", CL_MEM_READ_WRITE};
+  // A hit is five words per lane, the lights that reach it one, the sky's share one.
+  hits_ = {context_, budget_, rays * 20, "the hits", CL_MEM_READ_WRITE};
   visible_ = {context_, budget_, rays * 4, "the shadows", CL_MEM_READ_WRITE};
+  open_ = {context_, budget_, rays * 4, "the open sky", CL_MEM_READ_WRITE};
   packets_capacity_ = packets;
 }
 
@@ -126,14 +129,21 @@ void DeviceWorker::launch_tile(const AeroLaunch& launch) {
   work.rays = pixels_of(launch.tile) << launch.tile.log2_samples;
   work.camera =
       opencl::launch(context_, programs_->trace_camera_rays, size, launch, geometry_.nodes,
-                     geometry_.triangles, geometry_.grid, hits_.handle());
+                     geometry_.triangles, geometry_.instances, geometry_.grid, hits_.handle());
   work.shadow =
       opencl::launch(context_, programs_->trace_shadow_rays, size, launch, scene_, geometry_.nodes,
-                     geometry_.triangles, geometry_.grid, geometry_.faces, geometry_.vertices,
-                     hits_.handle(), visible_.handle());
+                     geometry_.triangles, geometry_.instances, geometry_.grid, geometry_.faces,
+                     geometry_.vertices, hits_.handle(), visible_.handle());
+  if (occlusion_) {
+    work.ambient =
+        opencl::launch(context_, programs_->trace_ambient_rays, size, launch, scene_,
+                       geometry_.nodes, geometry_.triangles, geometry_.instances, geometry_.grid,
+                       geometry_.faces, geometry_.vertices, hits_.handle(), open_.handle());
+  }
   work.shade =
-      opencl::launch(context_, programs_->shade_hits, size, launch, scene_, geometry_.grid,
-                     geometry_.faces, geometry_.vertices, hits_.handle(), visible_.handle(), film_);
+      opencl::launch(context_, programs_->shade_hits, size, launch, scene_, geometry_.instances,
+                     geometry_.grid, geometry_.faces, geometry_.vertices, hits_.handle(),
+                     visible_.handle(), open_.handle(), film_);
   in_flight_.push_back(work);
 }
 
@@ -145,12 +155,14 @@ void DeviceWorker::retire(std::size_t most_in_flight) {
     const double shade = opencl::device_seconds(work.shade);
     const double camera = opencl::device_seconds(work.camera);
     const double shadow = opencl::device_seconds(work.shadow);
+    const double ambient = work.ambient ? opencl::device_seconds(*work.ambient) : 0.0;
     stats_.shade_seconds += shade;
+    stats_.ambient_seconds += ambient;
     stats_.primary_seconds += camera;
     stats_.shadow_seconds += shadow;
     rays_done_ += work.rays;
     // By the device's clock: the host's tells nothing when several launches end while it sleeps.
-    const double spent = camera + shadow + shade;
+    const double spent = camera + shadow + ambient + shade;
     if (spent > 0.0) {
       const double now_rate = static_cast<double>(work.rays) / spent;
       rate_ = rate_ <= 0.0 ? now_rate : 0.7 * rate_ + 0.3 * now_rate;

@@ -72,6 +72,7 @@ class DeviceWorker {
  private:
   struct Launch {
     cl::Event camera, shadow, shade;
+    std::optional<cl::Event> ambient;
     std::uint64_t rays = 0;
   };
 
@@ -89,7 +90,8 @@ class DeviceWorker {
   DeviceGeometry geometry_;
   opencl::Buffer<AeroScene> scene_;
   FilmBuffer film_;
-  opencl::RawBuffer hits_, visible_;
+  bool occlusion_ = false;  // whether the frame asks for ambient occlusion
+  opencl::RawBuffer hits_, visible_, open_;
   std::uint64_t packets_capacity_ = 0;
 
   std::deque<Launch> in_flight_;

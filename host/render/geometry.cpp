@@ -17,6 +17,7 @@ class Packer {
 
   void run() {
     pack_balloon();
+    pack_plants();
     pack_land();
   }
 
@@ -34,6 +35,17 @@ class Packer {
     if (meshes_ == Meshes::release) balloon = std::make_shared<const world::Objects>();
   }
 
+  void pack_plants() {
+    const auto& plants = geometry_.world.plants;
+    if (!plants) return;
+    if (plants == old_.world.plants && old_.plants) {
+      geometry_.plants = old_.plants;
+      return;
+    }
+    ++geometry_.trees_built;
+    geometry_.plants = std::make_shared<pack::PackedPlants>(pack::pack_plants(*plants));
+  }
+
   void pack_land() {
     auto& land = geometry_.world.land;
     if (land == old_.world.land && old_.land) {
@@ -41,11 +53,16 @@ class Packer {
       return;
     }
     ++geometry_.trees_built;
-    static const pack::PackedArrays kNone;
-    const auto& room = geometry_.balloon ? geometry_.balloon->arrays : kNone;
+    const pack::Room room = room_of(geometry_.balloon.get()) + room_of(geometry_.plants.get());
     geometry_.land = std::make_shared<pack::PackedGroup>(pack::pack_land(*land, room));
     if (meshes_ == Meshes::release)
       land = std::make_shared<const world::Land>(world::Land{land->ground, {}});
+  }
+
+  template <typename Packed>
+  static pack::Room room_of(const Packed* packed) {
+    if (packed == nullptr) return {};
+    return {packed->arrays.triangles.size(), packed->arrays.vertices.size()};
   }
 
   const HostGeometry& old_;
@@ -82,7 +99,8 @@ std::shared_ptr<const HostGeometry> build_geometry(const scene::Scene& scene,
                                    previous != nullptr ? &old.scene : nullptr);
     const auto& world = geometry->world;
     geometry->worlds_built = (world.land != old.world.land ? 1 : 0) +
-                             (world.balloon && world.balloon != old.world.balloon ? 1 : 0);
+                             (world.balloon && world.balloon != old.world.balloon ? 1 : 0) +
+                             (world.plants && world.plants != old.world.plants ? 1 : 0);
     geometry->world_seconds = watch.restart();
     Packer(old, meshes, *geometry).run();
     geometry->tree_seconds = watch.seconds();
@@ -93,7 +111,7 @@ std::shared_ptr<const HostGeometry> build_geometry(const scene::Scene& scene,
   return geometry;
 }
 
-void FrameArrays::assemble(const HostGeometry& geometry) {
+void FrameArrays::assemble(const HostGeometry& geometry, const bvh::JoinedBvh& tree) {
   if (land_ != geometry.land || !land_) {
     arrays_ = {};
     if (geometry.land) arrays_ = taken(*geometry.land);
@@ -107,22 +125,29 @@ void FrameArrays::assemble(const HostGeometry& geometry) {
   arrays_.vertices.resize(land_vertices_);
   try {
     if (geometry.balloon) pack::append(arrays_, geometry.balloon->arrays);
+    instances_.clear();
+    if (geometry.plants) {
+      pack::append(arrays_, geometry.plants->arrays);
+      instances_ = geometry.plants->instances;
+      for (AeroInstance& instance : instances_) instance.root = tree.model_roots[instance.root];
+    }
   } catch (const std::bad_alloc&) {
     fail_to_upload();
   }
 }
 
-std::shared_ptr<const bvh::Bvh> join_trees(const HostGeometry& geometry) {
+std::shared_ptr<const bvh::JoinedBvh> join_trees(const HostGeometry& geometry) {
   try {
-    return std::make_shared<const bvh::Bvh>(
-        pack::join_trees({geometry.land.get(), geometry.balloon.get()}));
+    return std::make_shared<const bvh::JoinedBvh>(
+        pack::join_trees({geometry.land.get(), geometry.balloon.get()}, geometry.plants.get()));
   } catch (const std::bad_alloc&) {
     fail_to_upload();
   }
 }
 
 std::uint64_t DeviceGeometry::bytes() const {
-  return nodes.bytes() + triangles.bytes() + faces.bytes() + vertices.bytes() + grid.bytes();
+  return nodes.bytes() + triangles.bytes() + faces.bytes() + vertices.bytes() + instances.bytes() +
+         grid.bytes();
 }
 
 std::uint64_t DeviceGeometry::triangle_count() const {
@@ -150,6 +175,7 @@ DeviceGeometry upload(const opencl::Context& context, const opencl::MemoryBudget
   give(device.triangles, std::span(arrays.triangles), frame, "the triangles");
   give(device.faces, std::span(arrays.faces), frame, "the triangles' indices");
   give(device.vertices, std::span(arrays.vertices), frame, "the vertices");
+  give(device.instances, std::span(frame->instances()), frame, "the plants");
   give(device.grid, frame->ground()->words(), frame->ground(), "the ground");
   return device;
 }
@@ -157,8 +183,9 @@ DeviceGeometry upload(const opencl::Context& context, const opencl::MemoryBudget
 DeviceGeometry upload(const opencl::Context& context, const opencl::MemoryBudget& budget,
                       const HostGeometry& geometry) {
   const auto frame = std::make_shared<FrameArrays>();
-  frame->assemble(geometry);
-  return upload(context, budget, join_trees(geometry), frame);
+  const auto tree = join_trees(geometry);
+  frame->assemble(geometry, *tree);
+  return upload(context, budget, tree, frame);
 }
 
 }  // namespace aerostat::render

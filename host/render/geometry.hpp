@@ -5,6 +5,7 @@
 
 #include "opencl/buffer.hpp"
 #include "pack/pack_geometry.hpp"
+#include "pack/pack_plants.hpp"
 #include "render/session.hpp"
 #include "world/world.hpp"
 
@@ -17,6 +18,7 @@ struct HostGeometry {
   world::World world;                       // without objects where meshes were not kept
   std::shared_ptr<pack::PackedGroup> land;  // its arrays go into the FrameArrays
   std::shared_ptr<const pack::PackedGroup> balloon;
+  std::shared_ptr<const pack::PackedPlants> plants;
   double world_seconds = 0.0, tree_seconds = 0.0;
   int worlds_built = 0, trees_built = 0;  // groups that were not shared
 };
@@ -30,25 +32,27 @@ std::shared_ptr<const HostGeometry> build_geometry(const scene::Scene& scene,
                                                    Meshes meshes = Meshes::keep);
 
 /// The ground of a frame, and its triangles and vertices: the land's, taken out of its group rather
-/// than copied, and behind them a copy of the balloon's.
+/// than copied, and behind them a copy of the balloon's and of the plants' models.
 class FrameArrays {
  public:
-  /// Makes them those of `geometry`; the land stays if it is the one that is there. Throws
-  /// Error{exhausted}.
-  void assemble(const HostGeometry& geometry);
+  /// Makes them those of `geometry`, whose common tree is `tree`; the land stays if it is the one
+  /// that is there. Throws Error{exhausted}.
+  void assemble(const HostGeometry& geometry, const bvh::JoinedBvh& tree);
 
   const pack::PackedArrays& arrays() const { return arrays_; }
+  const std::vector<AeroInstance>& instances() const { return instances_; }
   const std::shared_ptr<const mesh::GridMesh>& ground() const { return ground_; }
 
  private:
   std::shared_ptr<const mesh::GridMesh> ground_;
   pack::PackedArrays arrays_;
+  std::vector<AeroInstance> instances_;
   std::shared_ptr<const pack::PackedGroup> land_;
   std::size_t land_triangles_ = 0, land_vertices_ = 0;
 };
 
 /// The common tree of a frame.
-std::shared_ptr<const bvh::Bvh> join_trees(const HostGeometry& geometry);
+std::shared_ptr<const bvh::JoinedBvh> join_trees(const HostGeometry& geometry);
 
 /// A frame's geometry on the device; a CPU reads it where it is.
 struct DeviceGeometry {
@@ -56,6 +60,7 @@ struct DeviceGeometry {
   opencl::Buffer<AeroTriangle> triangles;
   opencl::Buffer<AeroFace> faces;
   opencl::Buffer<AeroVertex> vertices;
+  opencl::Buffer<AeroInstance> instances;
   opencl::Buffer<float> grid;  // the ground
   bvh::BuildStats tree;
 

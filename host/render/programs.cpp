@@ -18,11 +18,13 @@ void warm_up(const opencl::Context& context, Programs& programs, int lanes) {
   const cl::Buffer& none = nothing.handle();
   const AeroLaunch launch{};
   const auto range = packet_range(1, lanes);
-  opencl::launch(context, programs.trace_camera_rays, range, launch, none, none, none, none);
+  opencl::launch(context, programs.trace_camera_rays, range, launch, none, none, none, none, none);
   opencl::launch(context, programs.trace_shadow_rays, range, launch, none, none, none, none, none,
-                 none, none, none);
+                 none, none, none, none);
+  opencl::launch(context, programs.trace_ambient_rays, range, launch, none, none, none, none, none,
+                 none, none, none, none);
   opencl::launch(context, programs.shade_hits, range, launch, none, none, none, none, none, none,
-                 none);
+                 none, none, none);
   opencl::launch(context, programs.clear_film, packet_range(1, 1), none, cl_uint{0});
   opencl::finish(context);
 }
@@ -44,10 +46,12 @@ Programs build_programs(const opencl::Context& context, int lanes) {
   };
   auto camera = build("trace_camera.cl");
   auto shadow = build("trace_shadow.cl");
+  auto ambient = build("trace_ambient.cl");
   auto shade = build("shade_hits.cl");
   Programs programs;
   programs.trace_camera_rays = camera.get().kernel("trace_camera_rays");
   programs.trace_shadow_rays = shadow.get().kernel("trace_shadow_rays");
+  programs.trace_ambient_rays = ambient.get().kernel("trace_ambient_rays");
   const opencl::Program shading = shade.get();
   programs.shade_hits = shading.kernel("shade_hits");
   programs.clear_film = shading.kernel("clear_film");

@@ -11,6 +11,7 @@ namespace aerostat::render {
 struct Programs {
   cl::Kernel trace_camera_rays;
   cl::Kernel trace_shadow_rays;
+  cl::Kernel trace_ambient_rays;
   cl::Kernel shade_hits;
   cl::Kernel clear_film;
   double seconds = 0.0;  // that building took

@@ -15,12 +15,17 @@
 namespace aerostat::render {
 namespace {
 
-/// Every sample that met something has sent one ray to each light that casts shadows.
-std::uint64_t shadow_rays_of(const image::Film& film, const scene::Scene& scene, int samples) {
+/// Samples that met something.
+std::uint64_t hits_of(const image::Film& film, int samples) {
   std::uint64_t hits = 0;
   for (const float alpha : film.alpha) {
     hits += static_cast<std::uint64_t>(std::lround(alpha * static_cast<float>(samples)));
   }
+  return hits;
+}
+
+/// Every hit has sent one ray to each light that casts shadows.
+std::uint64_t shadow_rays_of(std::uint64_t hits, const scene::Scene& scene) {
   const auto lamps = std::count_if(scene.lights.begin(), scene.lights.end(),
                                    [](const scene::PointLight& light) { return light.shadows; });
   return hits * (static_cast<std::uint64_t>(lamps) + (scene.sun.shadows ? 1 : 0));
@@ -75,7 +80,8 @@ void Session::State::stop_if_asked() const {
 
 void Session::State::report(Stage stage, double fraction) {
   if (!progress) return;
-  progress({stage, fraction, stats.primary_rays + stats.shadow_rays, watch.seconds(), passes_done});
+  const std::uint64_t rays = stats.primary_rays + stats.shadow_rays + stats.ambient_rays;
+  progress({stage, fraction, rays, watch.seconds(), passes_done});
 }
 
 /// A driver's compiler knows no interruption: a render that is stopped leaves it at work for the
@@ -101,12 +107,13 @@ void Session::State::build(const scene::Scene& scene) {
 
 void Session::State::upload() {
   const auto fresh = geometry;
-  if (!on_device || fresh->land != on_device->land || fresh->balloon != on_device->balloon) {
+  if (!on_device || fresh->land != on_device->land || fresh->balloon != on_device->balloon ||
+      fresh->plants != on_device->plants) {
     on_device = nullptr;
     team.drop_geometry();
     const auto tree = background.run([fresh] { return join_trees(*fresh); }, stop,
                                      [this] { report(Stage::upload, 0.0); });
-    frame->assemble(*fresh);
+    frame->assemble(*fresh, *tree);
     team.set_geometry(tree, frame, [this] { stop_if_asked(); });
   }
   on_device = fresh;
@@ -161,7 +168,9 @@ image::Film Session::State::trace(const scene::Scene& scene, const Crop& crop) {
 image::Film Session::State::read_passes(const scene::Scene& scene, const Crop& crop,
                                         const RowQueue& queue) {
   image::Film read = read_film(team.film_rows(queue), scene.image.width, crop, passes_done);
-  stats.shadow_rays = shadow_rays_of(read, scene, passes_done);
+  const std::uint64_t hits = hits_of(read, passes_done);
+  stats.shadow_rays = shadow_rays_of(hits, scene);
+  stats.ambient_rays = scene.sky.ambient_occlusion ? hits : 0;
   return read;
 }
 
@@ -186,6 +195,7 @@ void Session::State::collect_stats() {
   for (const DeviceStats& one : stats.devices) {
     stats.primary_device_seconds += one.primary_seconds;
     stats.shadow_device_seconds += one.shadow_seconds;
+    stats.ambient_device_seconds += one.ambient_seconds;
     stats.shade_device_seconds += one.shade_seconds;
     stats.device_bytes += one.bytes;
   }

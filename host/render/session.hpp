@@ -46,7 +46,7 @@ using ProgressCallback = std::function<void(const Progress&)>;
 struct DeviceStats {
   std::string selector, name;
   std::uint64_t primary_rays = 0;
-  double primary_seconds = 0.0, shadow_seconds = 0.0, shade_seconds = 0.0;
+  double primary_seconds = 0.0, shadow_seconds = 0.0, ambient_seconds = 0.0, shade_seconds = 0.0;
   std::uint64_t bytes = 0;
 };
 
@@ -59,9 +59,11 @@ struct Stats {
   double rays_seconds = 0.0;
   double primary_device_seconds = 0.0;  // of all devices together
   double shadow_device_seconds = 0.0;
+  double ambient_device_seconds = 0.0;
   double shade_device_seconds = 0.0;
   std::uint64_t primary_rays = 0;
   std::uint64_t shadow_rays = 0;
+  std::uint64_t ambient_rays = 0;
   std::uint64_t triangles = 0;
   std::uint64_t device_bytes = 0;
   int worlds_built = 0;  // groups built by this render: 0 if all was kept

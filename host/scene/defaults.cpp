@@ -33,15 +33,8 @@ void make_snow(Scene& scene) {
   scene.balloon.pattern = Pattern::stripes;
   scene.balloon.colors = {{0.62f, 0.03f, 0.03f}, {0.8f, 0.36f, 0.02f}, {0.82f, 0.66f, 0.06f}};
   scene.sun.direction = detail::direction_of({230.0, 15.0});
-  scene.sun.color = {1.0f, 0.86f, 0.68f};
-  scene.sun.irradiance = 3.4;
-  scene.sky.zenith = {0.045f, 0.15f, 0.43f};
-  scene.sky.horizon = {0.55f, 0.7f, 0.86f};
-  scene.sky.glow = {1.0f, 0.78f, 0.5f};
-  scene.sky.ambient_up = {0.24f, 0.33f, 0.5f};
-  scene.sky.ambient_down = {0.16f, 0.19f, 0.25f};
-  scene.haze = {70000.0, 1600.0};
-  scene.image.exposure_ev = 0.5;
+  scene.air.ground_albedo = {0.5f, 0.52f, 0.55f};
+  scene.haze = {90000.0, 1300.0, 1.3, 0.72, vec3(0.96f)};
 }
 
 /// A green island in a warm sea: steep ridges under forest, pale beaches, moist air.
@@ -65,7 +58,7 @@ void make_tropical(Scene& scene) {
   ground.beach_top_m = 3.0;
   ground.pattern_m = 60.0;
   ground.relief = 0.8;
-  ground.forest = {0.065f, 0.135f, 0.03f};
+  ground.forest = {0.043f, 0.09f, 0.02f};
   ground.forest_top_m = 1500.0;
   ground.forest_share = 0.85;
   ground.canopy_m = 9.0;
@@ -75,15 +68,8 @@ void make_tropical(Scene& scene) {
   scene.balloon.colors = {
       {0.78f, 0.05f, 0.08f}, {0.85f, 0.6f, 0.04f}, {0.02f, 0.3f, 0.42f}, {0.8f, 0.78f, 0.7f}};
   scene.sun.direction = detail::direction_of({150.0, 23.0});
-  scene.sun.color = {1.0f, 0.89f, 0.72f};
-  scene.sun.irradiance = 3.6;
-  scene.sky.zenith = {0.045f, 0.17f, 0.45f};
-  scene.sky.horizon = {0.52f, 0.7f, 0.84f};
-  scene.sky.glow = {1.0f, 0.84f, 0.6f};
-  scene.sky.ambient_up = {0.27f, 0.37f, 0.5f};
-  scene.sky.ambient_down = {0.08f, 0.1f, 0.07f};
-  scene.haze = {90000.0, 1300.0};
-  scene.image.exposure_ev = 0.5;
+  scene.air.ground_albedo = {0.06f, 0.08f, 0.08f};
+  scene.haze = {60000.0, 1000.0, 0.6, 0.76, vec3(0.99f)};
 }
 
 /// A sea of dunes before reddish rock: dust in the air, a low golden sun.
@@ -105,22 +91,15 @@ void make_sand(Scene& scene) {
   ground.rock_slope_deg[0] = 37.0;
   ground.rock_slope_deg[1] = 48.0;
   ground.pattern_m = 160.0;
-  ground.relief = 0.35;
+  ground.relief = 0.07;
   ground.ripple_m = 0.9;
   scene.balloon.position = {0.0, 150.0, 0.0};
   scene.balloon.pattern = Pattern::rainbow;
   scene.balloon.colors = {{0.05f, 0.09f, 0.4f},  {0.03f, 0.38f, 0.5f},  {0.82f, 0.8f, 0.72f},
                           {0.84f, 0.55f, 0.05f}, {0.75f, 0.16f, 0.03f}, {0.42f, 0.02f, 0.06f}};
   scene.sun.direction = detail::direction_of({80.0, 12.0});
-  scene.sun.color = {1.0f, 0.78f, 0.52f};
-  scene.sun.irradiance = 3.5;
-  scene.sky.zenith = {0.07f, 0.2f, 0.45f};
-  scene.sky.horizon = {0.78f, 0.71f, 0.6f};
-  scene.sky.glow = {1.0f, 0.72f, 0.4f};
-  scene.sky.ambient_up = {0.22f, 0.25f, 0.32f};
-  scene.sky.ambient_down = {0.17f, 0.12f, 0.08f};
-  scene.haze = {60000.0, 900.0};
-  scene.image.exposure_ev = 0.6;
+  scene.air.ground_albedo = {0.42f, 0.28f, 0.16f};
+  scene.haze = {50000.0, 1200.0, 0.3, 0.75, {0.97f, 0.94f, 0.88f}};
 }
 
 /// Across the gap from the balloon, which fills a third of the height. The camera stands at
@@ -163,7 +142,16 @@ Scene defaults(BiomeKind biome, View view) {
       break;
   }
   if (view == View::basket) make_basket(scene);
+  set_quality(scene, Quality::standard);
   return scene;
+}
+
+void set_quality(Scene& scene, Quality quality) {
+  constexpr int kSamples[] = {1, 4, 64};
+  scene.quality = quality;
+  scene.image.spp = kSamples[static_cast<std::size_t>(quality)];
+  scene.sun.soft_shadows = quality != Quality::draft;
+  scene.sky.ambient_occlusion = quality != Quality::draft;
 }
 
 }  // namespace aerostat::scene

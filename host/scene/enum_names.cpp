@@ -50,4 +50,10 @@ std::span<const char* const> enum_names<Pattern>() {
   return kNames;
 }
 
+template <>
+std::span<const char* const> enum_names<Quality>() {
+  static constexpr const char* kNames[] = {"draft", "standard", "final"};
+  return kNames;
+}
+
 }  // namespace aerostat::scene::detail

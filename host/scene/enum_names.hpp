@@ -26,5 +26,7 @@ template <>
 std::span<const char* const> enum_names<Filter>();
 template <>
 std::span<const char* const> enum_names<Pattern>();
+template <>
+std::span<const char* const> enum_names<Quality>();
 
 }  // namespace aerostat::scene::detail

@@ -83,6 +83,15 @@ void fields(Archive& archive, Biome& biome) {
 }
 
 template <class Archive>
+void fields(Archive& archive, Vegetation& vegetation) {
+  archive("enabled", vegetation.enabled);
+  archive("density", vegetation.density);
+  archive("size", vegetation.size);
+  archive("reach_m", vegetation.reach_m);
+  archive("seed", vegetation.seed);
+}
+
+template <class Archive>
 void fields(Archive& archive, Balloon& balloon) {
   archive("enabled", balloon.enabled);
   archive("position", balloon.position);
@@ -110,6 +119,7 @@ void fields(Archive& archive, Sun& sun) {
   archive("color", sun.color);
   archive("irradiance", sun.irradiance);
   archive("shadows", sun.shadows);
+  archive("soft_shadows", sun.soft_shadows);
 }
 
 template <class Archive>
@@ -122,20 +132,36 @@ void fields(Archive& archive, PointLight& light) {
 
 template <class Archive>
 void fields(Archive& archive, Sky& sky) {
-  archive("zenith", sky.zenith);
-  archive("horizon", sky.horizon);
-  archive("glow", sky.glow);
-  archive("glow_strength", sky.glow_strength);
-  archive("ambient_up", sky.ambient_up);
-  archive("ambient_down", sky.ambient_down);
   archive("cloud_cover", sky.cloud_cover);
   archive("cloud_height_m", sky.cloud_height_m);
+  archive("ambient_occlusion", sky.ambient_occlusion);
+  archive("occlusion_m", sky.occlusion_m);
+}
+
+template <class Archive>
+void fields(Archive& archive, Air& air) {
+  archive("density", air.density);
+  archive("ozone_du", air.ozone_du);
+  archive("ground_albedo", air.ground_albedo);
 }
 
 template <class Archive>
 void fields(Archive& archive, Haze& haze) {
   archive("visibility_m", haze.visibility_m);
   archive("scale_height_m", haze.scale_height_m);
+  archive("angstrom", haze.angstrom);
+  archive("asymmetry", haze.asymmetry);
+  archive("albedo", haze.albedo);
+}
+
+template <class Archive>
+void fields(Archive& archive, Fog& fog) {
+  archive("enabled", fog.enabled);
+  archive("visibility_m", fog.visibility_m);
+  archive("top_m", fog.top_m);
+  archive("softness_m", fog.softness_m);
+  archive("billow_m", fog.billow_m);
+  archive("billow_width_m", fog.billow_width_m);
 }
 
 template <class Archive>
@@ -164,21 +190,25 @@ void fields(Archive& archive, Image& image) {
   archive("spp", image.spp);
   archive("seed", image.seed);
   archive("filter", image.filter);
-  archive("exposure_ev", image.exposure_ev);
+  archive("exposure_ev", image.exposure_ev, image.exposure_given);
 }
 
 template <class Archive>
 void fields(Archive& archive, Scene& scene) {
   archive("biome", scene.biome);
   archive("terrain", scene.terrain);
+  archive("vegetation", scene.vegetation);
   archive("balloon", scene.balloon);
   archive("camera", scene.camera);
   archive("sun", scene.sun);
   archive("lights", scene.lights);
   archive("sky", scene.sky);
+  archive("air", scene.air);
   archive("haze", scene.haze);
+  archive("fog", scene.fog);
   archive("materials", scene.materials);
   archive("shading", scene.shading);
+  archive("quality", scene.quality);
   archive("image", scene.image);
 }
 

@@ -32,7 +32,11 @@ Scene read_text(const std::string& text, const std::string& name,
 /// gives the same scene; writing that gives the same text.
 std::string write_text(const Scene& scene);
 
-/// The defaults of a biome seen from outside or from the basket.
+/// The defaults of a biome seen from outside or from the basket, at standard quality.
 Scene defaults(BiomeKind biome, View view);
+
+/// Sets the scene's quality and what follows from it: samples per pixel, soft shadows of the sun
+/// and ambient occlusion.
+void set_quality(Scene& scene, Quality quality);
 
 }  // namespace aerostat::scene

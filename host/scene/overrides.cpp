@@ -2,12 +2,14 @@
 
 #include <algorithm>
 #include <charconv>
+#include <iterator>
 
 #include <fmt/format.h>
 
 #include "core/error.hpp"
 #include "scene/enum_names.hpp"
 #include "scene/sun_angles.hpp"
+#include "scene/sun_position.hpp"
 #include "scene/write.hpp"
 
 namespace aerostat::scene {
@@ -92,10 +94,18 @@ void settle_sun(Json& document, const Pointer& pointer) {
   if (pointer.size() < 2 || pointer[0] != "sun" || !document.contains("sun")) return;
   Json& sun = document["sun"];
   if (!sun.is_object()) return;
-  if (pointer[1] == "direction") {
+  const bool is_angle = pointer[1] == "azimuth_deg" || pointer[1] == "elevation_deg";
+  const bool is_date = std::find(std::begin(kSunDateKeys), std::end(kSunDateKeys), pointer[1]) !=
+                       std::end(kSunDateKeys);
+  if (pointer[1] == "direction" || is_date) {
     sun.erase("azimuth_deg");
     sun.erase("elevation_deg");
-  } else if (pointer[1] == "azimuth_deg" || pointer[1] == "elevation_deg") {
+  }
+  if (is_date) sun.erase("direction");
+  if (pointer[1] == "direction" || is_angle) {
+    for (const char* key : kSunDateKeys) sun.erase(key);
+  }
+  if (is_angle) {
     const Json direction = sun.value("direction", Json());
     sun.erase("direction");
     if (!direction.is_array() || direction.size() != 3 || !direction[0].is_number() ||
@@ -152,6 +162,10 @@ View view_of(const Json& document) {
   return document.is_object() && document.contains("camera")
              ? enum_of(document["camera"], "view", View::outside)
              : View::outside;
+}
+
+Quality quality_of(const Json& document) {
+  return enum_of(document, "quality", Quality::standard);
 }
 
 }  // namespace detail

@@ -22,9 +22,10 @@ void expand_short_forms(Json& document);
 void apply_overrides(Json& document, const std::vector<Override>& overrides,
                      const std::string& name);
 
-/// The biome and the view that the document asks for, or the usual ones where it is silent or
-/// wrong.
+/// The biome, the view and the quality that the document asks for, or the usual ones where it is
+/// silent or wrong.
 BiomeKind biome_of(const Json& document);
 View view_of(const Json& document);
+Quality quality_of(const Json& document);
 
 }  // namespace aerostat::scene::detail

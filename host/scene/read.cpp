@@ -15,6 +15,7 @@
 #include "scene/schema.hpp"
 #include "scene/semantics.hpp"
 #include "scene/sun_angles.hpp"
+#include "scene/sun_position.hpp"
 
 namespace aerostat::scene {
 
@@ -37,7 +38,8 @@ class Reader {
     return true;
   }
 
-  void operator()(const char* key, dvec3& value, bool& given) {
+  template <class T>
+  void operator()(const char* key, T& value, bool& given) {
     if ((*this)(key, value)) given = true;
   }
 
@@ -100,6 +102,11 @@ void settle_sun(const Json& document, Sun& sun, const Sun& usual) {
     angles.elevation_deg = given.value("elevation_deg", angles.elevation_deg);
     sun.direction = detail::direction_of(angles);
   }
+  if (given.contains("date")) {
+    const auto days = detail::days_from_2000(given["date"], given["time"]);
+    sun.direction = detail::direction_of(
+        detail::sun_angles_at(days.value(), given["latitude_deg"], given["longitude_deg"]));
+  }
   sun.direction = unit(sun.direction);
 }
 
@@ -147,7 +154,8 @@ Scene read_text(const std::string& text, const std::string& name,
   check_version(document, name);
   detail::check_schema(document, name);
 
-  const Scene usual = defaults(detail::biome_of(document), detail::view_of(document));
+  Scene usual = defaults(detail::biome_of(document), detail::view_of(document));
+  set_quality(usual, detail::quality_of(document));
   Scene scene = usual;
   Reader reader(document);
   fields(reader, scene);

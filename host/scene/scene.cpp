@@ -28,6 +28,10 @@ std::string object_name(ObjectId id) {
       return "floor";
     case ObjectId::flame:
       return "flame";
+    case ObjectId::plant:
+      return "plant";
+    case ObjectId::stone:
+      return "stone";
     case ObjectId::count:
       break;
   }

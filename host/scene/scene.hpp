@@ -21,6 +21,8 @@ enum class HeightReference { sea, ground, balloon };
 enum class View { outside, basket };
 enum class Shading { flat, gouraud, phong };
 enum class Filter { box, tent, gaussian };
+/// How much work a picture may be: sets samples, soft shadows and ambient occlusion together.
+enum class Quality { draft, standard, final };
 enum class Pattern { stripes, chevrons, spiral, rainbow, checker };
 
 /// Octaves of Perlin noise. The first octave has wavelength Terrain::feature_m.
@@ -81,6 +83,8 @@ struct Ground {
   double forest_top_m = 0.0;  // trees grow below this height
   double forest_share = 0.0;  // of the ground that trees cover, 0 to 1
   double canopy_m = 7.0;      // width of a tree's crown
+
+  bool operator==(const Ground&) const = default;
 };
 
 /// The sea: a plane at `level_m`, present if enabled.
@@ -100,6 +104,19 @@ struct Biome {
   BiomeKind kind = BiomeKind::snow;
   Ground ground;
   Water water;
+
+  bool operator==(const Biome&) const = default;
+};
+
+/// Plants and stones that stand on the ground, placed by the biome's rules.
+struct Vegetation {
+  bool enabled = true;
+  double density = 1.0;     // 1: woods as dense as the ground's painted ones, 0: none
+  double size = 1.0;        // factor on all heights
+  double reach_m = 6000.0;  // single trees stand this far from the camera
+  std::uint32_t seed = 1;
+
+  bool operator==(const Vegetation&) const = default;
 };
 
 struct Balloon {
@@ -127,12 +144,13 @@ struct Camera {
 };
 
 /// `direction` (unit, towards the sun) is what counts; files may give azimuth_deg and
-/// elevation_deg in its place.
+/// elevation_deg, or date, time, latitude_deg and longitude_deg in its place.
 struct Sun {
   dvec3 direction{0.0, 1.0, 0.0};
-  vec3 color{1.0f};         // largest component 1
-  double irradiance = 3.0;  // on a plane that faces the sun
+  vec3 color{1.0f};         // outside the air; largest component 1
+  double irradiance = 5.0;  // outside the air, on a plane that faces the sun
   bool shadows = true;
+  bool soft_shadows = true;  // cast by its disc, not its centre
 };
 
 struct PointLight {
@@ -142,22 +160,41 @@ struct PointLight {
   bool shadows = true;
 };
 
-/// Radiance of the sky by direction, and the light that arrives from all of it.
+/// What is in the sky beside sun and air.
 struct Sky {
-  vec3 zenith{0.1f, 0.25f, 0.6f};
-  vec3 horizon{0.6f, 0.75f, 0.95f};
-  vec3 glow{1.0f, 0.8f, 0.5f};  // added around the sun
-  double glow_strength = 0.3;
-  vec3 ambient_up{0.25f, 0.35f, 0.55f};    // irradiance / pi on a plane that faces up
-  vec3 ambient_down{0.08f, 0.08f, 0.08f};  // on a plane that faces down
-  double cloud_cover = 0.4;                // of the sky by thin high cloud, 0 to 1
-  double cloud_height_m = 7000.0;          // above the eye
+  double cloud_cover = 0.4;        // of the sky by thin high cloud, 0 to 1
+  double cloud_height_m = 7000.0;  // above the eye
+  bool ambient_occlusion = true;   // what is near keeps the sky's light off
+  double occlusion_m = 300.0;      // as far as this, ever less with distance
 };
 
-/// Aerial perspective: extinction 3.912 / visibility at sea level, falling off with height.
+/// The gases of the air and the ground under it, as far as its light goes.
+struct Air {
+  double density = 1.0;      // of the molecules, relative to the Earth's; 0 = none
+  double ozone_du = 300.0;   // Dobson units
+  vec3 ground_albedo{0.2f};  // of the land around: its light goes up and comes back from the air
+};
+
+/// Droplets and dust. With the molecules they dim contrast to 2 % over the visibility at sea level
+/// (extinction 3.912 / visibility); they thin out with height.
 struct Haze {
   double visibility_m = 60000.0;
   double scale_height_m = 1500.0;
+  double angstrom = 1.2;    // extinction goes with wavelength to the power -angstrom: 0 = grey
+  double asymmetry = 0.76;  // mean cosine of the deflection: how far light goes on forwards
+  vec3 albedo{0.96f};       // share of the extinction that is scattering
+};
+
+/// Fog that fills the valleys: even up to its top, then thinning out.
+struct Fog {
+  bool enabled = false;
+  double visibility_m = 500.0;
+  double top_m = 200.0;         // mean height above the sea
+  double softness_m = 30.0;     // over which it thins out
+  double billow_m = 60.0;       // how far its top goes up and down
+  double billow_width_m = 900;  // wavelength of that
+
+  bool operator==(const Fog&) const = default;
 };
 
 /// What the balloon's parts, the ground and the sea are made of. One object, one material; the
@@ -174,6 +211,8 @@ enum class ObjectId : std::uint32_t {
   cables,
   floor,
   flame,
+  plant,
+  stone,
   count
 };
 inline constexpr std::size_t kObjectCount = static_cast<std::size_t>(ObjectId::count);
@@ -196,20 +235,25 @@ struct Image {
   int spp = 4;
   std::uint32_t seed = 1;
   Filter filter = Filter::gaussian;
-  double exposure_ev = 0.0;
+  double exposure_ev = 0.0;     // stops; counts if it is given
+  bool exposure_given = false;  // false: the exposure follows from the picture
 };
 
 struct Scene {
   Biome biome;
   Terrain terrain;
+  Vegetation vegetation;
   Balloon balloon;
   Camera camera;
   Sun sun;
   std::vector<PointLight> lights;
   Sky sky;
+  Air air;
   Haze haze;
+  Fog fog;
   std::array<Material, kObjectCount> materials;
   Shading shading = Shading::phong;
+  Quality quality = Quality::standard;
   Image image;
 
   const Material& material(ObjectId id) const { return materials[static_cast<std::size_t>(id)]; }

@@ -1,6 +1,11 @@
 #include "scene/semantics.hpp"
 
+#include <algorithm>
+#include <iterator>
+
 #include <fmt/format.h>
+
+#include "scene/sun_position.hpp"
 
 namespace aerostat::scene::detail {
 
@@ -10,9 +15,7 @@ bool is_null(const dvec3& v) {
   return v.x == 0.0 && v.y == 0.0 && v.z == 0.0;
 }
 
-void check_sun(const Json& document, const std::string& name) {
-  if (!document.contains("sun")) return;
-  const Json& sun = document["sun"];
+void check_direction(const Json& sun, const std::string& name) {
   const auto direction = sun.find("direction");
   if (direction == sun.end()) return;
   for (const char* angle : {"azimuth_deg", "elevation_deg"}) {
@@ -24,6 +27,38 @@ void check_sun(const Json& document, const std::string& name) {
   if (is_null({(*direction)[0], (*direction)[1], (*direction)[2]})) {
     fail(name, {"sun", "direction"}, describe(*direction), "a vector that is not null");
   }
+}
+
+/// Date, time and place come together and alone.
+void check_date(const Json& sun, const std::string& name) {
+  const bool dated = std::any_of(std::begin(kSunDateKeys), std::end(kSunDateKeys),
+                                 [&sun](const char* key) { return sun.contains(key); });
+  if (!dated) return;
+  for (const char* key : {"direction", "azimuth_deg", "elevation_deg"}) {
+    if (!sun.contains(key)) continue;
+    fail(name, {"sun", key}, "a direction beside date, time and place",
+         "either the one or the other");
+  }
+  for (const char* key : kSunDateKeys) {
+    if (sun.contains(key)) continue;
+    fail(name, {"sun", key}, "nothing",
+         "date, time, latitude_deg and longitude_deg, which belong together");
+  }
+  const std::string midnight = "00:00";
+  if (!days_from_2000(sun["date"], midnight)) {
+    fail(name, {"sun", "date"}, describe(sun["date"]),
+         "a day of the years 1900 to 2100 such as \"2024-06-21\"");
+  }
+  if (!days_from_2000(sun["date"], sun["time"])) {
+    fail(name, {"sun", "time"}, describe(sun["time"]),
+         "a time of day such as \"06:30\", \"06:30:15Z\" or \"06:30+02:00\"");
+  }
+}
+
+void check_sun(const Json& document, const std::string& name) {
+  if (!document.contains("sun")) return;
+  check_date(document["sun"], name);
+  check_direction(document["sun"], name);
 }
 
 /// The ground under two points differs, so nothing can be said about a slanted line of sight yet.

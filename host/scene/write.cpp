@@ -20,7 +20,8 @@ class Writer {
     result_[key] = written(value);
   }
 
-  void operator()(const char* key, dvec3& value, bool given) {
+  template <class T>
+  void operator()(const char* key, T& value, bool given) {
     if (given) (*this)(key, value);
   }
 

@@ -7,6 +7,7 @@
 #include "core/error.hpp"
 #include "model/balloon.hpp"
 #include "terrain/terrain_mesh.hpp"
+#include "world/plants.hpp"
 
 namespace aerostat::world {
 namespace {
@@ -43,6 +44,8 @@ World build(const scene::Scene& scene, const World* previous, const scene::Scene
         [&] {
           const bool same = known && same_land(scene, *previous_scene);
           world.land = same ? previous->land : build_land(scene);
+          const bool grown = same && same_plants(scene, *previous_scene);
+          world.plants = grown ? previous->plants : build_plants(scene, *world.land->ground);
         },
         [&] {
           if (!scene.balloon.enabled) return;
@@ -56,13 +59,14 @@ World build(const scene::Scene& scene, const World* previous, const scene::Scene
   return world;
 }
 
-Objects as_triangles(const World& world) {
+Objects as_triangles(const World& world, Grown plants) {
   Objects objects;
   if (world.land) {
     objects.push_back({scene::ObjectId::terrain, mesh::to_triangles(*world.land->ground)});
     objects.insert(objects.end(), world.land->objects.begin(), world.land->objects.end());
   }
   if (world.balloon) objects.insert(objects.end(), world.balloon->begin(), world.balloon->end());
+  if (world.plants && plants == Grown::included) append_as_triangles(*world.plants, objects);
   return objects;
 }
 

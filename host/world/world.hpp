@@ -7,6 +7,7 @@
 
 #include "mesh/grid_mesh.hpp"
 #include "mesh/mesh.hpp"
+#include "scatter/scatter.hpp"
 #include "scene/scene.hpp"
 
 /// From a scene to the triangles that are rendered and exported.
@@ -26,11 +27,18 @@ struct Land {
 
 using Objects = std::vector<Object>;
 
+/// What grows on the ground, as models that stand there many times.
+struct Plants {
+  Objects models;
+  std::vector<scatter::Instance> instances;  // `model` counts in `models`
+};
+
 /// What is built, moved and thrown away together is shared, because an edit of the scene keeps what
 /// it does not touch.
 struct World {
   std::shared_ptr<const Land> land;
   std::shared_ptr<const Objects> balloon;  // null if there is none
+  std::shared_ptr<const Plants> plants;    // null if there are none
 };
 
 /// Builds the world of a resolved scene. Parts of `previous` are kept if `previous_scene` asked
@@ -38,8 +46,11 @@ struct World {
 World build(const scene::Scene& scene, const World* previous = nullptr,
             const scene::Scene* previous_scene = nullptr);
 
-/// All of the world as triangles, the ground first.
-Objects as_triangles(const World& world);
+/// Whether plants are among what is written out as triangles.
+enum class Grown { left_out, included };
+
+/// The world as triangles, the ground first, and if asked for each plant by itself.
+Objects as_triangles(const World& world, Grown plants = Grown::left_out);
 
 /// Fills in what depends on the terrain: positions given above the ground become positions above
 /// the sea, and the basket view gets its camera.

@@ -31,6 +31,9 @@
 /* Cells of a patch are numbered row by row. */
 #define AERO_PATCH_WIDE 0u /* 4 along x, 2 along z */
 #define AERO_PATCH_DEEP 1u /* 2 along x, 4 along z */
+/* No patch but an instance, whose number stands in bits 0..27. */
+#define AERO_PATCH_INSTANCE 2u
+#define AERO_INSTANCE_MASK 0x0fffffffu
 
 /* Bounds of up to eight children, one array per plane: lo[axis][child]. Node 0 is the root. On the
  * host nodes are aligned so that no plane crosses a cache line for a device that reads them there.

@@ -1,6 +1,7 @@
 #ifndef AEROSTAT_SHARED_SCENE_PARAMS_H
 #define AEROSTAT_SHARED_SCENE_PARAMS_H
 
+#include "air_params.h"
 #include "layout.h"
 
 /* Lengths in metres, colours linear Rec. 709, slopes as cosines (the y of a unit normal). */
@@ -9,7 +10,8 @@
 #define AERO_OBJECT_SKY 0
 #define AERO_OBJECT_TERRAIN 1
 #define AERO_OBJECT_WATER 2
-#define AERO_OBJECT_COUNT 11
+#define AERO_OBJECT_PLANT 11
+#define AERO_OBJECT_COUNT 13
 
 #define AERO_MAX_POINT_LIGHTS 16
 
@@ -35,21 +37,19 @@ typedef struct AeroPointLight {
 
 AERO_ASSERT_LAYOUT(AeroPointLight, 28);
 
-/* Sky, sun and air. */
+/* Sun and clouds. */
 typedef struct AeroSky {
-  aero_float zenith[3], horizon[3], glow[3];
-  aero_float ambient_up[3], ambient_down[3]; /* irradiance / pi */
   aero_float sun_direction[3];
-  aero_float sun_irradiance[3];
-  aero_float sun_cos;         /* of the disc's angular radius */
-  aero_float haze_extinction; /* per metre at sea level */
-  aero_float haze_height;     /* scale height */
-  aero_float cloud_cover;     /* 0 to 1 */
-  aero_float cloud_height;    /* metres above the eye */
+  aero_float sun_irradiance[3]; /* outside the air */
+  aero_float sun_cos;           /* of the disc's angular radius */
+  aero_float cloud_cover;       /* 0 to 1 */
+  aero_float cloud_height;      /* metres above the eye */
   aero_uint sun_shadows;
+  aero_float sun_spread;    /* tangent of the disc's radius as shadows see it, 0: a point */
+  aero_float ambient_reach; /* metres within which occluders of the sky count, 0: none do */
 } AeroSky;
 
-AERO_ASSERT_LAYOUT(AeroSky, 108);
+AERO_ASSERT_LAYOUT(AeroSky, 48);
 
 /* Colour rules of the ground. */
 typedef struct AeroGround {
@@ -86,8 +86,9 @@ typedef struct AeroScene {
   AeroPointLight lights[AERO_MAX_POINT_LIGHTS];
   aero_uint light_count;
   aero_uint shading; /* AERO_SHADING_... */
+  AeroAir air;
 } AeroScene;
 
-AERO_ASSERT_LAYOUT(AeroScene, 1244);
+AERO_ASSERT_LAYOUT(AeroScene, 33796);
 
 #endif

@@ -98,6 +98,19 @@ TEST_F(Render, CropsAndReports) {
   }
 }
 
+TEST_F(Render, DraftsWhereTheSceneSaysNothing) {
+  const Outcome draft = run(small_render("snow", {"--quality", "draft", "--stats"}));
+  ASSERT_EQ(draft.code, 0) << draft.err;
+  EXPECT_TRUE(contains(draft.err, " 1 spp"));
+  EXPECT_FALSE(contains(draft.err, "ambient"));
+  const Outcome mixed =
+      run(small_render("snow", {"--quality", "draft", "--set", "/sky/ambient_occlusion=true",
+                                "--spp", "2", "--stats"}));
+  ASSERT_EQ(mixed.code, 0) << mixed.err;
+  EXPECT_TRUE(contains(mixed.err, " 2 spp"));
+  EXPECT_TRUE(contains(mixed.err, "ambient"));
+}
+
 TEST_F(Render, RefusesOutputsItCannotWriteBeforeItBegins) {
   const Outcome folder = run(small_render("snow", {"-o", "none/x.png"}));
   EXPECT_EQ(folder.code, 74);

@@ -24,8 +24,8 @@ TEST_F(Usage, EveryCommandHelpsWithExamples) {
 TEST_F(Usage, HelpNamesEveryOptionOfRender) {
   const Outcome outcome = run({"render", "--help"});
   for (const char* option :
-       {"SCENE", "--output", "--width", "--height", "--spp", "--seed", "--device", "--lanes",
-        "--set", "--crop", "--memory-limit", "--quiet", "--stats"}) {
+       {"SCENE", "--output", "--width", "--height", "--spp", "--quality", "--seed", "--device",
+        "--lanes", "--set", "--crop", "--memory-limit", "--quiet", "--stats"}) {
     EXPECT_TRUE(contains(outcome.out, option));
   }
 }
@@ -54,6 +54,7 @@ TEST_F(Usage, MistakesAreOneClearLineAndCode64) {
       {{"render", scene, "--height", "32769"}, "--height: Value 32769"},
       {{"render", scene, "--width", "12.5"}, "--width"},
       {{"render", scene, "--spp", "none"}, "--spp"},
+      {{"render", scene, "--quality", "best"}, "--quality: best not in {draft,standard,final}"},
       {{"render", scene, "--seed", "-1"}, "--seed: Value -1"},
       {{"render", scene, "--lanes", "3"}, "--lanes: 3"},
       {{"render", scene, "--crop", "1,2,3"}, "--crop: '1,2,3'"},

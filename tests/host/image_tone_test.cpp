@@ -164,6 +164,56 @@ TEST(Develop, ExposesInStops) {
   EXPECT_LT(develop(film, 0.0).rgb[0], expected - 40.0);
 }
 
+Film grey_film(const std::vector<float>& radiances) {
+  Film film;
+  film.width = static_cast<int>(radiances.size());
+  film.height = 1;
+  for (const float radiance : radiances) film.radiance.push_back(vec3(radiance));
+  return film;
+}
+
+TEST(AutomaticExposure, BringsAnEvenPictureToGrey) {
+  for (const float light : {1e-4f, 0.02f, 0.25f, 30.0f}) {
+    const double ev = automatic_exposure_ev(grey_film(std::vector<float>(100, light)));
+    EXPECT_NEAR(static_cast<double>(light) * std::exp2(ev), 0.25, 1e-6);
+  }
+}
+
+TEST(AutomaticExposure, FollowsTheLightOfTheScene) {
+  std::vector<float> radiances;
+  for (int i = 0; i < 1000; ++i) radiances.push_back(0.05f + 0.001f * static_cast<float>(i));
+  const double ev = automatic_exposure_ev(grey_film(radiances));
+  for (float& radiance : radiances) radiance *= 8.0f;
+  EXPECT_NEAR(automatic_exposure_ev(grey_film(radiances)), ev - 3.0, 1e-4);
+}
+
+TEST(AutomaticExposure, HeedsNeitherTheSunNorADarkForeground) {
+  std::vector<float> radiances(1000, 0.1f);
+  const double ev = automatic_exposure_ev(grey_film(radiances));
+  std::fill_n(radiances.begin(), 180, 1e-5f);
+  std::fill_n(radiances.rbegin(), 5, 1e4f);
+  EXPECT_NEAR(automatic_exposure_ev(grey_film(radiances)), ev, 1e-6);
+}
+
+TEST(AutomaticExposure, DoesNotClipSnow) {
+  std::vector<float> radiances(1000, 0.02f);
+  std::fill_n(radiances.begin(), 100, 0.9f);
+  const double ev = automatic_exposure_ev(grey_film(radiances));
+  EXPECT_LT(255.0 * srgb_from_linear(tone_curve(0.9 * std::exp2(ev))), 250.0);
+}
+
+TEST(AutomaticExposure, LetsAGlitterClipRatherThanLoseTheRest) {
+  std::vector<float> radiances(1000, 0.1f);
+  const double ev = automatic_exposure_ev(grey_film(radiances));
+  std::fill_n(radiances.begin(), 30, 500.0f);
+  EXPECT_NEAR(automatic_exposure_ev(grey_film(radiances)), ev - 2.0, 1e-6);
+}
+
+TEST(AutomaticExposure, TakesAPictureWithoutLight) {
+  EXPECT_EQ(automatic_exposure_ev(grey_film({0.0f, 0.0f})), 0.0);
+  EXPECT_EQ(automatic_exposure_ev({}), 0.0);
+}
+
 TEST(Develop, RefusesAFilmWithoutItsPixels) {
   Film film;
   film.width = 4;

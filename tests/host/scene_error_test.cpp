@@ -83,15 +83,19 @@ INSTANTIATE_TEST_SUITE_P(
              "/image/widht: found an unknown key, expected one of exposure_ev, filter, height, "
              "seed, spp, width; did you mean \"width\"?"},
         Case{R"("haze": {"qqqqqq": 5})",
-             "/haze/qqqqqq: found an unknown key, expected one of scale_height_m, visibility_m"},
+             "/haze/qqqqqq: found an unknown key, expected one of albedo, angstrom, asymmetry, "
+             "scale_height_m, visibility_m"},
         Case{R"("materials": {"rim": {"specular": -1}})",
              "/materials/rim/specular: found -1, expected a number from 0 to 10"},
         Case{R"("materials": {"sky": {}})",
              "/materials/sky: found an unknown key, expected one of basket, cables, envelope, "
-             "flame, floor, frame, rim, skirt, terrain, water"},
+             "flame, floor, frame, plant, rim, skirt, stone, terrain, water"},
         Case{R"("a/b~c\u001b": 5)",
-             "/a~1b~0c\\u001b: found an unknown key, expected one of $schema, balloon, biome, "
-             "camera, haze, image, lights, materials, shading, sky, sun, terrain, version"},
+             "/a~1b~0c\\u001b: found an unknown key, expected one of $schema, air, balloon, "
+             "biome, camera, fog, haze, image, lights, materials, quality, shading, sky, sun, "
+             "terrain, "
+             "vegetation, "
+             "version"},
         Case{R"("image": {"exposure_ev": 1e999})",
              "/image/exposure_ev: found a number that is too large, expected a finite number"},
         Case{R"("image": {"spp": 1, "spp": 2})",
@@ -102,6 +106,20 @@ INSTANTIATE_TEST_SUITE_P(
             R"("sun": {"direction": [0, 1, 0], "azimuth_deg": 3})",
             "/sun/azimuth_deg: found an angle beside /sun/direction, expected either the direction "
             "or angles"},
+        Case{R"("sun": {"date": "2024-06-21", "time": "6:30", "latitude_deg": 0})",
+             "/sun/longitude_deg: found nothing, expected date, time, latitude_deg and "
+             "longitude_deg, which belong together"},
+        Case{R"("sun": {"date": "2024-06-31", "time": "06:30", "latitude_deg": 0,
+                        "longitude_deg": 0})",
+             "/sun/date: found \"2024-06-31\", expected a day of the years 1900 to 2100 such as "
+             "\"2024-06-21\""},
+        Case{R"("sun": {"date": "2024-06-21", "time": "6:30", "latitude_deg": 0,
+                        "longitude_deg": 0})",
+             "/sun/time: found \"6:30\", expected a time of day such as \"06:30\", "
+             "\"06:30:15Z\" or \"06:30+02:00\""},
+        Case{R"("sun": {"date": "2024-06-21", "azimuth_deg": 3})",
+             "/sun/azimuth_deg: found a direction beside date, time and place, expected either "
+             "the one or the other"},
         Case{R"("camera": {"up": [0, 0, 0]})",
              "/camera/up: found [0, 0, 0], expected a vector that is not null"},
         Case{R"("camera": {"position": [1, 2, 3], "target": [1, 2, 3]})",

@@ -43,6 +43,7 @@ void walk(const json& rule, const json& root, const std::string& path,
 Scene full_scene() {
   Scene scene = defaults(BiomeKind::snow, View::outside);
   scene.lights.emplace_back();
+  scene.image.exposure_given = true;
   return scene;
 }
 
@@ -78,7 +79,8 @@ TEST(SceneSchema, KnowsExactlyTheKeysThatAreWritten) {
         for (const auto& [key, child] : node.items()) collect(child, path + "/" + key);
       };
   collect(dump, "");
-  for (const char* only_read : {"/$schema", "/sun/azimuth_deg", "/sun/elevation_deg"}) {
+  for (const char* only_read : {"/$schema", "/sun/azimuth_deg", "/sun/elevation_deg", "/sun/date",
+                                "/sun/time", "/sun/latitude_deg", "/sun/longitude_deg"}) {
     EXPECT_EQ(known.erase(only_read), 1u) << only_read;
   }
   EXPECT_EQ(known, written);
@@ -103,9 +105,14 @@ TEST(SceneSchema, BoundsAreEnforcedAtBothEnds) {
   walk(root, root, "", [](const std::string& path, const json& rule) {
     if (path.starts_with("/lights/") || rule.contains("enum")) return;
     if (rule["type"] != "number" && rule["type"] != "integer") return;
-    const auto accepts = [&path](double value) {
+    std::string text = R"({"version": 1})";
+    if (path == "/sun/latitude_deg" || path == "/sun/longitude_deg") {  // come with the others
+      text = R"({"version": 1, "sun": {"date": "2024-06-21", "time": "06:30", "latitude_deg": 0,
+                 "longitude_deg": 0}})";
+    }
+    const auto accepts = [&](double value) {
       try {
-        read_text(R"({"version": 1})", "x.json", {{path, json(value).dump()}});
+        read_text(text, "x.json", {{path, json(value).dump()}});
         return true;
       } catch (const std::exception&) {
         return false;

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <tuple>
 
 #include <gtest/gtest.h>
 
@@ -49,6 +50,32 @@ INSTANTIATE_TEST_SUITE_P(All, SceneFile,
                            return name;
                          });
 
+TEST(SceneQuality, SetsSamplesSoftShadowsAndOcclusion) {
+  for (const auto& [name, spp, soft] :
+       {std::tuple("draft", 1, false), std::tuple("standard", 4, true),
+        std::tuple("final", 64, true)}) {
+    const Scene scene = read(R"("biome": "snow")", {{"/quality", name}});
+    EXPECT_EQ(scene.image.spp, spp) << name;
+    EXPECT_EQ(scene.sun.soft_shadows, soft) << name;
+    EXPECT_EQ(scene.sky.ambient_occlusion, soft) << name;
+  }
+  EXPECT_EQ(read("").quality, Quality::standard);
+  EXPECT_EQ(read("").image.spp, 4);
+}
+
+TEST(SceneQuality, LeavesWhatTheSceneSays) {
+  const Scene draft =
+      read(R"("quality": "draft", "image": {"spp": 7}, "sun": {"soft_shadows": true},
+                              "sky": {"ambient_occlusion": true})");
+  EXPECT_EQ(draft.image.spp, 7);
+  EXPECT_TRUE(draft.sun.soft_shadows);
+  EXPECT_TRUE(draft.sky.ambient_occlusion);
+  const Scene best = read(R"("quality": "final", "sky": {"ambient_occlusion": false})");
+  EXPECT_EQ(best.image.spp, 64);
+  EXPECT_FALSE(best.sky.ambient_occlusion);
+  EXPECT_EQ(write_text(read_text(write_text(draft), "dump")), write_text(draft));
+}
+
 TEST(SceneDefaults, EveryBiomeBringsItsOwn) {
   const Scene snow = read(R"("biome": "snow")");
   const Scene tropical = read(R"("biome": {"kind": "tropical"})");
@@ -61,7 +88,7 @@ TEST(SceneDefaults, EveryBiomeBringsItsOwn) {
   EXPECT_NE(snow.balloon.colors, tropical.balloon.colors);
   EXPECT_NE(tropical.balloon.colors, sand.balloon.colors);
   EXPECT_NE(snow.sun.direction, sand.sun.direction);
-  EXPECT_NE(snow.sky.horizon, sand.sky.horizon);
+  EXPECT_NE(snow.air.ground_albedo, sand.air.ground_albedo);
   EXPECT_NE(snow.haze.visibility_m, tropical.haze.visibility_m);
   EXPECT_EQ(write_text(read("")), write_text(snow));
 }
@@ -113,9 +140,9 @@ TEST(SceneText, FileOverridesDefaults) {
 }
 
 TEST(SceneText, NumbersKeepTheirShortText) {
-  const std::string dump = write_text(read(R"("sky": {"zenith": [0.35, 0.1, 1e-7]},
+  const std::string dump = write_text(read(R"("air": {"ground_albedo": [0.35, 0.1, 1e-7]},
       "haze": {"visibility_m": 12345.678}, "balloon": {"position": [0.1, -0.0, 1e5]})"));
-  EXPECT_NE(dump.find("\"zenith\": [0.35, 0.1, 1e-07]"), std::string::npos) << dump;
+  EXPECT_NE(dump.find("\"ground_albedo\": [0.35, 0.1, 1e-07]"), std::string::npos) << dump;
   EXPECT_NE(dump.find("\"visibility_m\": 12345.678"), std::string::npos);
   EXPECT_NE(dump.find("\"position\": [0.1, 0, 100000]"), std::string::npos);
 }
@@ -129,8 +156,10 @@ TEST(SceneText, EveryFieldSurvivesTheRoundTrip) {
   scene.biome.ground.snow_slope_deg[1] = 61;
   scene.biome.water.absorption_per_m = {0.31f, 0.07f, 0.0123456789f};
   scene.lights = {{{1, 2, 3}, {0.5f, 1, 1}, 7, false}};
+  scene.fog = {true, 123.0, 45.0, 6.0, 7.0, 89.0};
+  scene.haze = {12345.0, 678.0, 0.5, 0.6, {0.7f, 0.8f, 0.9f}};
   scene.shading = Shading::flat;
-  scene.image = {33, 44, 5, 6, Filter::tent, -1.5};
+  scene.image = {33, 44, 5, 6, Filter::tent, -1.5, true};
   const std::string dump = write_text(scene);
   const Scene back = read_text(dump, "dump");
   EXPECT_EQ(write_text(back), dump);
@@ -139,6 +168,10 @@ TEST(SceneText, EveryFieldSurvivesTheRoundTrip) {
   EXPECT_EQ(back.biome.water.absorption_per_m, scene.biome.water.absorption_per_m);
   EXPECT_EQ(back.lights[0].color, scene.lights[0].color);
   EXPECT_EQ(back.image.filter, Filter::tent);
+  EXPECT_EQ(back.image.exposure_ev, -1.5);
+  EXPECT_TRUE(back.image.exposure_given);
+  EXPECT_EQ(back.fog, scene.fog);
+  EXPECT_EQ(back.haze.albedo, scene.haze.albedo);
   EXPECT_EQ(back.terrain.center, scene.terrain.center);
 }
 

@@ -84,30 +84,37 @@ TEST(Lamp, AddsToTheOthers) {
   }
 }
 
+void paint(scene::Scene& scene, const vec3& color) {
+  scene::Ground& ground = scene.biome.ground;
+  ground.cover_a = ground.cover_b = ground.rock_a = ground.rock_b = color;
+  ground.snow = ground.beach = color;
+}
+
 /// What a white ground sends through the air beyond what a black one does is its radiance times the
-/// transmittance: the air's own light falls out. Green is the colour that visibility speaks of.
+/// transmittance: the air's own light falls out. It is lit by a lamp, which no air dims. Green is
+/// the colour that visibility speaks of.
 void expect_transmittance(double visibility_m, double scale_height_m) {
   auto scene = flat_land();
-  scene.sky.ambient_up = vec3(1.0f);
-  scene.haze = {visibility_m, scale_height_m};
-  auto& albedo = ground_material(scene).albedo;
-  scene::Ground& ground = scene.biome.ground;
-  ground.cover_a = ground.cover_b = ground.rock_a = ground.rock_b = ground.snow = ground.beach =
-      vec3(1.0f);
-  albedo = vec3(1.0f);
+  scene.haze.visibility_m = visibility_m;
+  scene.haze.scale_height_m = scale_height_m;
+  const dvec3 lamp(0.0, 8.0, 0.0);
+  scene.lights = {{lamp, vec3(1.0f), 100.0, false}};
+  paint(scene, vec3(1.0f));
   const image::Film white = shared_session().render(scene);
-  ground.cover_a = ground.cover_b = ground.rock_a = ground.rock_b = ground.snow = ground.beach =
-      vec3(0.0f);
+  paint(scene, vec3(0.0f));
   const image::Film black = shared_session().render(scene);
   for (int y = 0; y < 48; ++y) {
     for (int x = 0; x < 64; ++x) {
       const auto i = static_cast<std::size_t>(y * 64 + x);
-      const double distance = glm::distance(point_under(scene, x, y), scene.camera.position);
+      const dvec3 point = point_under(scene, x, y);
+      const double distance = glm::distance(point, scene.camera.position);
+      const double to_lamp = glm::distance(point, lamp);
+      const double lit = 100.0 * lamp.y / (to_lamp * to_lamp * to_lamp) / kPi64;
       // Koschmieder's extinction, integrated along the ray over exp(-height / scale height).
       const double share = kEyeHeight / scale_height_m;
       const double tau = 3.912 / visibility_m * distance * (1.0 - std::exp(-share)) / share;
       const double found = static_cast<double>(white.radiance[i].y) - black.radiance[i].y;
-      ASSERT_NEAR(found, std::exp(-tau), 1e-5) << x << ", " << y;
+      ASSERT_NEAR(found, lit * std::exp(-tau), 2e-5 * lit) << x << ", " << y;
     }
   }
 }
@@ -120,13 +127,21 @@ TEST(Haze, ThinsOutWithHeight) {
   expect_transmittance(60.0, 12.0);
 }
 
-TEST(Haze, HasTheAirsColourAtTheFarEnd) {
+TEST(Haze, HidesTheGroundWhereItIsDense) {
   auto scene = flat_land();
-  scene.haze = {1.0, 1e6};
-  scene.sky.glow_strength = 0.0;
-  for_pixels(scene, [&](const dvec3&, const dvec3& radiance) {
-    expect_radiance(dvec3(scene.sky.horizon), radiance, 1e-5);
-  });
+  scene.sun.irradiance = 3.0;
+  scene.sun.direction = glm::normalize(dvec3(1.0, 1.0, 0.0));
+  scene.haze.visibility_m = 8.0;
+  scene.haze.scale_height_m = 30.0;
+  scene.haze.albedo = vec3(0.9f);
+  paint(scene, vec3(1.0f));
+  const image::Film white = shared_session().render(scene);
+  paint(scene, vec3(0.0f));
+  const image::Film black = shared_session().render(scene);
+  for (std::size_t i = 0; i < white.radiance.size(); ++i) {
+    ASSERT_GT(black.radiance[i].y, 0.0f);
+    ASSERT_NEAR(white.radiance[i].y, black.radiance[i].y, 1e-2f * black.radiance[i].y);
+  }
 }
 
 }  // namespace

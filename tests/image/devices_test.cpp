@@ -53,7 +53,7 @@ std::pair<std::uint64_t, int> rays_and_workers(const Session& session) {
 TEST(Devices, GiveTheBitsOfOneInPassesOfAnyShape) {
   // One pass, several of one shape, and a last one with blocks of several rows.
   for (const int spp : {1, 4, 5, 16, 37}) {
-    const auto scene = small_scene("snow", {97, 61, spp, 128});
+    const auto scene = planted_scene("snow", {97, 61, spp, 128});
     const image::Film expected = whole().render(scene);
     EXPECT_TRUE(same_bits(expected, halves().render(scene))) << spp << " spp";
     EXPECT_TRUE(same_bits(expected, halves().snapshot())) << spp << " spp";
@@ -63,7 +63,7 @@ TEST(Devices, GiveTheBitsOfOneInPassesOfAnyShape) {
 }
 
 TEST(Devices, GiveTheBitsOfOneWhateverTheTiles) {
-  const auto scene = small_scene("snow", {97, 61, 21, 128});
+  const auto scene = planted_scene("snow", {97, 61, 21, 128});
   const image::Film expected = whole().render(scene);
   for (const int pixels : {1, 777}) {
     auto options = on("cpu/3");

@@ -1,5 +1,7 @@
 #include "flat_land.hpp"
 
+#include "air/light.hpp"
+
 namespace aerostat::test {
 namespace {
 
@@ -29,6 +31,7 @@ scene::Scene flat_land() {
   scene.terrain.size_m = 100.0;
   scene.terrain.grading = 1.0;
   scene.balloon.enabled = false;
+  scene.vegetation.enabled = false;
   scene.balloon.height_above = scene::HeightReference::sea;
   scene.camera = {};
   scene.camera.position = {0.0, kEyeHeight, 0.0};
@@ -36,13 +39,34 @@ scene::Scene flat_land() {
   scene.camera.up = {0.0, 0.0, -1.0};
   scene.sun.irradiance = 0.0;
   scene.sun.color = vec3(1.0f);
-  scene.sky.ambient_up = scene.sky.ambient_down = vec3(0.0f);
+  scene.air = {0.0, 0.0, vec3(0.0f)};
   scene.haze.visibility_m = 1e12;
+  scene.haze.albedo = vec3(0.0f);
   scene.materials[static_cast<std::size_t>(scene::ObjectId::terrain)] = {};
   scene.image.width = 64;
   scene.image.height = 48;
-  scene.image.spp = 1;
+  scene::set_quality(scene, scene::Quality::draft);
   return scene;
+}
+
+scene::Scene flat_land_under_a_sky() {
+  scene::Scene scene = flat_land();
+  scene.air.density = 1.0;
+  scene.air.ground_albedo = vec3(0.3f);
+  scene.sun.irradiance = 3.0;
+  scene.sun.direction = {0.0, 1.0, 0.0};
+  return scene;
+}
+
+dvec3 sky_light(const scene::Scene& scene) {
+  const auto& c = air::Light(scene).ambient;
+  return (c[0] + c[1] - c[6] - c[8]) * dvec3(scene.sun.color) * scene.sun.irradiance;
+}
+
+dvec3 sunlight(const scene::Scene& scene) {
+  const air::Scattering air(air::atmosphere_of(scene), scene.sun.direction);
+  return air.sunlight(0.0, scene.sun.direction.y) * dvec3(scene.sun.color) *
+         (scene.sun.irradiance / std::numbers::pi);
 }
 
 dvec3 point_under(const scene::Scene& scene, int x, int y) {

@@ -3,7 +3,7 @@
 #include "pictures.hpp"
 
 /// A world whose pictures are known in closed form: a level plane of one colour at y = 0, seen from
-/// straight above through clear air. Light, air, balloon and gloss are off until a test wants them.
+/// straight above. Light, air, balloon and gloss are off until a test wants them.
 namespace aerostat::test {
 
 inline constexpr dvec3 kAlbedo{0.5, 0.25, 0.125};
@@ -11,6 +11,16 @@ inline constexpr double kEyeHeight = 25.0;
 
 /// The eye is at (0, kEyeHeight, 0); -z is up in the picture, 64 x 48 pixels, one sample each.
 scene::Scene flat_land();
+
+/// The same under molecules alone and a sun at the zenith.
+scene::Scene flat_land_under_a_sky();
+
+/// Irradiance / pi of the plane: by the sky, and by the sun straight onto a plane that faces it.
+dvec3 sky_light(const scene::Scene& scene);
+dvec3 sunlight(const scene::Scene& scene);
+
+/// The few metres of air before the eye scatter as much light towards it.
+inline constexpr double kAirBefore = 4e-3;
 
 /// The point of the plane that is seen through the middle of pixel (x, y).
 dvec3 point_under(const scene::Scene& scene, int x, int y);

@@ -52,7 +52,7 @@ const std::vector<image::Film>& films(int lanes) {
   auto& these = all[lanes];
   if (these.empty()) {
     render::Session session(options(lanes));
-    for (const char* name : kScenes) these.push_back(session.render(small_scene(name)));
+    for (const char* name : kScenes) these.push_back(session.render(planted_scene(name)));
   }
   return these;
 }

@@ -60,8 +60,10 @@ TEST(CleanFilm, SurvivesExtremeLight) {
   EXPECT_EQ(count_bad(scene), 0u) << "sun below the ground";
   scene.lights = {{scene.camera.position, vec3(1.0f), 1e6, true}};
   EXPECT_EQ(count_bad(scene), 0u) << "a lamp in the eye";
+  scene.fog = {true, 10.0, scene.camera.position.y, 1.0, 0.0, 10.0};
+  EXPECT_EQ(count_bad(scene), 0u) << "the eye in the fog's sharp top";
   scene.haze.visibility_m = 10.0;
-  EXPECT_EQ(count_bad(scene), 0u) << "fog";
+  EXPECT_EQ(count_bad(scene), 0u) << "dense haze";
   scene.haze.scale_height_m = 1.0;
   EXPECT_EQ(count_bad(scene), 0u) << "air that ends below the eye";
   scene.biome.ground.snow_fuzz_m = 0.0;

@@ -41,7 +41,9 @@ std::vector<T> cut_layer(const std::vector<T>& layer, int width, const render::C
 
 }  // namespace
 
-scene::Scene small_scene(const std::string& name, const Size& size) {
+namespace {
+
+scene::Scene read_small(const std::string& name, const Size& size) {
   const auto text = [](int value) { return std::to_string(value); };
   scene::Scene scene =
       scene::read_file(std::string(AEROSTAT_SOURCE_DIR "/scenes/") + name + ".json",
@@ -50,6 +52,20 @@ scene::Scene small_scene(const std::string& name, const Size& size) {
                         {"/image/spp", text(size.spp)},
                         {"/terrain/cells", text(size.cells)}});
   world::resolve(scene);
+  return scene;
+}
+
+}  // namespace
+
+scene::Scene small_scene(const std::string& name, const Size& size) {
+  scene::Scene scene = read_small(name, size);
+  scene.vegetation.enabled = false;
+  return scene;
+}
+
+scene::Scene planted_scene(const std::string& name, const Size& size) {
+  scene::Scene scene = read_small(name, size);
+  scene.vegetation.reach_m = 2000.0;
   return scene;
 }
 

@@ -23,8 +23,11 @@ struct Size {
   int cells = 128;  // of the terrain, per side
 };
 
-/// scenes/<name>.json, resolved, at another size.
+/// scenes/<name>.json, resolved, at another size and without plants.
 scene::Scene small_scene(const std::string& name, const Size& size = {});
+
+/// The same with plants near the camera.
+scene::Scene planted_scene(const std::string& name, const Size& size = {});
 
 /// The devices of AEROSTAT_DEVICE, else the automatic one. No device is a failure: throws.
 const std::vector<opencl::Device>& devices();

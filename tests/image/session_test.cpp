@@ -42,7 +42,8 @@ TEST(Progress, NeverGoesBackAndEndsWithDone) {
   EXPECT_EQ(seen.back().stage, Stage::done);
   EXPECT_EQ(seen.back().fraction, 1.0);
   EXPECT_EQ(seen.back().samples_done, 9);
-  EXPECT_EQ(seen.back().rays, session.stats().primary_rays + session.stats().shadow_rays);
+  EXPECT_EQ(seen.back().rays, session.stats().primary_rays + session.stats().shadow_rays +
+                                  session.stats().ambient_rays);
 }
 
 TEST(Progress, ReportsEveryStageOfAFirstRender) {
@@ -94,6 +95,20 @@ TEST_F(Reuse, AMovedCameraBuildsNothing) {
   EXPECT_EQ(built_by(scene_), kNothing);
   EXPECT_FALSE(same_bits(before_, after_));
   EXPECT_TRUE(as_if_new(scene_));
+}
+
+TEST(Plants, FollowTheCameraAlone) {
+  Session session(options());
+  auto scene = planted_scene("snow");
+  session.render(scene);
+  EXPECT_EQ(session.stats().worlds_built, 3);
+  scene.sun.direction = glm::normalize(dvec3(-0.6, 0.5, 0.3));
+  session.render(scene);
+  EXPECT_EQ(session.stats().worlds_built, 0);
+  scene.camera.position += dvec3(3.0, 1.0, -5.0);
+  const auto moved = session.render(scene);
+  EXPECT_EQ(session.stats().worlds_built, 1);
+  EXPECT_TRUE(same_bits(moved, Session(options()).render(scene)));
 }
 
 TEST_F(Reuse, AMovedSunBuildsNothing) {
@@ -244,6 +259,8 @@ TEST(Stats, CountWhatWasTraced) {
     hits += static_cast<std::uint64_t>(std::lround(alpha * 4.0f));
   EXPECT_EQ(stats.primary_rays, 96u * 64u * 4u);
   EXPECT_EQ(stats.shadow_rays, 2 * hits) << "the sun and the one lamp that casts shadows";
+  EXPECT_EQ(stats.ambient_rays, hits);
+  EXPECT_GT(stats.ambient_device_seconds, 0.0);
   EXPECT_GT(stats.triangles, 2u * 128u * 128u);
   EXPECT_EQ(stats.tree.input_triangles,
             stats.triangles + stats.tree.dropped_degenerate + stats.tree.dropped_non_finite);

@@ -4,6 +4,7 @@
 #include "bvh_node.h"
 #include "camera.h"
 #include "film_pixel.h"
+#include "instance.h"
 #include "probe.hpp"
 #include "scene_params.h"
 #include "trace_triangle.h"
@@ -55,13 +56,14 @@ TEST(LayoutList, NamesEveryField) {
   close();
 }
 
-// The host allocates buffers of hits as four words a lane.
-TEST_P(Layout, OfAPacketOfHitsIsFourWordsALane) {
-  const auto reported = output<std::uint32_t>(5);
+// The host allocates buffers of hits as five words a lane.
+TEST_P(Layout, OfAPacketOfHitsIsFiveWordsALane) {
+  const auto reported = output<std::uint32_t>(6);
   Probe("layout.cl", GetParam()).run_items("report_hit", 1, reported);
   const auto lane_bytes = static_cast<std::uint32_t>(4 * GetParam());
-  EXPECT_EQ(reported.read(), (std::vector<std::uint32_t>{4 * lane_bytes, 0, lane_bytes,
-                                                         2 * lane_bytes, 3 * lane_bytes}));
+  EXPECT_EQ(reported.read(),
+            (std::vector<std::uint32_t>{5 * lane_bytes, 0, lane_bytes, 2 * lane_bytes,
+                                        3 * lane_bytes, 4 * lane_bytes}));
 }
 
 AEROSTAT_AT_EVERY_WIDTH(Layout);

@@ -69,17 +69,16 @@ TEST_P(Phong, DiffuseFollowsLambertsCosine) {
 
 TEST_P(Phong, ShadowLeavesExactlyTheAmbientLight) {
   AeroScene scene = bare_scene();
-  set3(scene.sky.ambient_up, {0.5f, 1.0f, 2.0f});
-  set3(scene.sky.ambient_down, {0.25f, 0.25f, 0.25f});
+  set_ambient(scene, {0.5f, 1.0f, 2.0f}, {0.25f, 0.25f, 0.25f});
   Material material{0.5f, 1.0f, 1.0f, 20.0f, 0.0f, {1.0f, 0.5f, 0.25f}};
   Looks looks;
   looks.add({0, 1, 0}, {0, 1, 0}, 0u);
   looks.add({0, -1, 0}, {0, 1, 0}, 0u);
   looks.add({1, 0, 0}, {0, 1, 0}, 0u);
   const auto radiance = shade(scene, material, looks);
-  EXPECT_EQ(radiance[0], 0.5f * material.albedo * vec3(0.5f, 1.0f, 2.0f));
-  EXPECT_EQ(radiance[1], 0.5f * material.albedo * vec3(0.25f));
-  EXPECT_EQ(radiance[2], 0.5f * material.albedo * vec3(0.375f, 0.625f, 1.125f));
+  expect_color(radiance[0], 0.5f * material.albedo * vec3(0.5f, 1.0f, 2.0f), 1e-6f, "up");
+  expect_color(radiance[1], 0.5f * material.albedo * vec3(0.25f), 1e-6f, "down");
+  expect_color(radiance[2], 0.5f * material.albedo * vec3(0.375f, 0.625f, 1.125f), 1e-6f, "level");
 }
 
 TEST_P(Phong, SpecularPeaksInTheMirrorDirection) {
@@ -158,7 +157,7 @@ TEST_P(Phong, LightsAddAndEachHasItsOwnShadow) {
   Looks looks;
   for (std::uint32_t lights = 0; lights < 8; ++lights) looks.add(normal, normal, lights);
   AeroScene scene = with_point_lights();
-  set3(scene.sky.ambient_up, vec3(0.125f));
+  set_ambient(scene, vec3(0.125f), vec3(0.0f));
   const auto radiance = shade(scene, material, looks);
   for (std::uint32_t lights = 0; lights < 8; ++lights) {
     vec3 expected = radiance[0];

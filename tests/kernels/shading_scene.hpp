@@ -3,7 +3,7 @@
 #include "probe.hpp"
 #include "scene_params.h"
 
-/// A scene for the shading probes: a white sun straight above, no sky light, no point lights.
+/// A scene for the shading probes: a white sun straight above, no air, no point lights.
 namespace aerostat::test {
 
 inline void set3(aero_float* to, const vec3& from) {
@@ -15,10 +15,21 @@ inline AeroScene bare_scene() {
   set3(scene.sky.sun_direction, {0, 1, 0});
   set3(scene.sky.sun_irradiance, vec3(kPi));
   scene.sky.sun_cos = 0.99999f;
-  scene.sky.haze_extinction = 4e-5f;
-  scene.sky.haze_height = 1200.0f;
+  scene.air.molecules_height = 8400.0f;
+  scene.air.haze_height = 1200.0f;
+  scene.air.sun_heights[0] = -1e6f;
+  scene.air.sun_heights[1] = -9e5f;
+  scene.air.around_top = 9000.0f;
   scene.shading = AERO_SHADING_PHONG;
   return scene;
+}
+
+/// Sky light whose irradiance / pi goes evenly from `down` (on a plane that faces down) to `up`.
+inline void set_ambient(AeroScene& scene, const vec3& up, const vec3& down) {
+  for (int i = 0; i < 3; ++i) {
+    scene.air.ambient[0][i] = 0.5f * (up[i] + down[i]) / scene.sky.sun_irradiance[i];
+    scene.air.ambient[1][i] = 0.5f * (up[i] - down[i]) / scene.sky.sun_irradiance[i];
+  }
 }
 
 inline opencl::Buffer<AeroScene> uploaded(const AeroScene& scene) {

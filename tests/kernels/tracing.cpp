@@ -1,5 +1,6 @@
 #include "tracing.hpp"
 
+#include "bvh/instances.hpp"
 #include "height_grid.h"
 
 namespace aerostat::test {
@@ -35,6 +36,16 @@ std::vector<AeroTriangle> in_leaf_order(const Soup& soup, const bvh::Bvh& tree) 
   return triangles;
 }
 
+bvh::Bounds placed_bounds(const Soup& model, const AeroInstance& instance) {
+  bvh::Bounds bounds;
+  for (const vec3& v : model.positions) {
+    const vec3 p = placed(instance, v);
+    bounds.lo = glm::min(bounds.lo, p - 1e-4f);
+    bounds.hi = glm::max(bounds.hi, p + 1e-4f);
+  }
+  return bounds;
+}
+
 dvec3 point(const aero_float* v) {
   return {v[0], v[1], v[2]};
 }
@@ -64,13 +75,36 @@ std::vector<float> no_grid() {
   return std::vector<float>(AERO_GRID_HEADER + 2, 0.0f);
 }
 
+AeroInstance random_instance(std::mt19937& random, float reach, std::uint32_t root) {
+  const vec3 y = random_direction(random);
+  const vec3 x = glm::normalize(glm::cross(y, random_direction(random)));
+  AeroInstance instance{};
+  instance.scale = std::uniform_real_distribution<float>(0.3f, 2.0f)(random);
+  copy(x * instance.scale, instance.axes[0]);
+  copy(y * instance.scale, instance.axes[1]);
+  copy(glm::cross(x, y) * instance.scale, instance.axes[2]);
+  copy(random_point(random, reach), instance.position);
+  copy(glm::abs(random_point(random, 1.0f)), instance.tint);
+  instance.root = root;
+  return instance;
+}
+
+vec3 placed(const AeroInstance& instance, const vec3& v) {
+  vec3 p;
+  for (int c = 0; c < 3; ++c) {
+    p[c] = instance.position[c] + instance.axes[0][c] * v.x + instance.axes[1][c] * v.y +
+           instance.axes[2][c] * v.z;
+  }
+  return p;
+}
+
 RayBuffers::RayBuffers(const std::vector<Ray>& rays)
     : elements(whole_packets(rays.size())),
       origins(input(planes(vectors_of(rays, &Ray::origin)))),
       directions(input(planes(vectors_of(rays, &Ray::direction)))),
       t_max(input(reaches_of(rays))),
       tuv(output<float>(3 * elements)),
-      slots(output<std::uint32_t>(elements)) {}
+      slots(output<std::uint32_t>(2 * elements)) {}
 
 std::vector<Hit> RayBuffers::hits(std::size_t count) const {
   const std::vector<float> values = tuv.read();
@@ -78,7 +112,7 @@ std::vector<Hit> RayBuffers::hits(std::size_t count) const {
   std::vector<Hit> result(count);
   for (std::size_t i = 0; i < count; ++i) {
     const vec3 v = from_planes(values, i);
-    result[i] = {v.x, v.y, v.z, met[i]};
+    result[i] = {v.x, v.y, v.z, met[i], met[met.size() / 2 + i]};
   }
   return result;
 }
@@ -88,13 +122,42 @@ TracedMesh::TracedMesh(const Soup& soup, const bvh::BuildOptions& options)
       triangles_(in_leaf_order(soup, tree_)),
       node_buffer_(input(tree_.nodes)),
       triangle_buffer_(input(triangles_)),
+      instance_buffer_(input(std::vector<AeroInstance>())),
       grid_buffer_(input(no_grid())) {}
 
 TracedMesh::TracedMesh(const mesh::GridMesh& grid)
     : tree_(bvh::build_grid(grid)),
       node_buffer_(input(tree_.nodes)),
       triangle_buffer_(input(triangles_)),
+      instance_buffer_(input(std::vector<AeroInstance>())),
       grid_buffer_(input(std::vector<float>(grid.words().begin(), grid.words().end()))) {}
+
+TracedMesh::TracedMesh(const Soup& own, const std::vector<Soup>& models,
+                       std::vector<AeroInstance> instances) {
+  std::vector<bvh::Bvh> trees;
+  std::vector<const bvh::Bvh*> pointers;
+  const bvh::Bvh own_tree = bvh::build(own.positions, own.triangles);
+  triangles_ = in_leaf_order(own, own_tree);
+  for (const Soup& model : models) {
+    trees.push_back(bvh::build(model.positions, model.triangles));
+    const auto more = in_leaf_order(model, trees.back());
+    triangles_.insert(triangles_.end(), more.begin(), more.end());
+  }
+  for (const bvh::Bvh& tree : trees) pointers.push_back(&tree);
+  std::vector<bvh::Bounds> bounds;
+  for (const AeroInstance& instance : instances)
+    bounds.push_back(placed_bounds(models[instance.root], instance));
+  const bvh::Bvh over = bvh::build_instances(bounds);
+  const bvh::Bvh* top[] = {&own_tree, &over};
+  const std::uint32_t first[] = {0, 0};
+  const bvh::JoinedBvh joined = bvh::join(top, first, pointers);
+  for (AeroInstance& instance : instances) instance.root = joined.model_roots[instance.root];
+  tree_ = joined;
+  node_buffer_ = input(tree_.nodes);
+  triangle_buffer_ = input(triangles_);
+  instance_buffer_ = input(instances);
+  grid_buffer_ = input(no_grid());
+}
 
 std::vector<Hit> TracedMesh::trace(const std::vector<Ray>& rays, int lanes, Wanted wanted) const {
   return run("probe_trace", rays, lanes, wanted);
@@ -110,9 +173,9 @@ std::vector<Hit> TracedMesh::run(const char* kernel, const std::vector<Ray>& ray
                                  Wanted wanted) const {
   const Probe probe("trace.cl", lanes);
   const RayBuffers buffers(rays);
-  probe.run(kernel, buffers.elements, node_buffer_, triangle_buffer_, grid_buffer_, buffers.origins,
-            buffers.directions, buffers.t_max, static_cast<cl_int>(wanted), buffers.tuv,
-            buffers.slots);
+  probe.run(kernel, buffers.elements, node_buffer_, triangle_buffer_, instance_buffer_,
+            grid_buffer_, buffers.origins, buffers.directions, buffers.t_max,
+            static_cast<cl_int>(wanted), buffers.tuv, buffers.slots);
   return buffers.hits(rays.size());
 }
 

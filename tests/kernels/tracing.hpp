@@ -6,6 +6,7 @@
 #include "../host/bvh_meshes.hpp"
 #include "bvh/bvh.hpp"
 #include "bvh/grid.hpp"
+#include "instance.h"
 #include "probe.hpp"
 #include "trace_triangle.h"
 
@@ -25,6 +26,7 @@ struct Hit {
   float u = 0.0f;
   float v = 0.0f;
   std::uint32_t slot = kNoTriangle;
+  std::uint32_t instance = kNoTriangle;
 
   bool met() const { return slot != kNoTriangle; }
 };
@@ -49,6 +51,12 @@ struct RayBuffers {
 /// What is asked of rays: TRACE_... of packet.clh.
 enum class Wanted { nearest = 0, any = 1, any_from_above = 2 };
 
+/// A point of a model in the world.
+vec3 placed(const AeroInstance& instance, const vec3& v);
+
+/// A model somewhere within `reach` of the origin, turned and scaled at random.
+AeroInstance random_instance(std::mt19937& random, float reach, std::uint32_t root);
+
 /// A grid of no cells, for worlds without ground.
 std::vector<float> no_grid();
 
@@ -57,6 +65,8 @@ class TracedMesh {
  public:
   explicit TracedMesh(const Soup& soup, const bvh::BuildOptions& options = {});
   explicit TracedMesh(const mesh::GridMesh& grid);
+  /// Beside `own`, models that stand in the world, of which `root` is the number.
+  TracedMesh(const Soup& own, const std::vector<Soup>& models, std::vector<AeroInstance> instances);
 
   std::vector<Hit> trace(const std::vector<Ray>& rays, int lanes,
                          Wanted wanted = Wanted::nearest) const;
@@ -64,6 +74,7 @@ class TracedMesh {
   std::vector<Hit> trace_bundles(const std::vector<Ray>& rays, int lanes,
                                  Wanted wanted = Wanted::nearest) const;
 
+  /// Of a single soup or grid.
   const bvh::Bvh& tree() const { return tree_; }
   const std::vector<AeroTriangle>& triangles() const { return triangles_; }
 
@@ -75,6 +86,7 @@ class TracedMesh {
   std::vector<AeroTriangle> triangles_;
   opencl::Buffer<AeroBvhNode> node_buffer_;
   opencl::Buffer<AeroTriangle> triangle_buffer_;
+  opencl::Buffer<AeroInstance> instance_buffer_;
   opencl::Buffer<float> grid_buffer_;
 };
 

@@ -157,8 +157,9 @@ TEST_P(Packets, ReadNothingBeyondTheirBuffers) {
   {
     const cl::Buffer node_buffer = nodes.buffer(), triangle_buffer = triangles.buffer();
     Probe("trace.cl", GetParam())
-        .run("probe_trace", buffers.elements, node_buffer, triangle_buffer, input(no_grid()),
-             buffers.origins, buffers.directions, buffers.t_max, 0, buffers.tuv, buffers.slots);
+        .run("probe_trace", buffers.elements, node_buffer, triangle_buffer,
+             input(std::vector<AeroInstance>()), input(no_grid()), buffers.origins,
+             buffers.directions, buffers.t_max, 0, buffers.tuv, buffers.slots);
   }
   const std::vector<Hit> guarded = buffers.hits(rays.size());
   const std::vector<Hit> plain = mesh.trace(rays, GetParam());
@@ -184,8 +185,8 @@ TEST_P(Packets, ReadNothingBeyondAGrid) {
       const cl::Buffer node_buffer = nodes.buffer(), word_buffer = words.buffer();
       Probe("trace.cl", GetParam())
           .run("probe_trace", buffers.elements, node_buffer, input(std::vector<AeroTriangle>()),
-               word_buffer, buffers.origins, buffers.directions, buffers.t_max,
-               static_cast<cl_int>(wanted), buffers.tuv, buffers.slots);
+               input(std::vector<AeroInstance>()), word_buffer, buffers.origins, buffers.directions,
+               buffers.t_max, static_cast<cl_int>(wanted), buffers.tuv, buffers.slots);
     }
     const std::vector<Hit> guarded = buffers.hits(rays.size());
     const std::vector<Hit> plain = mesh.trace(rays, GetParam(), wanted);

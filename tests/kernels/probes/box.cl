@@ -42,7 +42,7 @@ __kernel void probe_beam(__global const AeroBvhNode* nodes, __global const float
   TracedPacket packet;
   start_packet(&packet, &ray);
   Beam beam;
-  beams[i] = packet.reach >= 0.0f && make_beam(&packet, 1, &beam) ? 1u : 0u;
+  beams[i] = packet.reach >= 0.0f && make_beam(&packet, 1, 1.0f, &beam) ? 1u : 0u;
   if (beams[i] == 0u) return;
   float8 enter;
   const BeamBoxes boxes = node_boxes(node, &beam);

@@ -1,6 +1,7 @@
 #include "bvh_node.h"
 #include "camera.h"
 #include "film_pixel.h"
+#include "instance.h"
 #include "ray.clh"
 #include "scene_params.h"
 #include "trace_triangle.h"
@@ -23,4 +24,5 @@ __kernel void report_hit(__global uint* out) {
   out[2] = (uint)(size_t)(&((__global Hit*)0)->u);
   out[3] = (uint)(size_t)(&((__global Hit*)0)->v);
   out[4] = (uint)(size_t)(&((__global Hit*)0)->triangle);
+  out[5] = (uint)(size_t)(&((__global Hit*)0)->instance);
 }

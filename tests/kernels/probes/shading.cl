@@ -15,6 +15,7 @@ inline Look load_look(__global const float* coefficients, __global const float* 
   look.shininess = (lane_float)coefficients[3];
   look.translucency = (lane_float)coefficients[4];
   look.albedo = lane3_from(coefficients + 5);
+  look.open = (lane_float)1.0f;
   return look;
 }
 
@@ -26,25 +27,32 @@ __kernel void probe_phong(__global const AeroScene* scene, __global const float*
   store3_planes(phong(scene, &look, LOAD(visible)), radiance);
 }
 
-__kernel void probe_sky(__global const AeroScene* scene, __global const float* directions,
-                        __global float* gradient, __global float* radiance) {
-  const Lane3 direction = load3(directions);
-  store3_planes(sky_gradient(&scene->sky, direction), gradient);
-  store3_planes(sky_radiance(&scene->sky, direction), radiance);
-}
-
-__kernel void probe_haze(__global const AeroScene* scene, __global const float* origins,
-                         __global const float* directions, __global const float* distances,
-                         __global const float* radiance, __global float* depth,
-                         __global float* arriving) {
+__kernel void probe_sky(__global const AeroScene* scene, __global const float* origins,
+                        __global const float* directions, __global float* light,
+                        __global float* radiance) {
   Ray ray;
   ray.origin = load3(origins);
   ray.direction = load3(directions);
   ray.t_max = (lane_float)INFINITY;
-  const lane_float distance = LOAD(distances);
-  const lane_float end = lane_fma(ray.direction.y, distance, ray.origin.y);
-  STORE(haze_optical_depth(&scene->sky, ray.origin.y, end, distance), depth);
-  store3_planes(through_haze(&scene->sky, load3(radiance), &ray, distance), arriving);
+  store3_planes(sky_light(scene, ray.direction), light);
+  store3_planes(sky_radiance(scene, &ray), radiance);
+}
+
+__kernel void probe_air(__global const AeroScene* scene, __global const float* origins,
+                        __global const float* directions, __global const float* distances,
+                        __global const float* radiance, __global float* arriving) {
+  Ray ray;
+  ray.origin = load3(origins);
+  ray.direction = load3(directions);
+  ray.t_max = (lane_float)INFINITY;
+  store3_planes(through_air(scene, load3(radiance), &ray, LOAD(distances)), arriving);
+}
+
+__kernel void probe_sun(__global const AeroScene* scene, __global const float* heights,
+                        __global const float* normals, __global float* sun,
+                        __global float* ambient) {
+  store3_planes(sun_at(scene, LOAD(heights)), sun);
+  store3_planes(ambient_light(scene, load3(normals)), ambient);
 }
 
 __kernel void probe_fresnel(__global const float* cosines, __global float* reflectance) {

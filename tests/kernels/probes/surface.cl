@@ -7,17 +7,19 @@ inline Hit load_hit(__global const float* tuv, __global const uint* slots) {
   hit.u = LOAD(tuv + PLANE);
   hit.v = LOAD(tuv + 2u * PLANE);
   hit.triangle = LOAD(slots);
+  hit.instance = LOAD(slots + PLANE);
   return hit;
 }
 
 /* Position, normal and colour at each hit, the plane's normal, and the object. */
-__kernel void probe_interpolation(__global const float* grid, __global const AeroFace* faces,
+__kernel void probe_interpolation(__global const AeroInstance* instances,
+                                  __global const float* grid, __global const AeroFace* faces,
                                   __global const AeroVertex* vertices, __global const float* tuv,
                                   __global const uint* slots, __global float* attributes,
                                   __global float* planes, __global uint* objects) {
   const Hit hit = load_hit(tuv, slots);
   const HeightGrid ground = height_grid(grid);
-  const MeshArrays meshes = mesh_arrays(faces, vertices);
+  const MeshArrays meshes = mesh_arrays(faces, vertices, instances);
   const HitTriangle triangle = load_hit_triangle(&ground, &meshes, &hit);
   store3_planes(interpolate3(triangle.corners, &hit), attributes);
   store3_planes(interpolate3(triangle.normals, &hit), attributes + 3u * PLANE);
@@ -26,13 +28,13 @@ __kernel void probe_interpolation(__global const float* grid, __global const Aer
   STORE(triangle.object, objects);
 }
 
-__kernel void probe_lift(__global const float* grid, __global const AeroFace* faces,
-                         __global const AeroVertex* vertices, __global const float* tuv,
-                         __global const uint* slots, __global const float* sides,
-                         __global float* lifted) {
+__kernel void probe_lift(__global const AeroInstance* instances, __global const float* grid,
+                         __global const AeroFace* faces, __global const AeroVertex* vertices,
+                         __global const float* tuv, __global const uint* slots,
+                         __global const float* sides, __global float* lifted) {
   const Hit hit = load_hit(tuv, slots);
   const HeightGrid ground = height_grid(grid);
-  const MeshArrays meshes = mesh_arrays(faces, vertices);
+  const MeshArrays meshes = mesh_arrays(faces, vertices, instances);
   const HitTriangle triangle = load_hit_triangle(&ground, &meshes, &hit);
   const Lane3 position = interpolate3(triangle.corners, &hit);
   store3_planes(lift_from_facets(position, triangle.corners, triangle.normals, LOAD(sides), &hit),

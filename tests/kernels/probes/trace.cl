@@ -12,14 +12,16 @@ inline Ray load_ray(__global const float* origins, __global const float* directi
 
 /* Rays through the tree; tuv receives three planes. */
 __kernel void probe_trace(__global const AeroBvhNode* nodes, __global const AeroTriangle* triangles,
-                          __global const float* grid, __global const float* origins,
-                          __global const float* directions, __global const float* t_max,
-                          const int wanted, __global float* tuv, __global uint* slots) {
+                          __global const AeroInstance* instances, __global const float* grid,
+                          __global const float* origins, __global const float* directions,
+                          __global const float* t_max, const int wanted, __global float* tuv,
+                          __global uint* slots) {
   const Ray ray = load_ray(origins, directions, t_max);
-  const World world = make_world(nodes, triangles, grid);
+  const World world = make_world(nodes, triangles, instances, grid);
   const Hit hit = trace_packet(&world, &ray, wanted);
   store3_planes(lane3(hit.t, hit.u, hit.v), tuv);
   STORE(hit.triangle, slots);
+  STORE(hit.instance, slots + PLANE);
 }
 
 /* Packet `packet` of the rays. */
@@ -33,7 +35,8 @@ __kernel void probe_trace(__global const AeroBvhNode* nodes, __global const Aero
 
 /* The same in bundles; the number of packets is a multiple of BUNDLE. */
 __kernel void probe_bundle(__global const AeroBvhNode* nodes,
-                           __global const AeroTriangle* triangles, __global const float* grid,
+                           __global const AeroTriangle* triangles,
+                           __global const AeroInstance* instances, __global const float* grid,
                            __global const float* origins, __global const float* directions,
                            __global const float* t_max, const int wanted, __global float* tuv,
                            __global uint* slots) {
@@ -50,7 +53,7 @@ __kernel void probe_bundle(__global const AeroBvhNode* nodes,
     ray.t_max = LOAD_PACKET(t_max);
     start_packet(packets + i, &ray);
   }
-  const World world = make_world(nodes, triangles, grid);
+  const World world = make_world(nodes, triangles, instances, grid);
   trace_bundle(&world, packets, wanted);
   for (uint i = 0u; i < BUNDLE; ++i) {
     const uint packet = first + i;
@@ -58,6 +61,7 @@ __kernel void probe_bundle(__global const AeroBvhNode* nodes,
     STORE_PACKET(packets[i].hit.u, tuv + PLANE);
     STORE_PACKET(packets[i].hit.v, tuv + 2u * PLANE);
     STORE_PACKET(packets[i].hit.triangle, slots);
+    STORE_PACKET(packets[i].hit.instance, slots + PLANE);
   }
 }
 

@@ -1,0 +1,54 @@
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "air/scattering.hpp"
+
+namespace aerostat::air {
+
+/// The sky as an eye sees it: light from every direction, in rows of equal height over the horizon
+/// and columns of equal azimuth from the sun. What haze scatters once is kept apart, without its
+/// phase, so that the table stays smooth at the sun.
+class SkyTable {
+ public:
+  static constexpr int kColumns = 24;    // u = sin(azimuth from the sun / 2), 0 to 1
+  static constexpr int kRowsAbove = 40;  // s = v^2 (1 + horizon_sine), s = y + horizon_sine
+  static constexpr int kRowsBelow = 16;  // s = -v^2 (1 - horizon_sine)
+
+  struct Cell {
+    dvec3 add{0.0};
+    dvec3 haze{0.0};
+  };
+
+  /// For an eye at `height`. Directions below the horizon see the ground of the planet, lit by sun
+  /// and sky.
+  SkyTable(const Scattering& air, double height);
+
+  /// Sine of the angle by which the horizon lies below level.
+  double horizon_sine() const { return horizon_sine_; }
+  /// Of rows from the horizon up, then rows from the horizon down.
+  const std::vector<Cell>& cells() const { return cells_; }
+  /// Radiance of a direction (unit), without the sun's disc.
+  dvec3 radiance(const dvec3& direction) const;
+  /// Irradiance of level ground by the sky.
+  const dvec3& irradiance_from_above() const { return from_above_; }
+
+ private:
+  dvec3 direction_of(double sine, int column) const;
+  double sine_of(int row) const;
+  void fill(const Scattering& air, int first_row, int end_row, const dvec3& ground);
+  dvec3 irradiance() const;
+
+  double height_ = 0.0, horizon_sine_ = 0.0, asymmetry_ = 0.0;
+  dvec3 sun_, level_sun_;
+  std::vector<Cell> cells_;
+  dvec3 from_above_{0.0};
+};
+
+/// Irradiance / pi of a plane by its normal (x, y, z), from the sky and the ground below: c0 + c1 y
+/// + c2 z + c3 x + c4 xy + c5 yz + c6 (3 zz - 1) + c7 xz + c8 (xx - yy). Source: R. Ramamoorthi and
+/// P. Hanrahan, "An Efficient Representation for Irradiance Environment Maps" (SIGGRAPH 2001).
+std::array<dvec3, 9> ambient_light(const SkyTable& sky);
+
+}  // namespace aerostat::air

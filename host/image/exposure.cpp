@@ -1,0 +1,56 @@
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "image/write.hpp"
+
+namespace aerostat::image {
+
+namespace {
+
+// Where the middle of a picture goes: between the classical 0.18 and what daylight looks like.
+constexpr double kGrey = 0.25;
+// The shares of the pixels that the middle lies between: a dark foreground, or the sun and what
+// mirrors it, says little of the view.
+constexpr double kDarkShare = 0.2, kBrightShare = 0.95;
+// Where the brightest hundredth may go: the tone curve still tells it from white.
+constexpr double kLightsShare = 0.99, kLights = 2.0;
+// But the whole is darkened for its sake by so many stops at most: a glitter on the sea may clip.
+constexpr double kMostHeldBack = 2.0;
+
+double luminance(const vec3& c) {
+  return 0.2126 * static_cast<double>(c.x) + 0.7152 * static_cast<double>(c.y) +
+         0.0722 * static_cast<double>(c.z);
+}
+
+/// The logarithms, to the base of 2, of all luminance there is.
+std::vector<double> stops_of(const Film& film) {
+  std::vector<double> stops;
+  stops.reserve(film.radiance.size());
+  for (const vec3& radiance : film.radiance) {
+    const double light = luminance(radiance);
+    if (light > 1e-9 && std::isfinite(light)) stops.push_back(std::log2(light));
+  }
+  return stops;
+}
+
+}  // namespace
+
+double automatic_exposure_ev(const Film& film) {
+  std::vector<double> stops = stops_of(film);
+  if (stops.empty()) return 0.0;
+  const auto at = [&stops](double share) {
+    const auto last = static_cast<double>(stops.size() - 1);
+    return stops.begin() + static_cast<std::ptrdiff_t>(share * last);
+  };
+  const auto from = at(kDarkShare), to = at(kBrightShare), lights = at(kLightsShare);
+  std::nth_element(stops.begin(), from, stops.end());
+  std::nth_element(from, to, stops.end());
+  std::nth_element(to, lights, stops.end());
+  const double middle =
+      from == to ? *from : std::accumulate(from, to, 0.0) / static_cast<double>(to - from);
+  const double wanted = std::log2(kGrey) - middle;
+  return std::clamp(std::log2(kLights) - *lights, wanted - kMostHeldBack, wanted);
+}
+
+}  // namespace aerostat::image

@@ -1,0 +1,14 @@
+#pragma once
+
+#include "core/math.hpp"
+
+namespace aerostat::pack {
+
+/// Three numbers in the precision of the device.
+inline void copy(float (&to)[3], const dvec3& from) {
+  to[0] = static_cast<float>(from.x);
+  to[1] = static_cast<float>(from.y);
+  to[2] = static_cast<float>(from.z);
+}
+
+}  // namespace aerostat::pack

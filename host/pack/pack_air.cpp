@@ -1,0 +1,60 @@
+#include "pack/pack_air.hpp"
+
+#include <algorithm>
+
+#include "air/light.hpp"
+#include "pack/copy.hpp"
+
+namespace aerostat::pack {
+namespace {
+
+AeroFog pack_fog(const scene::Fog& from, const air::FogLayer& layer, double sun_cosine) {
+  AeroFog fog{};
+  fog.extinction = static_cast<float>(layer.extinction);
+  fog.top = static_cast<float>(layer.top);
+  fog.softness = static_cast<float>(layer.softness);
+  fog.billow = static_cast<float>(from.billow_m);
+  fog.billow_width = static_cast<float>(from.billow_width_m);
+  fog.sun_way = static_cast<float>(1.0 / std::max(sun_cosine, air::kLowestFogSun));
+  return fog;
+}
+
+void pack_sky_cells(const air::SkyTable& table, AeroAir& air) {
+  static_assert(AERO_SKY_COLUMNS == air::SkyTable::kColumns);
+  static_assert(AERO_SKY_ROWS_ABOVE == air::SkyTable::kRowsAbove);
+  static_assert(AERO_SKY_ROWS_BELOW == air::SkyTable::kRowsBelow);
+  static_assert(AERO_SKY_CELLS == AERO_SKY_COLUMNS * (AERO_SKY_ROWS_ABOVE + AERO_SKY_ROWS_BELOW));
+  air.horizon_sine = static_cast<float>(table.horizon_sine());
+  for (std::size_t i = 0; i < AERO_SKY_CELLS; ++i) {
+    copy(air.sky[i].add, table.cells()[i].add);
+    copy(air.sky[i].haze, table.cells()[i].haze);
+  }
+}
+
+}  // namespace
+
+AeroAir pack_air(const scene::Scene& scene) {
+  const air::Light light(scene);
+  const air::Atmosphere& from = light.atmosphere;
+  AeroAir air{};
+  copy(air.molecules, from.molecules);
+  copy(air.haze_scattering, from.haze_scattering);
+  copy(air.haze_extinction, from.haze_extinction);
+  air.molecules_height = static_cast<float>(from.molecules_height);
+  air.haze_height = static_cast<float>(from.haze_height);
+  air.haze_asymmetry = static_cast<float>(from.haze_asymmetry);
+  copy(air.depth_molecules, light.depth_molecules);
+  copy(air.depth_haze, light.depth_haze);
+  copy(air.depth_ozone, light.depth_ozone);
+  for (std::size_t i = 0; i < 2; ++i) {
+    air.sun_heights[i] = static_cast<float>(light.sun_heights[i]);
+  }
+  for (std::size_t i = 0; i < 3; ++i) copy(air.around[i], light.around[i]);
+  air.around_top = static_cast<float>(air::Light::kAroundTop);
+  for (std::size_t i = 0; i < 9; ++i) copy(air.ambient[i], light.ambient[i]);
+  air.fog = pack_fog(scene.fog, from.fog, glm::normalize(scene.sun.direction).y);
+  pack_sky_cells(light.sky, air);
+  return air;
+}
+
+}  // namespace aerostat::pack

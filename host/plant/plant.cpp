@@ -1,0 +1,89 @@
+#include "plant/plant.hpp"
+
+#include <algorithm>
+#include <array>
+
+#include <fmt/format.h>
+
+#include "core/error.hpp"
+#include "plant/species.hpp"
+
+namespace aerostat::plant {
+namespace {
+
+struct Entry {
+  const char* name;
+  std::vector<double> heights_m;  // one for each variant
+  void (*build)(mesh::TriangleMesh&, int variant, Detail);
+};
+
+/// In the order of Species.
+const std::array<Entry, kSpeciesCount>& catalogue() {
+  static const std::array<Entry, kSpeciesCount> entries{{
+      {"spruce",
+       {17.0, 14.0, 21.0},
+       [](auto& mesh, int variant, Detail detail) { build_conifer(mesh, variant, false, detail); }},
+      {"snowy_spruce",
+       {17.0, 14.0, 21.0},
+       [](auto& mesh, int variant, Detail detail) { build_conifer(mesh, variant, true, detail); }},
+      {"palm", {11.5, 14.0, 8.5}, build_palm},
+      {"broadleaf", {13.0, 16.0, 11.0}, build_broadleaf},
+      {"acacia", {5.5, 7.0}, build_acacia},
+      {"shrub", {1.6, 2.4}, build_shrub},
+      {"scrub", {1.3, 2.4}, build_scrub},
+      {"tussock", {0.55, 0.8}, build_tussock},
+      {"boulder",
+       {1.2, 0.8, 1.6},
+       [](auto& mesh, int variant, Detail detail) { build_boulder(mesh, variant, false, detail); }},
+      {"snowy_boulder",
+       {1.2, 0.8, 1.6},
+       [](auto& mesh, int variant, Detail detail) { build_boulder(mesh, variant, true, detail); }},
+      {"driftwood", {0.5}, build_driftwood},
+  }};
+  return entries;
+}
+
+const Entry& entry_of(Species species) {
+  return catalogue()[static_cast<std::size_t>(species)];
+}
+
+void require(const ModelKey& model) {
+  const int variants = variant_count(model.species);
+  if (model.variant >= 0 && model.variant < variants) return;
+  throw Error(ErrorKind::internal,
+              fmt::format("plant '{}': found variant {}, expected 0 to {}",
+                          species_name(model.species), model.variant, variants - 1));
+}
+
+/// Scales about the foot, so that all levels are equally high.
+void fit_height(mesh::TriangleMesh& mesh, double height_m) {
+  float top = 0.0f;
+  for (const vec3& p : mesh.positions) top = std::max(top, p.y);
+  const float scale = static_cast<float>(height_m) / top;
+  for (vec3& p : mesh.positions) p *= scale;
+}
+
+}  // namespace
+
+int variant_count(Species species) {
+  return static_cast<int>(entry_of(species).heights_m.size());
+}
+
+const char* species_name(Species species) {
+  return entry_of(species).name;
+}
+
+double model_height(const ModelKey& model) {
+  require(model);
+  return entry_of(model.species).heights_m[static_cast<std::size_t>(model.variant)];
+}
+
+mesh::TriangleMesh build(const ModelKey& model, Detail detail) {
+  const double height_m = model_height(model);
+  mesh::TriangleMesh mesh;
+  entry_of(model.species).build(mesh, model.variant, detail);
+  fit_height(mesh, height_m);
+  return mesh;
+}
+
+}  // namespace aerostat::plant

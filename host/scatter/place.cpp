@@ -1,0 +1,146 @@
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include <tbb/parallel_for.h>
+
+#include "scatter/layer.hpp"
+
+namespace aerostat::scatter {
+namespace {
+
+// How far candidates stray from the middles of their squares, in squares.
+constexpr double kJitter = 0.9;
+
+/// A stream of its own for every square.
+plant::Random square_random(std::uint32_t seed, std::uint32_t layer, std::int64_t i,
+                            std::int64_t j) {
+  plant::Random mixer((std::uint64_t{seed} << 32) ^ (layer * 0x9e3779b9u));
+  const std::uint64_t row = mixer.bits() ^ (static_cast<std::uint64_t>(j) * 0xd1b54a32d192ed03u);
+  return plant::Random(plant::Random(row).bits() ^
+                       (static_cast<std::uint64_t>(i) * 0x8cb92ba72f3d8dd7u));
+}
+
+/// The share of candidates that stays at a distance from the centre.
+double kept_at(double distance, double reach) {
+  return std::clamp(2.0 - 2.0 * distance / reach, 0.0, 1.0);
+}
+
+class Planter {
+ public:
+  Planter(const Layer& layer, const Place& place, std::span<const plant::ModelKey> models)
+      : layer_(layer), place_(place), models_(models) {}
+
+  /// What grows in the row of squares with z number j.
+  std::vector<Instance> plant_row(std::int64_t j) const {
+    std::vector<Candidate> candidates = candidates_of_row(j);
+    std::vector<vec3> positions;
+    for (const Candidate& candidate : candidates) positions.push_back(candidate.site.position);
+    const std::vector<GroundNoise> noise = place_.rule.noise(positions);
+    std::vector<Instance> row;
+    for (std::size_t i = 0; i < candidates.size(); ++i) {
+      candidates[i].site.noise = noise[i];
+      grow(candidates[i], row);
+    }
+    return row;
+  }
+
+ private:
+  /// A square whose plant has passed all that costs little.
+  struct Candidate {
+    Site site;
+    plant::Random random;
+    double fate;
+  };
+
+  std::vector<Candidate> candidates_of_row(std::int64_t j) const {
+    std::vector<Candidate> candidates;
+    const double z = (static_cast<double>(j) + 0.5) * layer_.spacing_m - place_.center.y;
+    const double reach = layer_.reach_m + layer_.spacing_m;
+    if (std::abs(z) > reach) return candidates;
+    const double half = std::sqrt(reach * reach - z * z);
+    const auto square = [this](double x) {
+      return static_cast<std::int64_t>(std::floor(x / layer_.spacing_m));
+    };
+    const std::int64_t last = square(place_.center.x + half);
+    for (std::int64_t i = square(place_.center.x - half); i <= last; ++i) {
+      add_candidate(i, j, candidates);
+    }
+    return candidates;
+  }
+
+  void add_candidate(std::int64_t i, std::int64_t j, std::vector<Candidate>& candidates) const {
+    plant::Random random = square_random(place_.seed, layer_.id, i, j);
+    const auto stray = [&](std::int64_t cell) {
+      return (static_cast<double>(cell) + 0.5 + kJitter * (random.unit() - 0.5)) * layer_.spacing_m;
+    };
+    const double x = stray(i), z = stray(j);
+    const dvec2 from_center(x - place_.center.x, z - place_.center.y);
+    const double distance = std::sqrt(glm::dot(from_center, from_center));
+    if (random.unit() >= kept_at(distance, layer_.reach_m)) return;
+    const double fate = random.unit();
+    if (!(fate < static_cast<double>(layer_.most))) return;
+    if (!place_.surface.covers(x, z)) return;
+    const SurfacePoint ground = place_.surface.at(x, z);
+    const float height = ground.position.y;
+    if (height < layer_.lowest || height > layer_.highest) return;
+    if (ground.normal.y < layer_.steepest_cos) return;
+    candidates.push_back(
+        {{ground.position, ground.normal, height - place_.sea_level_m, {}}, random, fate});
+  }
+
+  void grow(Candidate& candidate, std::vector<Instance>& row) const {
+    const Site& site = candidate.site;
+    if (!(candidate.fate < static_cast<double>(layer_.chance(site)))) return;
+    const Choice choice = layer_.choose(site, candidate.random);
+    const double reach =
+        0.35 * plant::model_height(choice.model) * static_cast<double>(choice.scale);
+    const dvec2 foot(site.position.x, site.position.z);
+    for (const KeepOut& out : place_.keep_out) {
+      if (glm::distance(foot, out.center) < out.radius_m + reach) return;
+    }
+    row.push_back(instance_of(site, choice, candidate.random));
+  }
+
+  Instance instance_of(const Site& site, const Choice& choice, plant::Random& random) const {
+    Instance instance;
+    instance.position = site.position;
+    instance.yaw_rad = static_cast<float>(random.turn());
+    const vec3 axis = glm::normalize(glm::mix(site.normal, vec3(0.0f, 1.0f, 0.0f), choice.upright) +
+                                     vec3(choice.lean.x, 0.0f, choice.lean.y));
+    instance.lean = {axis.x, axis.z};
+    instance.scale = choice.scale;
+    instance.tint = choice.tint;
+    const auto found = std::find(models_.begin(), models_.end(), choice.model);
+    instance.model = static_cast<std::uint32_t>(found - models_.begin());
+    return instance;
+  }
+
+  const Layer& layer_;
+  const Place& place_;
+  std::span<const plant::ModelKey> models_;
+};
+
+}  // namespace
+
+std::vector<Instance> place_layer(const Layer& layer, const Place& place,
+                                  std::span<const plant::ModelKey> models) {
+  const Planter planter(layer, place, models);
+  const auto row_of = [&layer](double z) {
+    return static_cast<std::int64_t>(std::floor(z / layer.spacing_m));
+  };
+  const std::int64_t first = row_of(place.center.y - layer.reach_m) - 1;
+  const std::int64_t last = row_of(place.center.y + layer.reach_m) + 1;
+  std::vector<std::vector<Instance>> rows(static_cast<std::size_t>(last - first + 1));
+  tbb::parallel_for(first, last + 1, [&](std::int64_t j) {
+    rows[static_cast<std::size_t>(j - first)] = planter.plant_row(j);
+  });
+  std::size_t total = 0;
+  for (const auto& row : rows) total += row.size();
+  std::vector<Instance> instances;
+  instances.reserve(total);
+  for (const auto& row : rows) instances.insert(instances.end(), row.begin(), row.end());
+  return instances;
+}
+
+}  // namespace aerostat::scatter

@@ -1,0 +1,89 @@
+#include <algorithm>
+#include <cmath>
+
+#include "scatter/biome_layers.hpp"
+
+namespace aerostat::scatter {
+namespace {
+
+using plant::Random;
+using plant::Species;
+
+// How far around a hollow is told from a crest.
+constexpr double kAroundM = 45.0;
+
+/// 1 on the floors between dunes, where water gathers, 0 on their flanks and crests.
+float hollow(const Surface& surface, const Site& site) {
+  const double x = static_cast<double>(site.position.x), z = static_cast<double>(site.position.z);
+  float around = 0.0f;
+  for (const double side : {-kAroundM, kAroundM}) {
+    around += surface.height(x + side, z) + surface.height(x, z + side);
+  }
+  return ramp(-0.5f, 4.0f, 0.25f * around - site.position.y) * ramp(0.94f, 0.985f, site.normal.y);
+}
+
+/// A layer of what grows between the dunes: `chance` where it is wettest.
+Layer floor_layer(const Nature& nature, std::uint32_t id, double spacing_m, double reach_m,
+                  float chance, float bare_below) {
+  Layer layer;
+  layer.id = id;
+  layer.spacing_m = spacing_of(nature, spacing_m);
+  layer.reach_m = reach_of(nature, reach_m);
+  layer.steepest_cos = std::cos(radians_from_degrees(18.0f));
+  layer.most = chance;
+  layer.chance = [&surface = nature.surface, chance, bare_below](const Site& site) {
+    const float clump = ramp(bare_below, bare_below + 0.7f, site.noise.fine + site.noise.broad);
+    return clump > 0.0f ? chance * clump * hollow(surface, site) : 0.0f;
+  };
+  return layer;
+}
+
+Layer scrub(const Nature& nature) {
+  Layer layer = floor_layer(nature, 21, 6.0, 3000.0, 0.55f, 0.0f);
+  layer.choose = [nature](const Site&, Random& random) {
+    Choice choice;
+    choice.model = any_variant(Species::scrub, random);
+    choice.scale = size_between(nature, random, 0.45, 1.35);
+    choice.upright = 0.7f;
+    choice.lean = any_lean(random, 0.08);
+    choice.tint = any_tint(random, 0.2, 0.15);
+    return choice;
+  };
+  return layer;
+}
+
+Layer grass(const Nature& nature) {
+  Layer layer = floor_layer(nature, 22, 2.2, 900.0, 0.6f, -0.25f);
+  layer.choose = [nature](const Site&, Random& random) {
+    Choice choice;
+    choice.model = any_variant(Species::tussock, random);
+    choice.scale = size_between(nature, random, 0.5, 1.4);
+    choice.upright = 0.4f;
+    choice.lean = any_lean(random, 0.15);
+    choice.tint = any_tint(random, 0.2, 0.15);
+    return choice;
+  };
+  return layer;
+}
+
+Layer acacias(const Nature& nature) {
+  Layer layer = floor_layer(nature, 23, 60.0, 5000.0, 0.5f, -0.2f);
+  layer.choose = [nature](const Site&, Random& random) {
+    Choice choice;
+    choice.model = any_variant(Species::acacia, random);
+    choice.scale = size_between(nature, random, 0.6, 1.2);
+    choice.lean = any_lean(random, 0.08);
+    choice.tint = any_tint(random, 0.15, 0.15);
+    return choice;
+  };
+  return layer;
+}
+
+}  // namespace
+
+std::vector<Layer> sand_layers(const Nature& nature) {
+  return {scrub(nature), grass(nature), acacias(nature),
+          boulder_layer(nature, 24, 11.0, 3000.0, 0.012f)};
+}
+
+}  // namespace aerostat::scatter

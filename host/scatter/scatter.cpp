@@ -1,0 +1,89 @@
+#include "scatter/scatter.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "scatter/biome_layers.hpp"
+
+namespace aerostat::scatter {
+namespace {
+
+// Finer noise than this does not decide where a tree stands.
+constexpr float kFootprintM = 1.0f;
+// What is higher above the ground than this stands in no plant's way.
+constexpr double kClearM = 45.0;
+
+std::vector<plant::ModelKey> all_models() {
+  std::vector<plant::ModelKey> models;
+  for (int s = 0; s < plant::kSpeciesCount; ++s) {
+    const auto species = static_cast<plant::Species>(s);
+    for (int v = 0; v < plant::variant_count(species); ++v) models.push_back({species, v});
+  }
+  return models;
+}
+
+std::vector<KeepOut> kept_out(const scene::Scene& scene, const Surface& surface) {
+  std::vector<KeepOut> circles;
+  const auto add = [&](const dvec3& at, double radius_m) {
+    const double above = at.y - static_cast<double>(surface.height(at.x, at.z));
+    if (above < kClearM) circles.push_back({{at.x, at.z}, radius_m});
+  };
+  add(scene.camera.position, 5.0);
+  if (scene.balloon.enabled) add(scene.balloon.position, 0.6 * scene.balloon.diameter_m + 3.0);
+  return circles;
+}
+
+/// Leaves out the models that no instance uses.
+void drop_unused(Growth& growth) {
+  std::vector<std::uint32_t> renumbered(growth.models.size(), 0);
+  for (const Instance& instance : growth.instances) renumbered[instance.model] = 1;
+  std::vector<plant::ModelKey> used;
+  for (std::size_t i = 0; i < growth.models.size(); ++i) {
+    if (renumbered[i] == 0) continue;
+    renumbered[i] = static_cast<std::uint32_t>(used.size());
+    used.push_back(growth.models[i]);
+  }
+  for (Instance& instance : growth.instances) instance.model = renumbered[instance.model];
+  growth.models = std::move(used);
+}
+
+}  // namespace
+
+Axes axes_of(const Instance& instance) {
+  const vec2 lean = instance.lean;
+  const vec3 up(lean.x, std::sqrt(std::max(1.0f - glm::dot(lean, lean), 0.0f)), lean.y);
+  const vec3 ahead(std::sin(instance.yaw_rad), 0.0f, std::cos(instance.yaw_rad));
+  const vec3 right = glm::normalize(glm::cross(up, ahead));
+  return {right * instance.scale, up * instance.scale, glm::cross(right, up) * instance.scale};
+}
+
+Growth scatter(const scene::Scene& scene, const mesh::GridMesh& ground) {
+  Growth growth;
+  const scene::Vegetation& vegetation = scene.vegetation;
+  if (!vegetation.enabled || !(vegetation.density > 0.0)) return growth;
+  growth.models = all_models();
+  const Surface surface(ground);
+  const GroundRule rule(scene.biome.ground, scene.terrain.seed, kFootprintM);
+  const std::vector<KeepOut> circles = kept_out(scene, surface);
+  const Nature nature{scene, surface, rule};
+  const Place place{surface,           rule,
+                    sea_level(nature), {scene.camera.position.x, scene.camera.position.z},
+                    circles,           vegetation.seed};
+  for (const Layer& layer : biome_layers(nature)) {
+    const auto placed = place_layer(layer, place, growth.models);
+    growth.instances.insert(growth.instances.end(), placed.begin(), placed.end());
+  }
+  drop_unused(growth);
+  return growth;
+}
+
+plant::Detail detail_of(const Instance& instance, const plant::ModelKey& model, const dvec3& eye,
+                        double pixel_angle) {
+  const double height = plant::model_height(model) * static_cast<double>(instance.scale);
+  const double distance = std::max(glm::distance(dvec3(instance.position), eye), 0.1);
+  const double pixels = height / (distance * pixel_angle);
+  if (pixels > 120.0) return plant::Detail::near;
+  return pixels > 30.0 ? plant::Detail::middle : plant::Detail::far;
+}
+
+}  // namespace aerostat::scatter

@@ -1,0 +1,134 @@
+#include <algorithm>
+#include <cmath>
+
+#include "scatter/biome_layers.hpp"
+
+namespace aerostat::scatter {
+namespace {
+
+using plant::Random;
+using plant::Species;
+
+// Width of plant's broadleaf trees.
+constexpr double kCrown = 9.6;
+
+/// Palms lean towards the light over the water, which is down the slope.
+Choice choose_palm(const Nature& nature, const Site& site, Random& random) {
+  Choice choice;
+  choice.model = any_variant(Species::palm, random);
+  choice.scale = size_between(nature, random, 0.65, 1.2);
+  const float tilt = static_cast<float>(random.range(0.0, 0.22));
+  const vec2 down(site.normal.x, site.normal.z);
+  const float steep = glm::length(down);
+  choice.lean = any_lean(random, 0.12);
+  if (steep > 1e-4f) choice.lean += down * (tilt / steep);
+  choice.tint = any_tint(random, 0.14, 0.12);
+  return choice;
+}
+
+Layer woods(const Nature& nature) {
+  const double canopy = nature.scene.biome.ground.canopy_m;
+  Layer layer;
+  layer.id = 11;
+  layer.spacing_m = spacing_of(nature, canopy);
+  layer.reach_m = nature.scene.vegetation.reach_m;
+  layer.lowest = sea_level(nature) + 1.0f;
+  layer.highest = nature.rule.highest_tree();
+  layer.chance = [&rule = nature.rule](const Site& site) {
+    return rule.forest(site.position, site.normal.y, site.noise);
+  };
+  layer.choose = [nature, canopy](const Site& site, Random& random) {
+    const float shore = ramp(30.0f, 4.0f, site.above_sea);
+    if (random.chance(0.45 * static_cast<double>(shore))) return choose_palm(nature, site, random);
+    Choice choice;
+    choice.model = any_variant(Species::broadleaf, random);
+    choice.scale = size_between(nature, random, 0.6, 1.3) * static_cast<float>(canopy / kCrown);
+    choice.lean = any_lean(random, 0.07);
+    choice.tint = any_tint(random, 0.22, 0.2) * (1.0f + 0.15f * site.noise.broad);
+    return choice;
+  };
+  return layer;
+}
+
+/// Groves of coconut palms along the beach, above the reach of the waves.
+Layer palms(const Nature& nature) {
+  const auto top = std::max(static_cast<float>(nature.scene.biome.ground.beach_top_m), 0.0f);
+  Layer layer;
+  layer.id = 12;
+  layer.spacing_m = spacing_of(nature, 6.5);
+  layer.reach_m = reach_of(nature, 5000.0);
+  layer.lowest = sea_level(nature) + 1.3f;
+  layer.highest = sea_level(nature) + top + 9.0f;
+  layer.steepest_cos = std::cos(radians_from_degrees(20.0f));
+  layer.most = 0.75f;
+  layer.chance = [top](const Site& site) {
+    const float band =
+        ramp(1.3f, 2.2f, site.above_sea) * ramp(top + 9.0f, top + 3.0f, site.above_sea);
+    return 0.75f * band * ramp(-0.35f, 0.55f, site.noise.fine + 0.5f * site.noise.broad);
+  };
+  layer.choose = [nature](const Site& site, Random& random) {
+    return choose_palm(nature, site, random);
+  };
+  return layer;
+}
+
+/// Shrubs on open ground and along the woods.
+Layer shrubs(const Nature& nature) {
+  Layer layer;
+  layer.id = 13;
+  layer.spacing_m = spacing_of(nature, 3.6);
+  layer.reach_m = reach_of(nature, 1100.0);
+  layer.lowest = sea_level(nature) + 1.6f;
+  layer.steepest_cos = std::cos(radians_from_degrees(40.0f));
+  layer.most = 0.55f;
+  layer.chance = [&rule = nature.rule](const Site& site) {
+    const float open = 1.0f - rule.forest(site.position, site.normal.y, site.noise);
+    return 0.55f * (0.15f + 0.85f * open) * ramp(-0.25f, 0.6f, site.noise.fine);
+  };
+  layer.choose = [nature](const Site&, Random& random) {
+    Choice choice;
+    choice.model = any_variant(Species::shrub, random);
+    choice.scale = size_between(nature, random, 0.4, 1.2);
+    choice.upright = 0.6f;
+    choice.tint = any_tint(random, 0.22, 0.2);
+    return choice;
+  };
+  return layer;
+}
+
+Layer driftwood(const Nature& nature) {
+  Layer layer;
+  layer.id = 14;
+  layer.spacing_m = spacing_of(nature, 17.0);
+  layer.reach_m = reach_of(nature, 900.0);
+  layer.lowest = sea_level(nature) + 0.5f;
+  layer.highest = sea_level(nature) + 3.0f;
+  layer.steepest_cos = std::cos(radians_from_degrees(14.0f));
+  layer.most = 0.3f;
+  layer.chance = [](const Site& site) {
+    return 0.3f * ramp(0.5f, 0.9f, site.above_sea) * ramp(3.0f, 2.0f, site.above_sea);
+  };
+  layer.choose = [nature](const Site&, Random& random) {
+    Choice choice;
+    choice.model = any_variant(Species::driftwood, random);
+    choice.scale = size_between(nature, random, 0.4, 1.2);
+    choice.upright = 0.0f;
+    choice.tint = any_tint(random, 0.2, 0.08);
+    return choice;
+  };
+  return layer;
+}
+
+}  // namespace
+
+std::vector<Layer> tropical_layers(const Nature& nature) {
+  std::vector<Layer> layers{woods(nature), shrubs(nature),
+                            boulder_layer(nature, 15, 8.0, 1500.0, 0.1f)};
+  if (nature.scene.biome.water.enabled) {
+    layers.push_back(palms(nature));
+    layers.push_back(driftwood(nature));
+  }
+  return layers;
+}
+
+}  // namespace aerostat::scatter

@@ -1,0 +1,97 @@
+#include "world/plants.hpp"
+
+#include <cmath>
+
+#include <oneapi/tbb/parallel_for.h>
+
+namespace aerostat::world {
+namespace {
+
+constexpr std::uint32_t kDetails = 3;
+
+scene::ObjectId object_of(plant::Species species) {
+  switch (species) {
+    case plant::Species::boulder:
+    case plant::Species::snowy_boulder:
+    case plant::Species::driftwood:
+      return scene::ObjectId::stone;
+    default:
+      return scene::ObjectId::plant;
+  }
+}
+
+double pixel_angle(const scene::Scene& scene) {
+  return 2.0 * std::tan(glm::radians(0.5 * scene.camera.fov_y_deg)) / scene.image.height;
+}
+
+/// Numbers each model in each detail, and tells which of them are in use.
+void choose_details(const scene::Scene& scene, const std::vector<plant::ModelKey>& models,
+                    std::vector<scatter::Instance>& instances) {
+  const double angle = pixel_angle(scene);
+  tbb::parallel_for(std::size_t{0}, instances.size(), [&](std::size_t i) {
+    scatter::Instance& instance = instances[i];
+    const plant::Detail detail =
+        scatter::detail_of(instance, models[instance.model], scene.camera.position, angle);
+    instance.model = instance.model * kDetails + static_cast<std::uint32_t>(detail);
+  });
+}
+
+void place(const mesh::TriangleMesh& model, const scatter::Instance& instance,
+           mesh::TriangleMesh& mesh) {
+  const scatter::Axes axes = scatter::axes_of(instance);
+  const auto base = static_cast<std::uint32_t>(mesh.positions.size());
+  const auto turned = [&](const vec3& v) { return axes.x * v.x + axes.y * v.y + axes.z * v.z; };
+  for (std::size_t i = 0; i < model.positions.size(); ++i) {
+    mesh.positions.push_back(instance.position + turned(model.positions[i]));
+    mesh.normals.push_back(turned(model.normals[i]) / instance.scale);
+    mesh.colors.push_back(model.colors[i] * instance.tint);
+  }
+  for (const uvec3& triangle : model.triangles) mesh.triangles.push_back(triangle + base);
+}
+
+}  // namespace
+
+std::shared_ptr<const Plants> build_plants(const scene::Scene& scene,
+                                           const mesh::GridMesh& ground) {
+  scatter::Growth growth = scatter::scatter(scene, ground);
+  if (growth.instances.empty()) return nullptr;
+  auto plants = std::make_shared<Plants>();
+  choose_details(scene, growth.models, growth.instances);
+  plants->instances = std::move(growth.instances);
+  std::vector<std::uint32_t> number(growth.models.size() * kDetails, 0);
+  for (const scatter::Instance& instance : plants->instances) number[instance.model] = 1;
+  std::vector<std::uint32_t> used;
+  for (std::uint32_t k = 0; k < number.size(); ++k) {
+    if (number[k] == 0) continue;
+    number[k] = static_cast<std::uint32_t>(used.size());
+    used.push_back(k);
+  }
+  plants->models.resize(used.size());
+  tbb::parallel_for(std::size_t{0}, used.size(), [&](std::size_t i) {
+    const plant::ModelKey& key = growth.models[used[i] / kDetails];
+    const auto detail = static_cast<plant::Detail>(used[i] % kDetails);
+    plants->models[i] = {object_of(key.species), plant::build(key, detail)};
+  });
+  for (scatter::Instance& instance : plants->instances) instance.model = number[instance.model];
+  return plants;
+}
+
+bool same_plants(const scene::Scene& a, const scene::Scene& b) {
+  return a.vegetation == b.vegetation && a.biome == b.biome &&
+         a.camera.position == b.camera.position && a.camera.fov_y_deg == b.camera.fov_y_deg &&
+         a.image.height == b.image.height && a.balloon.enabled == b.balloon.enabled &&
+         a.balloon.position == b.balloon.position && a.balloon.diameter_m == b.balloon.diameter_m;
+}
+
+void append_as_triangles(const Plants& plants, Objects& objects) {
+  Object grown{scene::ObjectId::plant, {}}, lying{scene::ObjectId::stone, {}};
+  for (const scatter::Instance& instance : plants.instances) {
+    const Object& model = plants.models[instance.model];
+    place(model.mesh, instance, model.id == scene::ObjectId::plant ? grown.mesh : lying.mesh);
+  }
+  for (Object* object : {&grown, &lying}) {
+    if (!object->mesh.empty()) objects.push_back(std::move(*object));
+  }
+}
+
+}  // namespace aerostat::world

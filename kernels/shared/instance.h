@@ -1,0 +1,18 @@
+#ifndef AEROSTAT_SHARED_INSTANCE_H
+#define AEROSTAT_SHARED_INSTANCE_H
+
+#include "layout.h"
+
+/* A model that stands in the world, turned, scaled and moved: a point v of the model lies at
+ * position + axes (columns) v. The columns are perpendicular and equally long. */
+typedef struct AeroInstance {
+  aero_float axes[3][3]; /* [column][component] */
+  aero_float position[3];
+  aero_float scale;   /* length of a column */
+  aero_float tint[3]; /* multiplies the colours of the model's vertices */
+  aero_uint root;     /* of the model's tree */
+} AeroInstance;
+
+AERO_ASSERT_LAYOUT(AeroInstance, 68);
+
+#endif

@@ -1,0 +1,1 @@
+aerostat_test(plant_test LABEL unit LINKS aerostat::plant)

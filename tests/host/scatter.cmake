@@ -1,0 +1,1 @@
+aerostat_test(scatter_test LABEL unit LINKS aerostat::scatter aerostat::terrain TBB::tbb)

@@ -1,0 +1,249 @@
+// The air on the device against the host's, which its own tests hold to physics, and in closed
+// form.
+#include <cmath>
+#include <random>
+
+#include "air/light.hpp"
+#include "pack/pack_scene.hpp"
+#include "scene/io.hpp"
+#include "shading_scene.hpp"
+
+namespace aerostat::test {
+namespace {
+
+scene::Scene morning(double sun_elevation_deg = 15.0) {
+  auto scene = scene::defaults(scene::BiomeKind::snow, scene::View::outside);
+  const auto elevation = radians_from_degrees(static_cast<float>(sun_elevation_deg));
+  scene.sun.direction = dvec3(direction_from_angles(radians_from_degrees(230.0f), elevation));
+  scene.camera.position = {0.0, 400.0, 0.0};
+  scene.sky.cloud_cover = 0.0;
+  return scene;
+}
+
+struct Paths {
+  std::vector<vec3> origins, directions;
+  std::vector<float> distances;
+
+  void add(const vec3& direction, float height, float distance) {
+    origins.push_back({10.0f, height, -20.0f});
+    directions.push_back(glm::normalize(direction));
+    distances.push_back(distance);
+  }
+};
+
+vec3 towards(float azimuth_deg, float elevation_deg) {
+  return direction_from_angles(radians_from_degrees(azimuth_deg),
+                               radians_from_degrees(elevation_deg));
+}
+
+class Air : public LaneTest {
+ protected:
+  const Probe probe{"shading.cl", GetParam()};
+
+  std::vector<vec3> follow(const AeroScene& scene, const Paths& paths, const vec3& radiance) const {
+    const std::size_t count = whole_packets(paths.distances.size());
+    const auto arriving = output<float>(3 * count);
+    const std::vector<vec3> from(paths.distances.size(), radiance);
+    probe.run("probe_air", count, uploaded(scene), input(planes(paths.origins)),
+              input(planes(paths.directions)), input(padded(paths.distances)), input(planes(from)),
+              arriving);
+    return vectors(arriving.read(), paths.distances.size());
+  }
+
+  /// Light of the air and radiance with the sun, per direction.
+  std::pair<std::vector<vec3>, std::vector<vec3>> look(const AeroScene& scene,
+                                                       const Paths& paths) const {
+    const std::size_t count = whole_packets(paths.directions.size());
+    const auto light = output<float>(3 * count), radiance = output<float>(3 * count);
+    probe.run("probe_sky", count, uploaded(scene), input(planes(paths.origins)),
+              input(planes(paths.directions)), light, radiance);
+    return {vectors(light.read(), paths.directions.size()),
+            vectors(radiance.read(), paths.directions.size())};
+  }
+
+  static std::vector<vec3> vectors(const std::vector<float>& values, std::size_t count) {
+    std::vector<vec3> result;
+    for (std::size_t i = 0; i < count; ++i) result.push_back(from_planes(values, i));
+    return result;
+  }
+};
+
+TEST_P(Air, ShowsTheHostsSky) {
+  const scene::Scene scene = morning();
+  const air::Light light(scene);
+  std::mt19937 random(17);
+  std::uniform_real_distribution<float> uniform(-1.0f, 1.0f);
+  Paths paths;
+  for (int i = 0; i < 500; ++i) {
+    paths.add({uniform(random), uniform(random) * 0.4f, uniform(random)}, 400.0f, 1.0f);
+  }
+  for (const vec3& axis : {vec3(0, 1, 0), vec3(0, -1, 0), vec3(scene.sun.direction)}) {
+    paths.add(axis, 400.0f, 1.0f);
+  }
+  const auto [sky, radiance] = look(pack::pack_scene(scene), paths);
+  for (std::size_t i = 0; i < sky.size(); ++i) {
+    const dvec3 expected = light.sky.radiance(dvec3(paths.directions[i])) * scene.sun.irradiance;
+    ASSERT_LT(glm::distance(dvec3(sky[i]), expected), 2e-3 * glm::length(expected))
+        << paths.directions[i].x << ", " << paths.directions[i].y;
+  }
+}
+
+TEST_P(Air, IsSeenOverADistanceAsTheHostFollowsIt) {
+  for (const double sun_deg : {40.0, 15.0, 4.0, -2.0}) {
+    SCOPED_TRACE("sun at " + std::to_string(sun_deg));
+    const scene::Scene scene = morning(sun_deg);
+    const air::Scattering air(air::atmosphere_of(scene), glm::normalize(scene.sun.direction));
+    Paths paths;
+    for (const float azimuth_deg : {20.0f, 130.0f, 215.0f}) {
+      for (const float distance : {90.0f, 3000.0f, 25000.0f}) {
+        paths.add(towards(azimuth_deg, -0.5f), 400.0f, distance);
+        paths.add(towards(azimuth_deg, 4.0f), 400.0f, distance);
+        paths.add(towards(azimuth_deg, -8.0f), 2500.0f, 0.5f * distance);
+      }
+    }
+    const vec3 surface(0.3f, 0.2f, 0.1f);
+    const auto arriving = follow(pack::pack_scene(scene), paths, surface);
+    for (std::size_t i = 0; i < arriving.size(); ++i) {
+      const dvec3 direction(paths.directions[i]);
+      const auto path = air.follow({paths.origins[i].y, direction, paths.distances[i]}, 300);
+      const double phase =
+          air::haze_phase(glm::dot(direction, air.sun()), air.atmosphere().haze_asymmetry);
+      const dvec3 expected = scene.sun.irradiance * (path.add + phase * path.haze) +
+                             path.transmittance * dvec3(surface);
+      // The device's land is flat and its four steps are long: 2 % at 25 km under a low sun.
+      EXPECT_LT(glm::distance(dvec3(arriving[i]), expected), 0.03 * glm::length(expected)) << i;
+    }
+  }
+}
+
+TEST_P(Air, OfAWayToItsEndIsTheSky) {
+  const scene::Scene scene = morning(30.0);
+  Paths paths;
+  for (const float azimuth_deg : {20.0f, 130.0f, 215.0f}) {
+    for (const float elevation_deg : {15.0f, 30.0f, 70.0f}) {
+      paths.add(towards(azimuth_deg, elevation_deg), 400.0f, 1.2e5f);
+    }
+  }
+  const AeroScene packed = pack::pack_scene(scene);
+  const auto [sky, radiance] = look(packed, paths);
+  const auto arriving = follow(packed, paths, vec3(0.0f));
+  for (std::size_t i = 0; i < sky.size(); ++i) {
+    // Four steps over all heights, and light of later orders as if it ended at nine kilometres.
+    EXPECT_LT(glm::distance(arriving[i], sky[i]), 0.2f * glm::length(sky[i])) << i;
+  }
+}
+
+TEST_P(Air, ThatOnlyAbsorbsFollowsBeersLaw) {
+  AeroScene scene = bare_scene();
+  set3(scene.air.haze_extinction, {2e-5f, 4e-5f, 8e-5f});
+  Paths paths;
+  for (const float slope : {-0.12f, -0.01f, 0.0f, 1e-4f, 0.02f, 0.3f, 0.9f}) {
+    for (const float distance : {10.0f, 1000.0f, 12000.0f}) {
+      paths.add({std::sqrt(1.0f - slope * slope), slope, 0.0f}, 1500.0f, distance);
+    }
+  }
+  const auto arriving = follow(scene, paths, vec3(1.0f));
+  for (std::size_t i = 0; i < arriving.size(); ++i) {
+    const double slope = paths.directions[i].y, distance = paths.distances[i];
+    const double rise = slope * distance / 1200.0;
+    const double mean = std::abs(rise) < 1e-6 ? 1.0 : -std::expm1(-rise) / rise;
+    const double depth = 4e-5 * std::exp(-1500.0 / 1200.0) * mean * distance;
+    const vec3 expected(std::exp(-0.5 * depth), std::exp(-depth), std::exp(-2.0 * depth));
+    EXPECT_LT(glm::distance(arriving[i], expected), 2e-5f) << slope << " over " << distance;
+  }
+}
+
+TEST_P(Air, BringsSunAndSkyToSurfacesAsOnTheHost) {
+  const std::vector<float> heights{0.0f, 700.0f, 1500.0f, 2600.0f};
+  const std::vector<vec3> normals(heights.size(), vec3(0, 1, 0));
+  const std::size_t count = whole_packets(heights.size());
+  for (const double sun_deg : {6.0, -0.5}) {  // the second is not up at the sea
+    const scene::Scene scene = morning(sun_deg);
+    const air::Scattering air(air::atmosphere_of(scene), glm::normalize(scene.sun.direction));
+    const auto sun = output<float>(3 * count), ambient = output<float>(3 * count);
+    probe.run("probe_sun", count, uploaded(pack::pack_scene(scene)), input(padded(heights)),
+              input(planes(normals)), sun, ambient);
+    const auto lit = sun.read(), around = ambient.read();
+    for (std::size_t i = 0; i < heights.size(); ++i) {
+      const dvec3 expected = scene.sun.irradiance * air.sunlight(heights[i], air.sun().y);
+      EXPECT_LT(glm::distance(dvec3(from_planes(lit, i)), expected),
+                0.05 * glm::length(expected) + 1e-3)
+          << heights[i] << " under " << sun_deg;
+    }
+    const air::Light light(scene);
+    const auto& c = light.ambient;
+    const dvec3 above = scene.sun.irradiance * (c[0] + c[1] - c[6] - c[8]);
+    EXPECT_LT(glm::distance(dvec3(from_planes(around, 0)), above), 1e-5 * glm::length(above));
+  }
+}
+
+TEST_P(Air, HoldsNumbersForEverySunAndDirection) {
+  std::mt19937 random(23);
+  std::uniform_real_distribution<float> uniform(-1.0f, 1.0f);
+  for (const bool fog : {false, true}) {
+    for (const double sun_deg : {-10.0, -0.3, 0.0, 5.0, 90.0}) {
+      scene::Scene scene = morning(sun_deg);
+      scene.fog.enabled = fog;
+      scene.sky.cloud_cover = 0.8;
+      Paths paths;
+      for (int i = 0; i < 250; ++i) {
+        const float reach = std::exp2(10.0f * uniform(random) + 10.0f);
+        paths.add({uniform(random), uniform(random), uniform(random)}, 500.0f * uniform(random),
+                  reach);
+      }
+      for (const vec3& axis : {vec3(0, 1, 0), vec3(0, -1, 0), vec3(1, 0, 0), vec3(0, 0, 1)}) {
+        paths.add(axis, 0.0f, INFINITY);
+      }
+      const AeroScene packed = pack::pack_scene(scene);
+      const auto [sky, radiance] = look(packed, paths);
+      const auto arriving = follow(packed, paths, vec3(0.5f));
+      for (std::size_t i = 0; i < sky.size(); ++i) {
+        for (const vec3& light : {sky[i], radiance[i], arriving[i]}) {
+          ASSERT_TRUE(is_finite(light)) << sun_deg << ", " << paths.directions[i].y;
+          ASSERT_GE(std::min({light.x, light.y, light.z}), 0.0f) << sun_deg;
+        }
+      }
+    }
+  }
+}
+
+TEST_P(Air, ShowsTheSunsDiscAndNothingOfItElsewhere) {
+  const scene::Scene scene = morning();
+  const vec3 sun(scene.sun.direction);
+  const vec3 side = glm::normalize(glm::cross(sun, vec3(0, 1, 0)));
+  Paths paths;
+  for (const float degrees : {0.0f, 0.2f, 0.35f, 1.0f}) {
+    const float a = radians_from_degrees(degrees);
+    paths.add(std::cos(a) * sun + std::sin(a) * side, 400.0f, 1.0f);
+  }
+  const auto [sky, radiance] = look(pack::pack_scene(scene), paths);
+  const auto disc = [&, &s = sky, &r = radiance](std::size_t i) {
+    return glm::length(r[i] - s[i]);
+  };
+  EXPECT_GT(disc(0), 10.0f);
+  EXPECT_GT(disc(1), 10.0f);
+  EXPECT_EQ(disc(2), 0.0f);
+  EXPECT_EQ(disc(3), 0.0f);
+}
+
+TEST_P(Air, HoldsFogBelowItsTop) {
+  scene::Scene scene = morning();
+  scene.fog.enabled = true;
+  scene.fog.visibility_m = 300.0;
+  scene.fog.top_m = 200.0;
+  scene.fog.softness_m = 10.0;
+  scene.fog.billow_m = 0.0;
+  Paths paths;
+  paths.add({1.0f, 0.0f, 0.0f}, 50.0f, 300.0f);
+  paths.add({1.0f, 0.0f, 0.0f}, 500.0f, 300.0f);
+  const AeroScene packed = pack::pack_scene(scene);
+  const auto black = follow(packed, paths, vec3(0.0f)), white = follow(packed, paths, vec3(1.0f));
+  EXPECT_NEAR(white[0].y - black[0].y, 0.02f, 0.002f) << "the visibility's contrast";
+  EXPECT_GT(white[1].y - black[1].y, 0.98f) << "clear above";
+  EXPECT_GT(black[0].y, 0.1f) << "lit";
+}
+
+AEROSTAT_AT_EVERY_WIDTH(Air);
+
+}  // namespace
+}  // namespace aerostat::test
