@@ -5,7 +5,8 @@
 namespace aerostat::pack {
 
 /// Three numbers in the precision of the device.
-inline void copy(float (&to)[3], const dvec3& from) {
+template <typename Vector>
+void copy(float (&to)[3], const Vector& from) {
   to[0] = static_cast<float>(from.x);
   to[1] = static_cast<float>(from.y);
   to[2] = static_cast<float>(from.z);

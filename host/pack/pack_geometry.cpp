@@ -6,6 +6,7 @@
 
 #include "bvh/grid.hpp"
 #include "mesh/grid_mesh.hpp"
+#include "pack/copy.hpp"
 #include "pack/pack_plants.hpp"
 
 namespace aerostat::pack {
@@ -28,12 +29,6 @@ Soup merge(const world::Objects& objects) {
     soup.objects.resize(soup.triangles.size(), static_cast<std::uint32_t>(object.id));
   }
   return soup;
-}
-
-void copy(float (&to)[3], const vec3& from) {
-  to[0] = from.x;
-  to[1] = from.y;
-  to[2] = from.z;
 }
 
 void add_vertices(const mesh::TriangleMesh& mesh, Array<AeroVertex>& vertices) {

@@ -3,15 +3,10 @@
 #include <oneapi/tbb/parallel_for.h>
 
 #include "bvh/instances.hpp"
+#include "pack/copy.hpp"
 
 namespace aerostat::pack {
 namespace {
-
-void copy(float (&to)[3], const vec3& from) {
-  to[0] = from.x;
-  to[1] = from.y;
-  to[2] = from.z;
-}
 
 AeroInstance pack_instance(const scatter::Instance& instance) {
   const scatter::Axes axes = scatter::axes_of(instance);

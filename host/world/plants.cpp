@@ -24,7 +24,8 @@ double pixel_angle(const scene::Scene& scene) {
   return 2.0 * std::tan(glm::radians(0.5 * scene.camera.fov_y_deg)) / scene.image.height;
 }
 
-/// Numbers each model in each detail, and tells which of them are in use.
+/// Makes each instance's model that of its detail: details of a model are numbered one after the
+/// other.
 void choose_details(const scene::Scene& scene, const std::vector<plant::ModelKey>& models,
                     std::vector<scatter::Instance>& instances) {
   const double angle = pixel_angle(scene);

@@ -15,12 +15,14 @@
 #include <unistd.h>
 
 #include "core/error.hpp"
+#include "error_of.hpp"
 #include "image/write.hpp"
 
 namespace aerostat::image {
 namespace {
 
 namespace fs = std::filesystem;
+using test::error_of;
 
 std::vector<std::uint8_t> bytes_of(const std::string& text) {
   return {text.begin(), text.end()};
@@ -29,18 +31,6 @@ std::vector<std::uint8_t> bytes_of(const std::string& text) {
 std::string read(const fs::path& path) {
   std::ifstream file(path, std::ios::binary);
   return {std::istreambuf_iterator<char>(file), {}};
-}
-
-/// The error that `f` ends in; fails the test if it ends well.
-template <typename F>
-Error error_of(F&& f) {
-  try {
-    f();
-  } catch (const Error& error) {
-    return error;
-  }
-  ADD_FAILURE() << "no error";
-  return Error(ErrorKind::internal, "no error");
 }
 
 class WriteFile : public testing::Test {

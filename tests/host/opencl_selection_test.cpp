@@ -5,12 +5,15 @@
 #include <gtest/gtest.h>
 
 #include "core/error.hpp"
+#include "error_of.hpp"
 #include "opencl/buffer.hpp"
 #include "opencl/launch.hpp"
 #include "opencl/partition.hpp"
 
 namespace aerostat::opencl {
 namespace {
+
+using test::error_of;
 
 /// PoCL's device has three compute units, however many cores there are. Set before the first call
 /// of OpenCL.
@@ -19,17 +22,6 @@ class ThreeComputeUnits : public testing::Environment {
   void SetUp() override { ::setenv("POCL_MAX_PTHREAD_COUNT", "3", 1); }
 };
 const auto* const kThreeUnits = testing::AddGlobalTestEnvironment(new ThreeComputeUnits);
-
-template <typename F>
-Error error_of(F&& f) {
-  try {
-    f();
-  } catch (const Error& error) {
-    return error;
-  }
-  ADD_FAILURE() << "nothing was thrown";
-  return {ErrorKind::interrupted, ""};
-}
 
 bool contains(const std::string& text, const std::string& part) {
   return text.find(part) != std::string::npos;

@@ -7,24 +7,16 @@
 #include <gtest/gtest.h>
 
 #include "core/error.hpp"
+#include "error_of.hpp"
 #include "opencl/embedded.hpp"
 #include "opencl/program.hpp"
 
 namespace aerostat::opencl {
 namespace {
 
-namespace fs = std::filesystem;
+using test::error_of;
 
-template <typename F>
-Error error_of(F&& f) {
-  try {
-    f();
-  } catch (const Error& error) {
-    return error;
-  }
-  ADD_FAILURE() << "nothing was thrown";
-  return {ErrorKind::interrupted, ""};
-}
+namespace fs = std::filesystem;
 
 std::string text_of(const fs::path& path) {
   std::ifstream stream(path, std::ios::binary);
