@@ -37,6 +37,7 @@ class Arguments {
     app_.get_formatter()->label("Subcommands", "Commands");
     app_.option_defaults()->multi_option_policy(CLI::MultiOptionPolicy::TakeLast);
     add_render();
+    add_contact_sheet();
     add_devices();
     add_check();
     add_dump();
@@ -54,7 +55,7 @@ class Arguments {
   /// What is wrong, in words. CLI11 calls an unknown command a missing one.
   std::string complaint(const CLI::ParseError& error, int argc, const char* const* argv) {
     if (!app_.get_subcommands().empty()) return error.what();
-    const std::string commands = "render, devices, check, dump or export";
+    const std::string commands = "render, contact-sheet, devices, check, dump or export";
     if (argc < 2) return fmt::format("no command; expected {}", commands);
     if (argv[1][0] == '-') return error.what();
     return fmt::format("there is no command '{}'; expected {}", argv[1], commands);
@@ -97,8 +98,8 @@ class Arguments {
                     "by default the scene's name and .png, in this folder")
         ->type_name("FILE");
     add_image(sub);
-    add_execution(sub);
-    sub->add_flag("--quiet,-q", render_.quiet, "Say nothing but errors");
+    add_device(sub, render_.device);
+    add_quiet(sub, render_.quiet);
     sub->add_flag("--stats", render_.stats, "Report rays, times and memory on stderr");
   }
 
@@ -110,11 +111,7 @@ class Arguments {
     sub->add_option("--height", render_.height, "Pixels down, 1 to 32768; wins over the scene")
         ->check(side)
         ->type_name("H");
-    sub->add_option("--quality", render_.quality,
-                    "draft, standard or final: samples, soft shadows and\n"
-                    "ambient occlusion where the scene does not set them")
-        ->check(unnamed(CLI::IsMember({"draft", "standard", "final"})))
-        ->type_name("Q");
+    add_quality(sub, render_.quality);
     sub->add_option("--spp", render_.spp,
                     "Samples per pixel, 1 to 65536; a single one passes\n"
                     "through the pixel's centre")
@@ -130,21 +127,59 @@ class Arguments {
         ->type_name("X0,Y0,X1,Y1");
   }
 
-  void add_execution(CLI::App* sub) {
-    sub->add_option("--device", render_.device,
+  static void add_quality(CLI::App* sub, std::string& quality) {
+    sub->add_option("--quality", quality,
+                    "draft, standard or final: samples, soft shadows and\n"
+                    "ambient occlusion where the scene does not set them")
+        ->check(unnamed(CLI::IsMember({"draft", "standard", "final"})))
+        ->type_name("Q");
+  }
+
+  static void add_quiet(CLI::App* sub, bool& quiet) {
+    sub->add_flag("--quiet,-q", quiet, "Say nothing but errors");
+  }
+
+  static void add_device(CLI::App* sub, DeviceOptions& options) {
+    sub->add_option("--device", options.selector,
                     "platform:device, part of a name, cpu, gpu or auto; or\n"
                     "several, 0:0,1:0; all; or parts of one, 0:0/2 (below)")
         ->type_name("SEL");
-    sub->add_option("--lanes", render_.lanes,
+    sub->add_option("--lanes", options.lanes,
                     "Rays per work-item, 1, 4, 8 or 16; by default what\n"
                     "suits the device")
         ->check(unnamed(CLI::IsMember({1, 4, 8, 16})))
         ->type_name("N");
     sub->add_option_function<std::string>(
            "--memory-limit",
-           [this](const std::string& text) { render_.memory_limit_bytes = parse_byte_size(text); },
+           [&options](const std::string& text) {
+             options.memory_limit_bytes = parse_byte_size(text);
+           },
            "Most memory to take on the device, such as 1.5G")
         ->type_name("SIZE");
+  }
+
+  void add_contact_sheet() {
+    CLI::App* sub = add("contact-sheet", "Render a scene with many terrain seeds onto one sheet",
+                        kContactSheetFooter, [this] { return contact_sheet(sheet_); });
+    add_scene(sub, sheet_.input);
+    sub->add_option_function<std::string>(
+           "--seeds", [this](const std::string& text) { sheet_.seeds = parse_seeds(text); },
+           "Seeds and ranges of seeds, one a tile, such as 1,5,9-11;\nby default 1-12")
+        ->type_name("LIST");
+    sub->add_option("-o,--output", sheet_.output,
+                    "A .png file; by default the scene's name and -seeds.png,\nin this folder")
+        ->type_name("FILE");
+    sub->add_option("--columns", sheet_.columns, "Tiles across, 1 to 1000; by default what suits")
+        ->check(unnamed(CLI::Range(1, kMostTiles)))
+        ->type_name("N");
+    sub->add_option("--tile-width", sheet_.tile_width,
+                    "Pixels across a tile, 1 to 32768; by default 320. Its\n"
+                    "height follows from the scene's picture")
+        ->check(unnamed(CLI::Range(1, kLargestSide)))
+        ->type_name("W");
+    add_quality(sub, sheet_.quality);
+    add_device(sub, sheet_.device);
+    add_quiet(sub, sheet_.quiet);
   }
 
   void add_devices() {
@@ -180,6 +215,7 @@ class Arguments {
   CLI::App app_;
   std::function<int()> command_;
   RenderOptions render_;
+  ContactSheetOptions sheet_;
   DevicesOptions devices_;
   SceneOptions check_;
   SceneOptions dump_;

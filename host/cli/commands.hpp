@@ -11,6 +11,7 @@ namespace aerostat::cli {
 int run(int argc, const char* const* argv);
 
 int render(const RenderOptions& options);
+int contact_sheet(const ContactSheetOptions& options);
 int devices(const DevicesOptions& options);
 int check(const SceneOptions& options);
 int dump(const SceneOptions& options);

@@ -33,6 +33,14 @@ Devices:
   into 2 parts of its compute units, 0:0/2.1 the second of them. --memory-limit is for each. Devices
   of one lane width give the same picture, bit by bit, whether together or alone.)";
 
+inline constexpr const char* kContactSheetFooter = R"(Examples:
+  aerostat contact-sheet scenes/snow.json
+  aerostat contact-sheet scenes/sand.json --seeds 1-6,20-25 --quality draft -o dunes.png
+  aerostat contact-sheet scenes/tropical.json --columns 3 --tile-width 480 --set /balloon/enabled=false
+
+Each tile is exposed by what it shows, unless the scene says /image/exposure_ev; the number below it
+is its /terrain/seed.)";
+
 inline constexpr const char* kDevicesFooter = R"(Examples:
   aerostat devices
   aerostat devices --json)";

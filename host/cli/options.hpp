@@ -16,6 +16,13 @@ struct SceneOptions {
   std::vector<std::string> overrides;  // "/json/pointer=value"
 };
 
+/// What computes, and with how much memory.
+struct DeviceOptions {
+  std::string selector;
+  int lanes = 0;
+  std::uint64_t memory_limit_bytes = 0;
+};
+
 struct RenderOptions {
   SceneOptions input;
   std::filesystem::path output;  // empty: the scene's name and .png in the current folder
@@ -23,11 +30,20 @@ struct RenderOptions {
   std::optional<int> width, height, spp;
   std::optional<std::uint32_t> seed;
   std::optional<render::Crop> crop;
-  std::string device;
-  int lanes = 0;
-  std::uint64_t memory_limit_bytes = 0;
+  DeviceOptions device;
   bool quiet = false;
   bool stats = false;
+};
+
+struct ContactSheetOptions {
+  SceneOptions input;
+  std::filesystem::path output;      // empty: the scene's name and -seeds.png in the current folder
+  std::vector<std::uint32_t> seeds;  // of the terrain, one a tile
+  int columns = 0;                   // 0: what suits
+  int tile_width = 320;
+  std::string quality;  // empty: as the scene says
+  DeviceOptions device;
+  bool quiet = false;
 };
 
 struct DevicesOptions {

@@ -29,6 +29,30 @@ std::string lower(std::string text) {
                           text, why));
 }
 
+[[noreturn]] void refuse_seeds(const std::string& text, const std::string& why) {
+  throw Error(
+      ErrorKind::usage,
+      fmt::format("--seeds: '{}' {}; expected whole numbers from 0 to 4294967295 and ranges "
+                  "of them, such as 1,5,9-11",
+                  text, why));
+}
+
+/// "7" or "9-11"; nothing if it is neither.
+std::optional<std::pair<std::uint32_t, std::uint32_t>> seed_range(std::string_view part) {
+  const auto number = [](std::string_view digits) -> std::optional<std::uint32_t> {
+    std::uint32_t value = 0;
+    const char* const end = digits.data() + digits.size();
+    const auto [stop, error] = std::from_chars(digits.data(), end, value);
+    if (error != std::errc{} || stop != end) return std::nullopt;
+    return value;
+  };
+  const auto dash = part.find('-');
+  const auto first = number(part.substr(0, dash));
+  const auto last = dash == std::string_view::npos ? first : number(part.substr(dash + 1));
+  if (!first || !last) return std::nullopt;
+  return std::pair{*first, *last};
+}
+
 std::optional<int> exponent_of_unit(const std::string& unit) {
   static constexpr std::string_view kUnits = "kmgt";
   if (unit.empty() || unit == "b") return 0;
@@ -81,6 +105,26 @@ std::uint64_t parse_byte_size(const std::string& text) {
   return static_cast<std::uint64_t>(bytes);
 }
 
+std::vector<std::uint32_t> parse_seeds(const std::string& text) {
+  std::vector<std::uint32_t> seeds;
+  std::size_t start = 0;
+  while (start <= text.size()) {
+    const std::size_t end = std::min(text.find(',', start), text.size());
+    const auto range = seed_range(std::string_view(text).substr(start, end - start));
+    if (!range) refuse_seeds(text, "is no list of seeds");
+    const auto [first, last] = *range;
+    if (first > last)
+      refuse_seeds(text, fmt::format("has a range from {} down to {}", first, last));
+    const std::uint64_t total = seeds.size() + std::uint64_t{last} - first + 1;
+    if (total > kMostTiles) refuse_seeds(text, fmt::format("is more than {} seeds", kMostTiles));
+    for (std::uint64_t seed = first; seed <= last; ++seed) {
+      seeds.push_back(static_cast<std::uint32_t>(seed));
+    }
+    start = end + 1;
+  }
+  return seeds;
+}
+
 PictureFormat picture_format(const std::filesystem::path& path) {
   const std::string extension = lower(path.extension().string());
   if (extension == ".png") return PictureFormat::png;
@@ -100,8 +144,8 @@ MeshFormat mesh_format(const std::filesystem::path& path) {
                                             path.string()));
 }
 
-std::filesystem::path default_picture(const std::filesystem::path& scene) {
-  return scene.stem().string() + ".png";
+std::filesystem::path default_picture(const std::filesystem::path& scene, const char* ending) {
+  return scene.stem().string() + ending;
 }
 
 }  // namespace aerostat::cli

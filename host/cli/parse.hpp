@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <string>
+#include <vector>
 
 #include "render/session.hpp"
 
@@ -19,6 +20,12 @@ void require_inside(const render::Crop& crop, int width, int height);
 /// "1500000", "512M", "2G", "1.5GiB": bytes; K, M, G and T are powers of 1024. Throws Error{usage}.
 std::uint64_t parse_byte_size(const std::string& text);
 
+inline constexpr int kMostTiles = 1000;
+
+/// "1-12", "7", "1,5,9-11": whole numbers from 0 to 4294967295 and ranges of them, in their order,
+/// at most kMostTiles. Throws Error{usage}.
+std::vector<std::uint32_t> parse_seeds(const std::string& text);
+
 enum class PictureFormat { png, exr };
 
 /// By the file's extension, whatever its case. Throws Error{usage} for any but .png and .exr.
@@ -29,7 +36,8 @@ enum class MeshFormat { ply, obj };
 /// By the file's extension, whatever its case. Throws Error{usage} for any but .ply and .obj.
 MeshFormat mesh_format(const std::filesystem::path& path);
 
-/// The scene's name with .png, in the current folder.
-std::filesystem::path default_picture(const std::filesystem::path& scene);
+/// The scene's name with `ending`, in the current folder.
+std::filesystem::path default_picture(const std::filesystem::path& scene,
+                                      const char* ending = ".png");
 
 }  // namespace aerostat::cli

@@ -54,7 +54,7 @@ ProgressBar::~ProgressBar() {
 }
 
 ProgressView ProgressBar::view_of(const render::Progress& progress) {
-  ProgressView view{progress.stage, progress.fraction, 0.0, std::nullopt};
+  ProgressView view{progress.stage, progress.fraction, 0.0, std::nullopt, label_};
   const double elapsed = progress.seconds - stage_began_s_;
   if (progress.stage != render::Stage::rays || elapsed < kLeastMeasureSeconds) return view;
   view.rays_per_s = static_cast<double>(progress.rays) / elapsed;
@@ -95,6 +95,11 @@ void ProgressBar::update(const render::Progress& progress) {
   } else {
     write_(fmt::format("{}\n", plain_line(view_of(progress))));
   }
+}
+
+void ProgressBar::set_label(std::string label) {
+  const std::lock_guard lock(mutex_);
+  label_ = std::move(label);
 }
 
 void ProgressBar::message(std::string_view text) {

@@ -2,6 +2,7 @@
 
 #include <functional>
 #include <mutex>
+#include <string>
 #include <string_view>
 
 #include "cli/progress_text.hpp"
@@ -37,6 +38,9 @@ class ProgressBar {
 
   void update(const render::Progress& progress);
 
+  /// What is shown in place of the stage from the next update on.
+  void set_label(std::string label);
+
   /// Writes a message in a line of its own; the bar comes back below it with the next update.
   void message(std::string_view text);
 
@@ -51,6 +55,7 @@ class ProgressBar {
   std::mutex mutex_;
   ProgressStyle style_;
   Write write_;
+  std::string label_;
   bool is_shown_ = false;
   bool is_first_ = true;
   render::Stage stage_ = render::Stage::world;

@@ -12,6 +12,10 @@ namespace {
 constexpr int kWidestBar = 40;
 constexpr int kNarrowestBar = 6;
 
+std::string head_of(const ProgressView& view) {
+  return view.label.empty() ? stage_name(view.stage) : view.label;
+}
+
 std::string percent(const ProgressView& view) {
   return fmt::format("{:3.0f} %", std::floor(100.0 * std::clamp(view.fraction, 0.0, 1.0)));
 }
@@ -60,12 +64,12 @@ std::string duration_text(double seconds) {
 }
 
 std::string plain_line(const ProgressView& view) {
-  return fmt::format("{}  {}{}{}", stage_name(view.stage), percent(view), rate(view), left(view));
+  return fmt::format("{}  {}{}{}", head_of(view), percent(view), rate(view), left(view));
 }
 
 std::string terminal_line(const ProgressView& view, int columns, bool color) {
   const int room = std::max(columns - 1, 0);
-  const std::string head = stage_name(view.stage);
+  const std::string head = head_of(view);
   const auto width_of = [](const std::string& text) { return static_cast<int>(text.size()); };
   const std::string tails[] = {percent(view) + rate(view) + left(view), percent(view) + left(view),
                                percent(view)};

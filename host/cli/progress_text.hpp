@@ -14,6 +14,7 @@ struct ProgressView {
   double fraction = 0.0;               // of the stage
   double rays_per_s = 0.0;             // 0: not known
   std::optional<double> seconds_left;  // of the tracing
+  std::string label;                   // stands for the stage's name if not empty
 };
 
 /// "tracing rays", for instance.

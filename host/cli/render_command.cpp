@@ -1,19 +1,15 @@
-#include <cstdio>
-#include <map>
-
 #include <fmt/format.h>
 
 #include "cli/commands.hpp"
 #include "cli/interrupt.hpp"
 #include "cli/parse.hpp"
+#include "cli/picture.hpp"
 #include "cli/progress_bar.hpp"
 #include "cli/report.hpp"
 #include "cli/scene_input.hpp"
 #include "core/error.hpp"
-#include "core/log.hpp"
 #include "core/stopwatch.hpp"
 #include "image/write.hpp"
-#include "opencl/device.hpp"
 #include "render/session.hpp"
 #include "world/world.hpp"
 
@@ -22,26 +18,6 @@ namespace aerostat::cli {
 namespace {
 
 namespace fs = std::filesystem;
-
-void print_stderr(std::string_view text) {
-  std::fwrite(text.data(), 1, text.size(), stderr);
-  std::fflush(stderr);
-}
-
-/// Lets the library's warnings pass above the bar while it lives; none if quiet.
-class WarningsAbove {
- public:
-  WarningsAbove(ProgressBar& bar, bool quiet)
-      : former_(set_log_sink(quiet ? LogSink() : LogSink([&bar](const std::string& message) {
-          bar.message("aerostat: " + message);
-        }))) {}
-  ~WarningsAbove() { set_log_sink(std::move(former_)); }
-  WarningsAbove(const WarningsAbove&) = delete;
-  WarningsAbove& operator=(const WarningsAbove&) = delete;
-
- private:
-  LogSink former_;
-};
 
 /// Not resolved yet.
 scene::Scene scene_to_render(const RenderOptions& options) {
@@ -70,25 +46,7 @@ void require_encodable(const RenderOptions& options, const scene::Image& image,
 std::vector<std::uint8_t> encode(const image::Film& film, PictureFormat format,
                                  const scene::Image& image) {
   if (format == PictureFormat::exr) return image::encode_exr(film);
-  const double ev = image.exposure_given ? image.exposure_ev : image::automatic_exposure_ev(film);
-  return image::encode_png(image::develop(film, ev));
-}
-
-void warn_of_nan(const image::Film& film) {
-  if (film.nan_pixels == 0) return;
-  warn(fmt::format("{} pixels came out as no number and were set to black", film.nan_pixels));
-}
-
-/// Each name once, with how many devices bear it.
-std::string names_of(const std::vector<opencl::Device>& devices) {
-  std::map<std::string, int> counts;
-  for (const opencl::Device& device : devices) ++counts[device.name];
-  std::string text;
-  for (const auto& [name, count] : counts) {
-    if (!text.empty()) text += " and ";
-    text += count == 1 ? name : fmt::format("{} x {}", count, name);
-  }
-  return text;
+  return image::encode_png(develop(film, image));
 }
 
 std::string summary(const fs::path& output, const image::Film& film, int spp,
@@ -114,8 +72,8 @@ int render(const RenderOptions& options) {
   scene::Scene scene = scene_to_render(options);
   seconds.reading = phase.restart();
   require_encodable(options, scene.image, format);
-  const auto devices = opencl::select_devices(opencl::effective_selector(options.device));
-  render::Session session({devices, options.lanes, options.memory_limit_bytes, 0});
+  const render::Options session_options = session_options_of(options.device);
+  render::Session session(session_options);
   seconds.device = phase.restart();
   session.begin_kernels();
   world::resolve(scene);
@@ -133,7 +91,7 @@ int render(const RenderOptions& options) {
   seconds.writing = phase.seconds();
 
   if (!options.quiet) {
-    bar.message(summary(output, film, scene.image.spp, devices, watch.seconds()));
+    bar.message(summary(output, film, scene.image.spp, session_options.devices, watch.seconds()));
   }
   if (options.stats) {
     print_stderr(stats_text(session.stats(), peak_memory_bytes()) + seconds_text(seconds));

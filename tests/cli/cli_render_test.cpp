@@ -15,18 +15,6 @@ namespace {
 
 using Render = CliTest;
 
-/// Width and height in a PNG's header; zeros if it is none.
-std::pair<unsigned, unsigned> png_size(const std::string& png) {
-  if (png.size() < 24 || png.compare(0, 8, "\x89PNG\r\n\x1a\n") != 0) return {0, 0};
-  const auto number = [&png](std::size_t at) {
-    unsigned value = 0;
-    for (std::size_t i = at; i < at + 4; ++i)
-      value = value << 8 | static_cast<unsigned char>(png[i]);
-    return value;
-  };
-  return {number(16), number(20)};
-}
-
 TEST_F(Render, WritesAPngByTheScenesName) {
   const Outcome outcome = run(small_render("snow", {"--spp", "1"}));
   ASSERT_EQ(outcome.code, 0) << outcome.err;

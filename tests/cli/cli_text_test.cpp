@@ -35,6 +35,20 @@ TEST(Crop, IsParsed) {
   EXPECT_THROW(require_inside(crop, 30, 39), Error);
 }
 
+TEST(Seeds, AreParsed) {
+  using Seeds = std::vector<std::uint32_t>;
+  EXPECT_EQ(parse_seeds("7"), Seeds{7});
+  EXPECT_EQ(parse_seeds("1-4"), (Seeds{1, 2, 3, 4}));
+  EXPECT_EQ(parse_seeds("1,5,9-11"), (Seeds{1, 5, 9, 10, 11}));
+  EXPECT_EQ(parse_seeds("5,5,2-2"), (Seeds{5, 5, 2}));
+  EXPECT_EQ(parse_seeds("4294967294-4294967295"), (Seeds{4294967294u, 4294967295u}));
+  EXPECT_EQ(parse_seeds("1-1000").size(), 1000u);
+  for (const char* text : {"", ",", "1,", ",1", "-1", "1-", "-", "1--2", "2-1", "a", "1.5", " 1",
+                           "1 - 2", "4294967296", "1-4294967295", "1-1000,1"}) {
+    EXPECT_THROW(parse_seeds(text), Error) << text;
+  }
+}
+
 TEST(ByteSize, IsParsed) {
   EXPECT_EQ(parse_byte_size("1500"), 1500u);
   EXPECT_EQ(parse_byte_size("4k"), 4096u);
@@ -56,6 +70,7 @@ TEST(Formats, FollowTheExtension) {
     EXPECT_THROW(picture_format(name), Error) << name;
   }
   EXPECT_EQ(default_picture("some/where/snow.json"), "snow.png");
+  EXPECT_EQ(default_picture("some/where/snow.json", "-seeds.png"), "snow-seeds.png");
 }
 
 TEST(Duration, IsReadable) {
@@ -73,7 +88,7 @@ TEST(Grouped, SeparatesThousands) {
   EXPECT_EQ(grouped(1234567), "1,234,567");
 }
 
-const ProgressView kView{Stage::rays, 0.475, 12.34e6, 8.0};
+const ProgressView kView{Stage::rays, 0.475, 12.34e6, 8.0, ""};
 
 TEST(TerminalLine, FitsAnyWidth) {
   for (int columns = 0; columns < 200; ++columns) {
@@ -89,6 +104,13 @@ TEST(TerminalLine, SaysWhatFits) {
   EXPECT_EQ(terminal_line(kView, 40, false), "tracing rays [###-----]  47 %  8 s left");
   EXPECT_EQ(terminal_line(kView, 20, false), "tracing rays  47 %");
   EXPECT_EQ(plain_line(kView), "tracing rays   47 %  12.3 Mrays/s  8 s left");
+}
+
+TEST(TerminalLine, ALabelStandsForTheStage) {
+  ProgressView view = kView;
+  view.label = "seed 3, 2 of 12";
+  EXPECT_EQ(terminal_line(view, 30, false), "seed 3, 2 of 12  47 %");
+  EXPECT_EQ(plain_line(view), "seed 3, 2 of 12   47 %  12.3 Mrays/s  8 s left");
 }
 
 TEST(TerminalLine, ColoursOnlyIfAsked) {

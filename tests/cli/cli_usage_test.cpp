@@ -10,7 +10,8 @@ namespace {
 using Usage = CliTest;
 
 TEST_F(Usage, EveryCommandHelpsWithExamples) {
-  for (const std::string command : {"", "render", "devices", "check", "dump", "export"}) {
+  for (const std::string command :
+       {"", "render", "contact-sheet", "devices", "check", "dump", "export"}) {
     std::vector<std::string> arguments;
     if (!command.empty()) arguments.push_back(command);
     arguments.push_back("--help");

@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -58,6 +59,9 @@ std::vector<std::string> small_render(const std::string& scene,
                                       const std::vector<std::string>& more = {});
 
 std::string read_bytes(const std::filesystem::path& path);
+
+/// Width and height in a PNG's header; zeros if it is none.
+std::pair<unsigned, unsigned> png_size(const std::string& png);
 
 /// Whether `text` has `part`, and what it has if not.
 testing::AssertionResult contains(const std::string& text, const std::string& part);

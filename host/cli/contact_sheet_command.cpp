@@ -1,0 +1,119 @@
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "cli/commands.hpp"
+#include "cli/interrupt.hpp"
+#include "cli/parse.hpp"
+#include "cli/picture.hpp"
+#include "cli/scene_input.hpp"
+#include "core/error.hpp"
+#include "core/stopwatch.hpp"
+#include "image/sheet.hpp"
+#include "world/world.hpp"
+
+namespace aerostat::cli {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+fs::path output_of(const ContactSheetOptions& options) {
+  if (options.output.empty()) return default_picture(options.input.scene, "-seeds.png");
+  if (picture_format(options.output) != PictureFormat::png) {
+    throw Error(ErrorKind::usage, fmt::format("--output: a contact sheet is a .png, not '{}'",
+                                              options.output.string()));
+  }
+  return options.output;
+}
+
+/// The scene of a tile, with the shape of the scene's picture; not resolved yet.
+scene::Scene scene_of_tiles(const ContactSheetOptions& options) {
+  SceneOptions input = options.input;
+  if (!options.quality.empty()) input.overrides.push_back("/quality=" + options.quality);
+  scene::Scene scene = read_scene(input);
+  const double shape = static_cast<double>(scene.image.height) / scene.image.width;
+  scene.image.width = options.tile_width;
+  scene.image.height = std::max(1, static_cast<int>(std::lround(options.tile_width * shape)));
+  return scene;
+}
+
+image::SheetLayout layout_of(const ContactSheetOptions& options, const scene::Image& tile,
+                             std::size_t count) {
+  const image::SheetLayout layout =
+      image::layout_sheet(static_cast<int>(count), tile.width, tile.height, options.columns);
+  if (image::png_can_hold(layout.width(), layout.height())) return layout;
+  throw Error(ErrorKind::usage,
+              fmt::format("a sheet of {} x {} pixels is too large for a PNG; take fewer seeds or a "
+                          "smaller --tile-width",
+                          layout.width(), layout.height()));
+}
+
+/// Renders tile by tile with one session; progress goes over all of them.
+class SheetRender {
+ public:
+  SheetRender(const render::Options& options, ProgressBar& bar) : session_(options), bar_(bar) {
+    session_.begin_kernels();
+  }
+
+  image::Sheet render(const scene::Scene& scene, const std::vector<std::uint32_t>& seeds,
+                      const image::SheetLayout& layout, const std::stop_token& stop) {
+    image::Sheet sheet(layout);
+    for (std::size_t i = 0; i < seeds.size(); ++i) {
+      scene::Scene tile = scene;
+      tile.terrain.seed = seeds[i];
+      bar_.set_label(fmt::format("seed {}, {} of {}", seeds[i], i + 1, seeds.size()));
+      show(i, seeds.size(), 0.0);
+      world::resolve(tile);
+      const image::Film film = session_.render(tile, stop, [&](const render::Progress& progress) {
+        const bool is_traced = progress.stage >= render::Stage::rays;
+        show(i, seeds.size(), is_traced ? progress.fraction : 0.0);
+      });
+      warn_of_nan(film);
+      sheet.place(static_cast<int>(i), develop(film, tile.image), std::to_string(seeds[i]));
+    }
+    return sheet;
+  }
+
+ private:
+  void show(std::size_t tile, std::size_t count, double fraction) {
+    const double done = (static_cast<double>(tile) + fraction) / static_cast<double>(count);
+    bar_.update({render::Stage::rays, done, 0, watch_.seconds(), 0});
+  }
+
+  render::Session session_;
+  ProgressBar& bar_;
+  Stopwatch watch_;
+};
+
+}  // namespace
+
+int contact_sheet(const ContactSheetOptions& options) {
+  const Stopwatch watch;
+  const fs::path output = output_of(options);
+  image::require_writable(output);
+  const Interrupt interrupt;
+  ProgressBar bar(stderr_style(options.quiet), print_stderr);
+  const WarningsAbove warnings(bar, options.quiet);
+
+  const std::vector<std::uint32_t> seeds =
+      options.seeds.empty() ? parse_seeds("1-12") : options.seeds;
+  const scene::Scene scene = scene_of_tiles(options);
+  const image::SheetLayout layout = layout_of(options, scene.image, seeds.size());
+  const render::Options session_options = session_options_of(options.device);
+  SheetRender sheet_render(session_options, bar);
+  const image::Sheet sheet = sheet_render.render(scene, seeds, layout, interrupt.token());
+  bar.clear();
+  const auto bytes = image::encode_png(sheet.pixels());
+  if (interrupt.token().stop_requested()) throw Error(ErrorKind::interrupted, "interrupted");
+  image::write_file(output, bytes);
+  if (!options.quiet) {
+    bar.message(fmt::format("wrote {} ({} tiles of {} x {}, {} spp) in {:.1f} s on {}",
+                            output.string(), seeds.size(), layout.tile_width, layout.tile_height,
+                            scene.image.spp, watch.seconds(), names_of(session_options.devices)));
+  }
+  return 0;
+}
+
+}  // namespace aerostat::cli
