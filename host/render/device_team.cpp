@@ -74,7 +74,7 @@ int DeviceTeam::await_programs(const Waiting& waiting, double& seconds) {
     do {
       waiting();
     } while (!worker.await_programs(kPatience));
-    built += 4;
+    built += kProgramCount;
     slowest = std::max(slowest, worker.program_seconds());
   });
   seconds += slowest;

@@ -11,6 +11,14 @@ namespace {
 
 constexpr std::size_t kGroupLanes = 64;
 
+/// The kernels that walk the trees, as one program: they share nearly all of their code, and what a
+/// driver does to find a program among those it has compiled is done once for all three.
+constexpr const char* kTracing = "trace.cl";
+constexpr const char* kTracingText =
+    "#include \"trace_camera.cl\"\n"
+    "#include \"trace_shadow.cl\"\n"
+    "#include \"trace_ambient.cl\"\n";
+
 /// Launches every kernel on nothing.
 void warm_up(const opencl::Context& context, Programs& programs, int lanes) {
   const opencl::MemoryBudget budget;
@@ -38,20 +46,20 @@ opencl::LaunchSize packet_range(std::uint64_t packets, int lanes) {
 
 Programs build_programs(const opencl::Context& context, int lanes) {
   const Stopwatch watch;
-  const opencl::SourceTree sources = opencl::kernel_sources();
+  opencl::SourceTree sources = opencl::kernel_sources();
+  sources.emplace(kTracing, kTracingText);
   const auto build = [&](const char* entry) {
     return std::async(std::launch::async, [&context, &sources, lanes, entry] {
       return opencl::Program(context, sources, entry, lanes);
     });
   };
-  auto camera = build("trace_camera.cl");
-  auto shadow = build("trace_shadow.cl");
-  auto ambient = build("trace_ambient.cl");
+  auto trace = build(kTracing);
   auto shade = build("shade_hits.cl");
   Programs programs;
-  programs.trace_camera_rays = camera.get().kernel("trace_camera_rays");
-  programs.trace_shadow_rays = shadow.get().kernel("trace_shadow_rays");
-  programs.trace_ambient_rays = ambient.get().kernel("trace_ambient_rays");
+  const opencl::Program tracing = trace.get();
+  programs.trace_camera_rays = tracing.kernel("trace_camera_rays");
+  programs.trace_shadow_rays = tracing.kernel("trace_shadow_rays");
+  programs.trace_ambient_rays = tracing.kernel("trace_ambient_rays");
   const opencl::Program shading = shade.get();
   programs.shade_hits = shading.kernel("shade_hits");
   programs.clear_film = shading.kernel("clear_film");

@@ -7,6 +7,9 @@
 
 namespace aerostat::render {
 
+/// Of how many programs `Programs` are made.
+inline constexpr int kProgramCount = 2;
+
 /// The kernels that make a picture, built for one device and lane width.
 struct Programs {
   cl::Kernel trace_camera_rays;

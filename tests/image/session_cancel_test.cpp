@@ -80,7 +80,7 @@ TEST(Cancel, WhileTheWorldIsBuiltAndKernelsCompile) {
   EXPECT_LT(seconds_to_stop(session, small, Stage::kernels, 0.05), kPatience_s);
   EXPECT_EQ(session.snapshot().width, 0);
   EXPECT_EQ(session.render(small).width, 96) << "the session goes on";
-  EXPECT_GE(session.stats().programs_built, 4) << "what compiled meanwhile is used";
+  EXPECT_GE(session.stats().programs_built, 2) << "what compiled meanwhile is used";
 }
 
 TEST(Cancel, WhileRaysAreTraced) {
