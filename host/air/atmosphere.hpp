@@ -34,6 +34,8 @@ struct FogLayer {
   double extinction = 0.0;  // per metre deep inside, 0 = no fog
   double top = 0.0;
   double softness = 1.0;
+
+  bool operator==(const FogLayer&) const = default;
 };
 
 /// Coefficients per metre: molecules and haze at the sea, ozone at its thickest, 25 km up.
@@ -54,6 +56,8 @@ struct Atmosphere {
   Density mean_density(double from, double to) const;
   dvec3 extinction(const Density& density) const;
   dvec3 scattering(const Density& density) const;
+
+  bool operator==(const Atmosphere&) const = default;
 };
 
 /// The haze's extinction at green and that of the molecules make 3.912 / visibility (H.

@@ -1,6 +1,8 @@
 #include "air/light.hpp"
 
 #include <algorithm>
+#include <memory>
+#include <mutex>
 
 namespace aerostat::air {
 namespace {
@@ -24,10 +26,23 @@ std::array<dvec3, 3> parabola(const dvec3& f0, double a, const dvec3& fa, double
   return {f0, slope_a - bend * a, bend};
 }
 
+/// The air of the last scene asked for: it knows no eye, and takes three times as long as the sky
+/// that an eye sees.
+std::shared_ptr<const Scattering> scattering_of(const scene::Scene& scene) {
+  static std::mutex mutex;
+  static std::shared_ptr<const Scattering> kept;
+  const Atmosphere air = atmosphere_of(scene);
+  const dvec3 sun = glm::normalize(scene.sun.direction);
+  const std::lock_guard lock(mutex);
+  if (!kept || kept->atmosphere() != air || kept->sun() != sun) {
+    kept = std::make_shared<const Scattering>(air, sun);
+  }
+  return kept;
+}
+
 }  // namespace
 
-Light::Light(const scene::Scene& scene)
-    : Light(scene, Scattering(atmosphere_of(scene), glm::normalize(scene.sun.direction))) {}
+Light::Light(const scene::Scene& scene) : Light(scene, *scattering_of(scene)) {}
 
 Light::Light(const scene::Scene& scene, const Scattering& air)
     : atmosphere(air.atmosphere()), sky(air, scene.camera.position.y) {
