@@ -1,6 +1,7 @@
 #pragma once
 
 #include <chrono>
+#include <functional>
 #include <future>
 #include <memory>
 #include <stop_token>
@@ -21,13 +22,17 @@ class AbandonableWork {
   /// requested. `waiting()` is called every 20 ms meanwhile.
   template <typename Work, typename Waiting>
   auto run(Work work, const std::stop_token& stop, Waiting waiting) -> decltype(work()) {
+    let_go_of_finished();
     std::packaged_task<decltype(work())()> task(std::move(work));
-    auto result = task.get_future();
+    auto result = task.get_future().share();
     std::jthread thread(std::move(task));
     while (result.wait_for(std::chrono::milliseconds(20)) != std::future_status::ready) {
       waiting();
       if (stop.stop_requested()) {
-        abandoned_.push_back(std::move(thread));
+        const auto ended = [result] {
+          return result.wait_for(std::chrono::seconds(0)) == std::future_status::ready;
+        };
+        abandoned_.push_back({std::move(thread), ended});
         throw Error(ErrorKind::interrupted, "interrupted");
       }
     }
@@ -35,7 +40,17 @@ class AbandonableWork {
   }
 
  private:
-  std::vector<std::jthread> abandoned_;
+  struct Abandoned {
+    std::jthread thread;
+    std::function<bool()> ended;
+  };
+
+  /// Someone who drags a view about gives up work at every turn.
+  void let_go_of_finished() {
+    std::erase_if(abandoned_, [](const Abandoned& one) { return one.ended(); });
+  }
+
+  std::vector<Abandoned> abandoned_;
 };
 
 }  // namespace aerostat::render

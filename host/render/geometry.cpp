@@ -88,14 +88,20 @@ pack::PackedArrays taken(pack::PackedGroup& group) {
 }  // namespace
 
 std::shared_ptr<const HostGeometry> build_geometry(const scene::Scene& scene,
-                                                   const HostGeometry* previous, Meshes meshes) {
+                                                   const HostGeometry* previous, Meshes meshes,
+                                                   Plants plants) {
   static const HostGeometry kNothing;
   const HostGeometry& old = previous != nullptr ? *previous : kNothing;
   auto geometry = std::make_shared<HostGeometry>();
   geometry->scene = scene;
+  if (plants == Plants::as_they_stand && previous != nullptr) {
+    // Nothing but plants goes by the eye.
+    geometry->scene.camera = old.scene.camera;
+    geometry->scene.image = old.scene.image;
+  }
   Stopwatch watch;
   try {
-    geometry->world = world::build(scene, previous != nullptr ? &old.world : nullptr,
+    geometry->world = world::build(geometry->scene, previous != nullptr ? &old.world : nullptr,
                                    previous != nullptr ? &old.scene : nullptr);
     const auto& world = geometry->world;
     geometry->worlds_built = (world.land != old.world.land ? 1 : 0) +

@@ -44,9 +44,9 @@ struct Session::State {
   explicit State(Options given) : options(std::move(given)), team(options) {}
 
   void await_programs();
-  void build(const scene::Scene& scene);
+  void build(const scene::Scene& scene, Plants plants);
   void upload();
-  void prepare(const scene::Scene& scene);
+  void prepare(const scene::Scene& scene, Plants plants);
   image::Film trace(const scene::Scene& scene, const Crop& crop);
   void trace_pass(const Pass& pass, RowQueue& queue);
   image::Film read_passes(const scene::Scene& scene, const Crop& crop, const RowQueue& queue);
@@ -94,11 +94,11 @@ void Session::State::await_programs() {
   stats.programs_built = team.await_programs(waiting, stats.kernel_seconds);
 }
 
-void Session::State::build(const scene::Scene& scene) {
+void Session::State::build(const scene::Scene& scene, Plants plants) {
   const auto old = geometry;
-  geometry =
-      background.run([scene, old] { return build_geometry(scene, old.get(), Meshes::release); },
-                     stop, [this] { report(Stage::world, 0.0); });
+  geometry = background.run(
+      [scene, old, plants] { return build_geometry(scene, old.get(), Meshes::release, plants); },
+      stop, [this] { report(Stage::world, 0.0); });
   stats.worlds_built = geometry->worlds_built;
   stats.trees_built = geometry->trees_built;
   stats.world_seconds = geometry->world_seconds;
@@ -120,10 +120,10 @@ void Session::State::upload() {
 }
 
 /// Everything before the first ray: world, trees, kernels, buffers, as far as they are not there.
-void Session::State::prepare(const scene::Scene& scene) {
+void Session::State::prepare(const scene::Scene& scene, Plants plants) {
   report(Stage::world, 0.0);
   team.begin_programs();
-  build(scene);
+  build(scene, plants);
   await_programs();
   stop_if_asked();
   report(Stage::upload, 0.0);
@@ -226,7 +226,8 @@ void Session::begin_kernels() {
 }
 
 image::Film Session::render(const scene::Scene& scene, std::stop_token stop,
-                            const ProgressCallback& progress, std::optional<Crop> crop) {
+                            const ProgressCallback& progress, std::optional<Crop> crop,
+                            Plants plants) {
   State& state = *state_;
   const Crop area = checked_crop(scene, crop);
   state.stop = std::move(stop);
@@ -239,7 +240,7 @@ image::Film Session::render(const scene::Scene& scene, std::stop_token stop,
     state.latest = {};
     state.finished = nullptr;
   }
-  state.prepare(scene);
+  state.prepare(scene, plants);
   image::Film film = state.trace(scene, area);
   state.collect_stats();
   state.report(Stage::done, 1.0);

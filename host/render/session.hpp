@@ -29,6 +29,11 @@ struct Crop {
   int x0 = 0, y0 = 0, x1 = 0, y1 = 0;
 };
 
+/// Which plants a picture shows. They are placed around the eye, in the detail that it sees, which
+/// takes some tenths of a second. While a view is being moved they may stay as they stand for a
+/// former eye: a picture in good time, which depends on what was rendered before.
+enum class Plants { as_seen, as_they_stand };
+
 enum class Stage { world, tree, kernels, upload, rays, done };
 
 struct Progress {
@@ -93,7 +98,8 @@ class Session {
   /// If `stop` is requested, throws Error{interrupted} within 100 ms of device work; what was done
   /// until then stays readable by `snapshot`. Throws Error of other kinds as the parts do.
   image::Film render(const scene::Scene& scene, std::stop_token stop = {},
-                     const ProgressCallback& progress = {}, std::optional<Crop> crop = {});
+                     const ProgressCallback& progress = {}, std::optional<Crop> crop = {},
+                     Plants plants = Plants::as_seen);
 
   /// The film of the whole passes finished so far, from any thread; empty before the first.
   image::Film snapshot() const;

@@ -111,6 +111,28 @@ TEST(Plants, FollowTheCameraAlone) {
   EXPECT_TRUE(same_bits(moved, Session(options()).render(scene)));
 }
 
+TEST(Plants, MayStayAsTheyStand) {
+  Session session(options());
+  auto scene = planted_scene("snow");
+  session.render(scene);
+  const auto first_eye = scene.camera.position;
+  scene.camera.position += dvec3(3.0, 1.0, -5.0);
+  const auto as_they_stand = [&] {
+    return session.render(scene, {}, {}, {}, render::Plants::as_they_stand);
+  };
+  const auto moved = as_they_stand();
+  EXPECT_EQ(session.stats().worlds_built, 0);
+  scene.camera.position = first_eye;
+  as_they_stand();
+  session.render(scene);
+  EXPECT_EQ(session.stats().worlds_built, 0) << "they are the first eye's";
+  scene.camera.position += dvec3(3.0, 1.0, -5.0);
+  const auto exact = session.render(scene);
+  EXPECT_EQ(session.stats().worlds_built, 1);
+  EXPECT_FALSE(same_bits(moved, exact));
+  EXPECT_TRUE(same_bits(exact, Session(options()).render(scene)));
+}
+
 TEST_F(Reuse, AMovedSunBuildsNothing) {
   scene_.sun.direction = glm::normalize(dvec3(-0.6, 0.5, 0.3));
   EXPECT_EQ(built_by(scene_), kNothing);
