@@ -20,8 +20,7 @@ std::string read_text(const std::filesystem::path& path) {
 }
 
 /// The product's kernels with the bench's own beside them.
-opencl::SourceTree sources_with_bench() {
-  auto sources = opencl::kernel_sources();
+opencl::SourceTree with_bench(opencl::SourceTree sources) {
   const std::filesystem::path folder = AEROSTAT_BENCH_KERNEL_DIR;
   sources["bench_rays.cl"] = read_text(folder / "bench_rays.cl");
   sources["count_rays.cl"] = read_text(folder / "count_rays.cl");
@@ -43,10 +42,10 @@ std::uint64_t RaySet::active() const {
 }
 
 DeviceBench::DeviceBench(const opencl::Device& device, int lanes,
-                         const render::HostGeometry& geometry)
+                         const render::HostGeometry& geometry, const opencl::SourceTree& kernels)
     : lanes_(lanes != 0 ? lanes : device.lanes), context_(device) {
   device_ = render::upload(context_, budget_, geometry);
-  const auto sources = sources_with_bench();
+  const auto sources = with_bench(kernels);
   trace_camera_ =
       opencl::Program(context_, sources, "trace_camera.cl", lanes_).kernel("trace_camera_rays");
   trace_shadow_ =

@@ -32,7 +32,9 @@ struct PacketCounts {
 /// The renderer's kernels on one device, timed by the device's clock.
 class DeviceBench {
  public:
-  DeviceBench(const opencl::Device& device, int lanes, const render::HostGeometry& geometry);
+  /// `kernels` are the product's.
+  DeviceBench(const opencl::Device& device, int lanes, const render::HostGeometry& geometry,
+              const opencl::SourceTree& kernels);
 
   const render::DeviceGeometry& geometry() const { return device_; }
   int lanes() const { return lanes_; }

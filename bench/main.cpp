@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <functional>
 #include <map>
 
@@ -27,6 +28,8 @@ struct Arguments {
   int width = 1920, height = 1080;
   int lanes = 0;
   int rounds = 7;
+  std::string against;  // a folder of kernels
+  bool peers = true;
   bool json = false;
 };
 
@@ -50,8 +53,11 @@ ordered_json time_entries(const std::vector<Entry>& entries, int rounds) {
     const auto& entry = entries[i];
     const double rate = static_cast<double>(entry.count) / bench::median(times[i]) / 1e6;
     if (own.count(entry.kind) == 0) own[entry.kind] = rate;
-    ordered_json figures{{"millions_per_s", rate}, {"count", entry.count}};
-    if (entry.tracer.find("Embree") == 0) figures["aerostat_ratio"] = own[entry.kind] / rate;
+    const double best = *std::min_element(times[i].begin(), times[i].end());
+    ordered_json figures{{"millions_per_s", rate},
+                         {"best_millions_per_s", static_cast<double>(entry.count) / best / 1e6},
+                         {"count", entry.count}};
+    if (entry.tracer.find("aerostat") != 0) figures["aerostat_ratio"] = own[entry.kind] / rate;
     result[entry.kind][entry.tracer] = figures;
   }
   return result;
@@ -132,7 +138,7 @@ ordered_json time_builds(const mesh::TriangleMesh& mesh, const bench::EmbreePeer
 void run(const Arguments& arguments) {
   const auto device = opencl::select_device(opencl::effective_selector(arguments.device));
   const auto geometry = build(arguments);
-  bench::DeviceBench own(device, arguments.lanes, *geometry);
+  bench::DeviceBench own(device, arguments.lanes, *geometry, opencl::kernel_sources());
   const bench::RaySet camera = own.camera_rays(), shadow = own.shadow_rays();
   const bench::RaySet bounce = own.bounce_rays();
   ordered_json figures = describe(arguments, own, device.name, *geometry);
@@ -150,13 +156,26 @@ void run(const Arguments& arguments) {
                      [&] { return own.time_camera_kernel(); }});
   entries.push_back({"shadow", "aerostat, renderer's kernel", shadow.active(),
                      [&] { return own.time_shadow_kernel(); }});
-#ifdef AEROSTAT_HAVE_EMBREE
-  const bench::EmbreePeer embree(*geometry);
-  figures["embree_commit_seconds"] = embree.commit_seconds();
-  if (arguments.soup > 0) {
-    figures["build"] = time_builds(geometry->world.balloon->front().mesh, embree, arguments.rounds);
+  std::unique_ptr<bench::DeviceBench> other;
+  if (!arguments.against.empty()) {
+    other = std::make_unique<bench::DeviceBench>(device, arguments.lanes, *geometry,
+                                                 opencl::kernel_sources(arguments.against));
+    for (const Kind& kind : kinds) {
+      entries.push_back({kind.name, "kernels of " + arguments.against, kind.rays.active(),
+                         [&other, &kind] { return other->time_rays(kind.rays, kind.any_hit); }});
+    }
   }
-  for (const Kind& kind : kinds) add_peer(embree, kind, entries);
+#ifdef AEROSTAT_HAVE_EMBREE
+  std::unique_ptr<bench::EmbreePeer> embree;
+  if (arguments.peers) {
+    embree = std::make_unique<bench::EmbreePeer>(*geometry);
+    figures["embree_commit_seconds"] = embree->commit_seconds();
+    if (arguments.soup > 0) {
+      figures["build"] =
+          time_builds(geometry->world.balloon->front().mesh, *embree, arguments.rounds);
+    }
+    for (const Kind& kind : kinds) add_peer(*embree, kind, entries);
+  }
 #endif
   figures["rays"] = time_entries(entries, arguments.rounds);
   for (const Kind& kind : kinds) {
@@ -183,6 +202,9 @@ int main(int argc, char** argv) {
   app.add_option("--width", arguments.width, "Pixels")->check(CLI::Range(16, 16384));
   app.add_option("--height", arguments.height, "Pixels")->check(CLI::Range(16, 16384));
   app.add_option("--rounds", arguments.rounds, "Timed rounds")->check(CLI::Range(1, 1000));
+  app.add_option("--against", arguments.against,
+                 "A folder of kernels to time in turn with the renderer's");
+  app.add_flag("!--no-peers", arguments.peers, "Time the renderer's rays alone");
   app.add_flag("--json", arguments.json, "Figures as JSON");
   CLI11_PARSE(app, argc, argv);
   if (scene->empty() == soup->empty()) {

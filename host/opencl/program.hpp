@@ -1,5 +1,6 @@
 #pragma once
 
+#include <filesystem>
 #include <map>
 #include <string>
 #include <vector>
@@ -14,6 +15,9 @@ using SourceTree = std::map<std::string, std::string>;
 /// The sources in the binary, or those of the folder AEROSTAT_KERNEL_DIR if that is set.
 /// Throws Error{io} if the folder cannot be read.
 SourceTree kernel_sources();
+
+/// The sources in a folder, likewise.
+SourceTree kernel_sources(const std::filesystem::path& folder);
 
 /// `entry` with every `#include "..."` replaced by its file (once each, found beside the including
 /// file, then under `device/`, `shared/` and the tree's root), and `#line` marks that keep messages

@@ -28,7 +28,8 @@ std::string read_text(const fs::path& path) {
   return text;
 }
 
-SourceTree read_folder(const fs::path& root) {
+/// `name` is the folder's in messages.
+SourceTree read_folder(const fs::path& root, const std::string& name) {
   SourceTree tree;
   try {
     for (const auto& item : fs::recursive_directory_iterator(root)) {
@@ -36,23 +37,25 @@ SourceTree read_folder(const fs::path& root) {
       tree.emplace(item.path().lexically_relative(root).generic_string(), read_text(item.path()));
     }
   } catch (const fs::filesystem_error& error) {
-    throw Error(ErrorKind::io, fmt::format("cannot read the kernels from {} (AEROSTAT_KERNEL_DIR): "
-                                           "{}",
-                                           root.string(), error.code().message()));
+    throw Error(ErrorKind::io,
+                fmt::format("cannot read the kernels from {}: {}", name, error.code().message()));
   }
   if (tree.empty()) {
-    throw Error(ErrorKind::io,
-                fmt::format("{} (AEROSTAT_KERNEL_DIR) holds no kernel files (.cl, .clh, .h)",
-                            root.string()));
+    throw Error(ErrorKind::io, fmt::format("{} holds no kernel files (.cl, .clh, .h)", name));
   }
   return tree;
 }
 
 }  // namespace
 
+SourceTree kernel_sources(const fs::path& folder) {
+  return read_folder(folder, folder.string());
+}
+
 SourceTree kernel_sources() {
   const char* folder = std::getenv("AEROSTAT_KERNEL_DIR");
-  if (folder != nullptr && *folder != '\0') return read_folder(folder);
+  if (folder != nullptr && *folder != '\0')
+    return read_folder(folder, fmt::format("{} (AEROSTAT_KERNEL_DIR)", folder));
   SourceTree tree;
   for (const auto& file : embedded_files()) tree.emplace(file.path, file.text);
   return tree;
