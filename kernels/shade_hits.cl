@@ -26,8 +26,9 @@ __kernel void shade_hits(const AeroLaunch launch, __global const AeroScene* scen
     const HitTriangle triangle = load_hit_triangle(&ground, &meshes, &hit);
     const lane_float sky_share = scene->sky.ambient_reach > 0.0f ? open[block] : (lane_float)1.0f;
     Lane3 shading_normal;
-    const Lane3 surface = shade_hit(scene, &triangle, &ray, &hit, task.frame.pixel_angle,
-                                    visible[block], sky_share, &shading_normal);
+    const lane_float across = pixel_across(&task.frame, hit.t);
+    const Lane3 surface =
+        shade_hit(scene, &triangle, &ray, &hit, across, visible[block], sky_share, &shading_normal);
     radiance = select3(met, through_air(scene, surface, &ray, hit.t), radiance);
     normal = select3(met, shading_normal, normal);
     object = lane_select(met, triangle.object, object);

@@ -1,4 +1,5 @@
 #include "ambient.clh"
+#include "camera.clh"
 
 /* A ray of every hit of a tile towards the sky: open[block] is 1 where it meets nothing that is
  * near, else 0. Every BUNDLE-th work-item works on that many blocks together. */

@@ -1,7 +1,7 @@
 #include "pack/pack_scene.hpp"
 
-#include <algorithm>
-#include <numeric>
+#include <cmath>
+#include <numbers>
 
 #include <fmt/format.h>
 
@@ -94,18 +94,6 @@ AeroPointLight pack_light(const scene::PointLight& from) {
   return light;
 }
 
-std::uint32_t filter_of(scene::Filter filter) {
-  switch (filter) {
-    case scene::Filter::box:
-      return AERO_FILTER_BOX;
-    case scene::Filter::tent:
-      return AERO_FILTER_TENT;
-    case scene::Filter::gaussian:
-      return AERO_FILTER_GAUSSIAN;
-  }
-  return AERO_FILTER_GAUSSIAN;
-}
-
 std::uint32_t shading_of(scene::Shading shading) {
   switch (shading) {
     case scene::Shading::flat:
@@ -116,35 +104,6 @@ std::uint32_t shading_of(scene::Shading shading) {
       return AERO_SHADING_PHONG;
   }
   return AERO_SHADING_PHONG;
-}
-
-/// A stride that visits all of `samples` strata and leaps by about 0.38 of them, so that any first
-/// few of them are spread evenly.
-std::uint32_t spreading_stride(std::uint32_t samples) {
-  auto stride = std::max(1u, static_cast<std::uint32_t>(0.381966 * samples + 0.5));
-  while (std::gcd(stride, samples) != 1) ++stride;
-  return stride;
-}
-
-AeroCamera pack_camera(const scene::Camera& from, int width, int height) {
-  const dvec3 view = from.target - from.position;
-  const dvec3 side = glm::cross(view, from.up);
-  if (!(glm::length(view) > 0.0) || !(glm::length(side) > 1e-9 * glm::length(view))) {
-    throw Error(ErrorKind::bad_data,
-                "/camera: position, target and up leave the view undefined; expected a target away "
-                "from the position and an up vector that is not along the view");
-  }
-  const dvec3 forward = glm::normalize(view);
-  const dvec3 right = glm::normalize(side);
-  const dvec3 up = glm::cross(right, forward);
-  const double half_height = std::tan(from.fov_y_deg * (std::numbers::pi / 360.0));
-  const double pixel = 2.0 * half_height / height;
-  AeroCamera camera{};
-  copy(camera.origin, from.position);
-  copy(camera.step_x, right * pixel);
-  copy(camera.step_y, up * -pixel);
-  copy(camera.corner, forward - right * (0.5 * pixel * width) + up * half_height);
-  return camera;
 }
 
 }  // namespace
@@ -169,20 +128,6 @@ AeroScene pack_scene(const scene::Scene& scene) {
   packed.shading = shading_of(scene.shading);
   packed.air = pack_air(scene);
   return packed;
-}
-
-AeroFrame pack_frame(const scene::Scene& scene) {
-  AeroFrame frame{};
-  frame.camera = pack_camera(scene.camera, scene.image.width, scene.image.height);
-  frame.width = static_cast<std::uint32_t>(scene.image.width);
-  frame.height = static_cast<std::uint32_t>(scene.image.height);
-  frame.filter = filter_of(scene.image.filter);
-  frame.samples = static_cast<std::uint32_t>(scene.image.spp);
-  frame.sample_stride = spreading_stride(frame.samples);
-  frame.sample_shift = scene.image.seed * 0x9e3779b9u;
-  frame.pixel_angle = static_cast<float>(
-      2.0 * std::tan(scene.camera.fov_y_deg * (std::numbers::pi / 360.0)) / scene.image.height);
-  return frame;
 }
 
 }  // namespace aerostat::pack

@@ -66,9 +66,8 @@ Growth scatter(const scene::Scene& scene, const mesh::GridMesh& ground) {
   const GroundRule rule(scene.biome.ground, scene.terrain.seed, kFootprintM);
   const std::vector<KeepOut> circles = kept_out(scene, surface);
   const Nature nature{scene, surface, rule};
-  const Place place{surface,           rule,
-                    sea_level(nature), {scene.camera.position.x, scene.camera.position.z},
-                    circles,           vegetation.seed};
+  const Place place{surface, rule,           sea_level(nature), scene::middle_of_view(scene.camera),
+                    circles, vegetation.seed};
   for (const Layer& layer : biome_layers(nature)) {
     const auto placed = place_layer(layer, place, growth.models);
     growth.instances.insert(growth.instances.end(), placed.begin(), placed.end());
@@ -78,10 +77,10 @@ Growth scatter(const scene::Scene& scene, const mesh::GridMesh& ground) {
 }
 
 plant::Detail detail_of(const Instance& instance, const plant::ModelKey& model, const dvec3& eye,
-                        double pixel_angle) {
+                        const scene::PixelSize& pixel) {
   const double height = plant::model_height(model) * static_cast<double>(instance.scale);
   const double distance = std::max(glm::distance(dvec3(instance.position), eye), 0.1);
-  const double pixels = height / (distance * pixel_angle);
+  const double pixels = height / pixel.metres(distance);
   if (pixels > 120.0) return plant::Detail::near;
   return pixels > 30.0 ? plant::Detail::middle : plant::Detail::far;
 }

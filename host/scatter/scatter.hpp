@@ -6,6 +6,7 @@
 
 #include "mesh/grid_mesh.hpp"
 #include "plant/plant.hpp"
+#include "scene/pixel_size.hpp"
 #include "scene/scene.hpp"
 
 /// Where plants and stones stand.
@@ -48,8 +49,8 @@ struct Growth {
 Growth scatter(const scene::Scene& scene, const mesh::GridMesh& ground);
 
 /// The level that suffices from `eye`: near where the plant is more than 120 pixels high, far where
-/// it is less than 30. `pixel_angle` is the angle across a pixel in radians.
+/// it is less than 30.
 plant::Detail detail_of(const Instance& instance, const plant::ModelKey& model, const dvec3& eye,
-                        double pixel_angle);
+                        const scene::PixelSize& pixel);
 
 }  // namespace aerostat::scatter

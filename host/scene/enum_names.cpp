@@ -33,6 +33,12 @@ std::span<const char* const> enum_names<View>() {
 }
 
 template <>
+std::span<const char* const> enum_names<Lens>() {
+  static constexpr const char* kNames[] = {"pinhole", "thin_lens", "panorama", "orthographic"};
+  return kNames;
+}
+
+template <>
 std::span<const char* const> enum_names<Shading>() {
   static constexpr const char* kNames[] = {"flat", "gouraud", "phong"};
   return kNames;

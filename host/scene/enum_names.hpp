@@ -21,6 +21,8 @@ std::span<const char* const> enum_names<HeightReference>();
 template <>
 std::span<const char* const> enum_names<View>();
 template <>
+std::span<const char* const> enum_names<Lens>();
+template <>
 std::span<const char* const> enum_names<Shading>();
 template <>
 std::span<const char* const> enum_names<Filter>();

@@ -110,7 +110,12 @@ void fields(Archive& archive, Camera& camera) {
   archive("target", camera.target, camera.target_given);
   archive("height_above", camera.height_above);
   archive("up", camera.up);
+  archive("lens", camera.lens);
   archive("fov_y_deg", camera.fov_y_deg);
+  archive("f_number", camera.f_number);
+  archive("aperture_m", camera.aperture_m, camera.aperture_given);
+  archive("focus_m", camera.focus_m, camera.focus_given);
+  archive("view_height_m", camera.view_height_m);
 }
 
 template <class Archive>

@@ -19,6 +19,9 @@ enum class FractalKind { fbm, ridged };
 /// the floor of the balloon's basket.
 enum class HeightReference { sea, ground, balloon };
 enum class View { outside, basket };
+/// How points of the picture become rays. A panorama shows all directions, 360 degrees of azimuth
+/// across and 180 degrees of height down the picture.
+enum class Lens { pinhole, thin_lens, panorama, orthographic };
 enum class Shading { flat, gouraud, phong };
 enum class Filter { box, tent, gaussian };
 /// How much work a picture may be: sets samples, soft shadows and ambient occlusion together.
@@ -140,7 +143,14 @@ struct Camera {
   bool target_given = true;    // false: world::resolve looks straight ahead
   HeightReference height_above = HeightReference::sea;  // of position and target
   dvec3 up{0.0, 1.0, 0.0};
-  double fov_y_deg = 45.0;
+  Lens lens = Lens::pinhole;
+  double fov_y_deg = 45.0;      // pinhole and thin lens
+  double f_number = 2.8;        // thin lens, before a sensor 24 mm high
+  double aperture_m = 0.0;      // thin lens: diameter; counts if it is given, before f_number
+  bool aperture_given = false;  // false: it follows from f_number and fov_y_deg
+  double focus_m = 0.0;         // thin lens: depth of what is sharp; counts if it is given
+  bool focus_given = false;     // false: the target is sharp
+  double view_height_m = 60.0;  // orthographic: what the picture shows from its foot to its top
 };
 
 /// `direction` (unit, towards the sun) is what counts; files may give azimuth_deg and

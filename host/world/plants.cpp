@@ -1,7 +1,5 @@
 #include "world/plants.hpp"
 
-#include <cmath>
-
 #include <oneapi/tbb/parallel_for.h>
 
 namespace aerostat::world {
@@ -20,19 +18,15 @@ scene::ObjectId object_of(plant::Species species) {
   }
 }
 
-double pixel_angle(const scene::Scene& scene) {
-  return 2.0 * std::tan(glm::radians(0.5 * scene.camera.fov_y_deg)) / scene.image.height;
-}
-
 /// Makes each instance's model that of its detail: details of a model are numbered one after the
 /// other.
 void choose_details(const scene::Scene& scene, const std::vector<plant::ModelKey>& models,
                     std::vector<scatter::Instance>& instances) {
-  const double angle = pixel_angle(scene);
+  const scene::PixelSize pixel = scene::pixel_size(scene);
   tbb::parallel_for(std::size_t{0}, instances.size(), [&](std::size_t i) {
     scatter::Instance& instance = instances[i];
     const plant::Detail detail =
-        scatter::detail_of(instance, models[instance.model], scene.camera.position, angle);
+        scatter::detail_of(instance, models[instance.model], scene.camera.position, pixel);
     instance.model = instance.model * kDetails + static_cast<std::uint32_t>(detail);
   });
 }
@@ -79,8 +73,9 @@ std::shared_ptr<const Plants> build_plants(const scene::Scene& scene,
 
 bool same_plants(const scene::Scene& a, const scene::Scene& b) {
   return a.vegetation == b.vegetation && a.biome == b.biome &&
-         a.camera.position == b.camera.position && a.camera.fov_y_deg == b.camera.fov_y_deg &&
-         a.image.height == b.image.height && a.balloon.enabled == b.balloon.enabled &&
+         a.camera.position == b.camera.position &&
+         scene::middle_of_view(a.camera) == scene::middle_of_view(b.camera) &&
+         scene::pixel_size(a) == scene::pixel_size(b) && a.balloon.enabled == b.balloon.enabled &&
          a.balloon.position == b.balloon.position && a.balloon.diameter_m == b.balloon.diameter_m;
 }
 

@@ -3,16 +3,27 @@
 
 #include "layout.h"
 
-/* A pinhole camera: the ray of image point (x, y), in pixels from the top left corner, goes from
- * `origin` towards corner + x step_x + y step_y (world space, one unit of depth ahead). */
+#define AERO_LENS_PINHOLE 0
+#define AERO_LENS_THIN 1
+#define AERO_LENS_PANORAMA 2
+#define AERO_LENS_ORTHOGRAPHIC 3
+
+/* A camera in world space. Image point (x, y), in pixels from the top left corner, is the vector
+ * p = corner + x step_x + y step_y from `origin`. A pinhole's ray goes from there through p, one
+ * unit of depth ahead; a thin lens's from a point of its disc across the axis through focus p. An
+ * orthographic ray goes from p ahead. A panorama has no use for p. */
 typedef struct AeroCamera {
   aero_float origin[3];
   aero_float corner[3];
   aero_float step_x[3];
   aero_float step_y[3];
+  aero_float right[3], up[3], forward[3]; /* unit */
+  aero_float aperture;                    /* of a thin lens: its radius, metres */
+  aero_float focus;                       /* of a thin lens: depth of the sharp plane, metres */
+  aero_uint lens;                         /* AERO_LENS_... */
 } AeroCamera;
 
-AERO_ASSERT_LAYOUT(AeroCamera, 48);
+AERO_ASSERT_LAYOUT(AeroCamera, 96);
 
 #define AERO_FILTER_BOX 0
 #define AERO_FILTER_TENT 1
@@ -27,9 +38,10 @@ typedef struct AeroFrame {
   aero_uint sample_stride; /* coprime to samples: the order in which strata are taken */
   aero_uint sample_shift;  /* of the pattern, from the seed; 2^32 is once around */
   aero_float pixel_angle;  /* radians across one pixel in the middle of the image */
+  aero_float pixel_width;  /* metres across one pixel beside what its angle makes of the distance */
 } AeroFrame;
 
-AERO_ASSERT_LAYOUT(AeroFrame, 76);
+AERO_ASSERT_LAYOUT(AeroFrame, 128);
 
 /* The work of one launch: blocks of pixels, one packet of lanes each. A packet holds 2^log2_w x
  * 2^log2_h pixels with 2^log2_samples samples each; their product is LANES. */
@@ -50,6 +62,6 @@ typedef struct AeroLaunch {
   AeroTile tile;
 } AeroLaunch;
 
-AERO_ASSERT_LAYOUT(AeroLaunch, 116);
+AERO_ASSERT_LAYOUT(AeroLaunch, 168);
 
 #endif

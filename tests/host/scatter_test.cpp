@@ -334,12 +334,23 @@ TEST(Scatter, AxesAreATurnWithTheLeanAsked) {
 TEST(Scatter, DetailFallsWithDistance) {
   Instance tree;
   const plant::ModelKey model{Species::spruce, 0};
-  const double pixel = 1e-3;  // 17 m are 120 pixels at 142 m, 30 at 567
+  const scene::PixelSize pixel{1e-3, 0.0};  // 17 m are 120 pixels at 142 m, 30 at 567
   EXPECT_EQ(detail_of(tree, model, {0.0, 0.0, 120.0}, pixel), plant::Detail::near);
   EXPECT_EQ(detail_of(tree, model, {0.0, 0.0, 200.0}, pixel), plant::Detail::middle);
   EXPECT_EQ(detail_of(tree, model, {0.0, 0.0, 650.0}, pixel), plant::Detail::far);
   tree.scale = 2.0f;
   EXPECT_EQ(detail_of(tree, model, {0.0, 0.0, 200.0}, pixel), plant::Detail::near);
+}
+
+TEST(Scatter, DetailIsTheSameEverywhereInParallelViews) {
+  const Instance tree;
+  const plant::ModelKey model{Species::spruce, 0};
+  for (const double distance : {1.0, 1000.0, 50000.0}) {
+    const dvec3 eye(0.0, 0.0, distance);
+    EXPECT_EQ(detail_of(tree, model, eye, {0.0, 0.1}), plant::Detail::near);
+    EXPECT_EQ(detail_of(tree, model, eye, {0.0, 0.3}), plant::Detail::middle);
+    EXPECT_EQ(detail_of(tree, model, eye, {0.0, 1.0}), plant::Detail::far);
+  }
 }
 
 TEST(Scatter, HalfAMillionTakesFewSecondsOfProcessorTime) {

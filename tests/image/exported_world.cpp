@@ -1,6 +1,7 @@
 #include "exported_world.hpp"
 
 #include <cstring>
+#include <numbers>
 #include <sstream>
 #include <stdexcept>
 
@@ -85,18 +86,40 @@ DumpedCamera::DumpedCamera(const scene::Scene& scene) {
   const auto& camera = dump.at("camera");
   origin_ = triple(camera.at("position"));
   forward_ = glm::normalize(triple(camera.at("target")) - origin_);
-  right_ = glm::normalize(glm::cross(forward_, triple(camera.at("up"))));
+  const dvec3 upright = glm::normalize(triple(camera.at("up")));
+  lens_ = camera.at("lens").get<std::string>();
+  if (lens_ == "panorama") {
+    forward_ = glm::normalize(forward_ - glm::dot(forward_, upright) * upright);
+  }
+  right_ = glm::normalize(glm::cross(forward_, upright));
   up_ = glm::cross(right_, forward_);
+  half_height_m_ = 0.5 * camera.at("view_height_m").get<double>();
   width_ = dump.at("image").at("width").get<int>();
   height_ = dump.at("image").at("height").get<int>();
   tangent_ = std::tan(glm::radians(0.5 * camera.at("fov_y_deg").get<double>()));
 }
 
-dvec3 DumpedCamera::direction(int x, int y) const {
+dvec2 DumpedCamera::from_middle(int x, int y) const {
   const double half = 0.5 * height_;
-  const double across = (x + 0.5 - 0.5 * width_) / half * tangent_;
-  const double upwards = (half - (y + 0.5)) / half * tangent_;
-  return glm::normalize(forward_ + across * right_ + upwards * up_);
+  return dvec2(x + 0.5 - 0.5 * width_, half - (y + 0.5)) / half;
+}
+
+dvec3 DumpedCamera::origin(int x, int y) const {
+  if (lens_ != "orthographic") return origin_;
+  const dvec2 at = half_height_m_ * from_middle(x, y);
+  return origin_ + at.x * right_ + at.y * up_;
+}
+
+dvec3 DumpedCamera::direction(int x, int y) const {
+  if (lens_ == "orthographic") return forward_;
+  if (lens_ == "panorama") {
+    const double azimuth = 2.0 * std::numbers::pi * ((x + 0.5) / width_ - 0.5);
+    const double height = std::numbers::pi * (0.5 - (y + 0.5) / height_);
+    const dvec3 level = std::cos(azimuth) * forward_ + std::sin(azimuth) * right_;
+    return std::cos(height) * level + std::sin(height) * up_;
+  }
+  const dvec2 at = tangent_ * from_middle(x, y);
+  return glm::normalize(forward_ + at.x * right_ + at.y * up_);
 }
 
 }  // namespace aerostat::test

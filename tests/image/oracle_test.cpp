@@ -27,7 +27,7 @@ Count compare(const scene::Scene& scene, const image::Film& film) {
     for (int x = 0; x < film.width; x += Oracle::stride()) {
       const auto i = static_cast<std::size_t>(y) * static_cast<std::size_t>(film.width) +
                      static_cast<std::size_t>(x);
-      const Oracle::Answer answer = oracle.nearest(camera.origin(), camera.direction(x, y));
+      const Oracle::Answer answer = oracle.nearest(camera.origin(x, y), camera.direction(x, y));
       const double found = film.distance_m[i];
       const bool same = std::isinf(answer.distance)
                             ? std::isinf(found)
@@ -58,6 +58,28 @@ TEST(Oracle, WithATiltedCameraOffTheMiddle) {
   const Count count = compare(scene, shared_session().render(scene));
   EXPECT_GE(count.share(count.distances), kAgree);
   EXPECT_GE(count.share(count.objects), kAgree);
+}
+
+TEST(Oracle, WithAPanorama) {
+  for (const char* name : {"snow", "tropical-basket"}) {
+    auto scene = small_scene(name, {320, 160, 1, 128});
+    scene.camera.lens = scene::Lens::panorama;
+    const Count count = compare(scene, shared_session().render(scene));
+    EXPECT_GE(count.share(count.distances), kAgree) << name;
+    EXPECT_GE(count.share(count.objects), kAgree) << name;
+  }
+}
+
+TEST(Oracle, WithParallelRays) {
+  auto scene = small_scene("sand", {320, 180, 1, 128});
+  scene.camera.lens = scene::Lens::orthographic;
+  for (const double height_m : {40.0, 900.0}) {
+    scene.camera.view_height_m = height_m;
+    scene.camera.position.y += height_m;
+    const Count count = compare(scene, shared_session().render(scene));
+    EXPECT_GE(count.share(count.distances), kAgree) << height_m;
+    EXPECT_GE(count.share(count.objects), kAgree) << height_m;
+  }
 }
 
 TEST(Oracle, NotWithAnotherPicture) {

@@ -1,0 +1,122 @@
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <numeric>
+
+#include "core/error.hpp"
+#include "pack/copy.hpp"
+#include "pack/pack_scene.hpp"
+#include "scene/pixel_size.hpp"
+
+namespace aerostat::pack {
+namespace {
+
+// Of a full-frame camera.
+constexpr double kSensorHeightM = 0.024;
+
+std::uint32_t filter_of(scene::Filter filter) {
+  switch (filter) {
+    case scene::Filter::box:
+      return AERO_FILTER_BOX;
+    case scene::Filter::tent:
+      return AERO_FILTER_TENT;
+    case scene::Filter::gaussian:
+      return AERO_FILTER_GAUSSIAN;
+  }
+  return AERO_FILTER_GAUSSIAN;
+}
+
+/// A stride that visits all of `samples` strata and leaps by about 0.38 of them, so that any first
+/// few of them are spread evenly.
+std::uint32_t spreading_stride(std::uint32_t samples) {
+  auto stride = std::max(1u, static_cast<std::uint32_t>(0.381966 * samples + 0.5));
+  while (std::gcd(stride, samples) != 1) ++stride;
+  return stride;
+}
+
+std::uint32_t lens_of(scene::Lens lens) {
+  switch (lens) {
+    case scene::Lens::pinhole:
+      return AERO_LENS_PINHOLE;
+    case scene::Lens::thin_lens:
+      return AERO_LENS_THIN;
+    case scene::Lens::panorama:
+      return AERO_LENS_PANORAMA;
+    case scene::Lens::orthographic:
+      return AERO_LENS_ORTHOGRAPHIC;
+  }
+  return AERO_LENS_PINHOLE;
+}
+
+/// Unit vectors.
+struct Axes {
+  dvec3 right, up, forward;
+};
+
+Axes camera_axes(const scene::Camera& from) {
+  const dvec3 view = from.target - from.position;
+  const dvec3 side = glm::cross(view, from.up);
+  if (!(glm::length(view) > 0.0) || !(glm::length(side) > 1e-9 * glm::length(view))) {
+    throw Error(ErrorKind::bad_data,
+                "/camera: position, target and up leave the view undefined; expected a target away "
+                "from the position and an up vector that is not along the view");
+  }
+  Axes axes;
+  axes.forward = glm::normalize(view);
+  axes.right = glm::normalize(side);
+  axes.up = glm::cross(axes.right, axes.forward);
+  if (from.lens == scene::Lens::panorama) {
+    // What is upright stays so all around.
+    axes.up = glm::normalize(from.up);
+    axes.forward = glm::cross(axes.up, axes.right);
+  }
+  return axes;
+}
+
+/// Radius of a thin lens's aperture in metres.
+double aperture_radius(const scene::Camera& camera) {
+  if (camera.aperture_given) return 0.5 * camera.aperture_m;
+  const double tangent = std::tan(camera.fov_y_deg * (std::numbers::pi / 360.0));
+  return 0.25 * kSensorHeightM / tangent / camera.f_number;
+}
+
+AeroCamera pack_camera(const scene::Camera& from, int width, int height) {
+  const auto [right, up, forward] = camera_axes(from);
+  const bool parallel = from.lens == scene::Lens::orthographic;
+  const double half_height =
+      parallel ? 0.5 * from.view_height_m : std::tan(from.fov_y_deg * (std::numbers::pi / 360.0));
+  const double pixel = 2.0 * half_height / height;
+  AeroCamera camera{};
+  copy(camera.origin, from.position);
+  copy(camera.step_x, right * pixel);
+  copy(camera.step_y, up * -pixel);
+  const dvec3 ahead = parallel ? dvec3(0.0) : forward;
+  copy(camera.corner, ahead - right * (0.5 * pixel * width) + up * half_height);
+  copy(camera.right, right);
+  copy(camera.up, up);
+  copy(camera.forward, forward);
+  camera.lens = lens_of(from.lens);
+  camera.aperture = static_cast<float>(aperture_radius(from));
+  camera.focus = static_cast<float>(from.focus_given ? from.focus_m
+                                                     : glm::length(from.target - from.position));
+  return camera;
+}
+
+}  // namespace
+
+AeroFrame pack_frame(const scene::Scene& scene) {
+  AeroFrame frame{};
+  frame.camera = pack_camera(scene.camera, scene.image.width, scene.image.height);
+  frame.width = static_cast<std::uint32_t>(scene.image.width);
+  frame.height = static_cast<std::uint32_t>(scene.image.height);
+  frame.filter = filter_of(scene.image.filter);
+  frame.samples = static_cast<std::uint32_t>(scene.image.spp);
+  frame.sample_stride = spreading_stride(frame.samples);
+  frame.sample_shift = scene.image.seed * 0x9e3779b9u;
+  const scene::PixelSize pixel = scene::pixel_size(scene);
+  frame.pixel_angle = static_cast<float>(pixel.angle_rad);
+  frame.pixel_width = static_cast<float>(pixel.width_m);
+  return frame;
+}
+
+}  // namespace aerostat::pack
