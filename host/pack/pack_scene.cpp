@@ -50,6 +50,9 @@ AeroGround pack_ground(const scene::Scene& scene) {
   ground.pattern = static_cast<float>(from.pattern_m);
   ground.relief = static_cast<float>(from.relief);
   ground.ripple = static_cast<float>(from.ripple_m);
+  ground.strata = static_cast<float>(from.strata_m);
+  ground.softness = static_cast<float>(from.softness);
+  ground.sparkle = static_cast<float>(from.sparkle);
   copy(ground.forest, from.forest);
   ground.forest_top = static_cast<float>(from.forest_top_m);
   ground.forest_share = static_cast<float>(from.forest_share);

@@ -16,12 +16,13 @@ void make_snow(Scene& scene) {
   Ground& ground = scene.biome.ground;
   ground.cover_a = {0.045f, 0.065f, 0.04f};
   ground.cover_b = {0.12f, 0.115f, 0.07f};
-  ground.rock_a = {0.075f, 0.07f, 0.068f};
-  ground.rock_b = {0.21f, 0.195f, 0.18f};
+  ground.rock_a = {0.06f, 0.058f, 0.058f};
+  ground.rock_b = {0.16f, 0.152f, 0.147f};
   ground.snow = {0.8f, 0.82f, 0.85f};
   ground.rock_slope_deg[0] = 37.0;
   ground.rock_slope_deg[1] = 50.0;
-  ground.snow_slope_deg[0] = 38.0;
+  ground.snow_slope_deg[0] = 45.0;
+  ground.snow_slope_deg[1] = 61.0;
   ground.snow_line_m = -1000.0;
   ground.snow_fuzz_m = 300.0;
   ground.forest = {0.045f, 0.06f, 0.032f};
@@ -29,6 +30,9 @@ void make_snow(Scene& scene) {
   ground.forest_share = 0.47;
   ground.canopy_m = 6.0;
   ground.pattern_m = 140.0;
+  ground.strata_m = 90.0;
+  ground.softness = 0.35;
+  ground.sparkle = 1.0;
   scene.balloon.position = {0.0, 420.0, 0.0};
   scene.balloon.pattern = Pattern::stripes;
   scene.balloon.colors = {{0.62f, 0.03f, 0.03f}, {0.8f, 0.36f, 0.02f}, {0.82f, 0.66f, 0.06f}};
@@ -57,6 +61,7 @@ void make_tropical(Scene& scene) {
   ground.beach = {0.56f, 0.49f, 0.36f};
   ground.beach_top_m = 3.0;
   ground.pattern_m = 60.0;
+  ground.strata_m = 40.0;
   ground.relief = 0.8;
   ground.forest = {0.043f, 0.09f, 0.02f};
   ground.forest_top_m = 1500.0;
@@ -91,6 +96,9 @@ void make_sand(Scene& scene) {
   ground.rock_slope_deg[0] = 37.0;
   ground.rock_slope_deg[1] = 48.0;
   ground.pattern_m = 160.0;
+  ground.strata_m = 55.0;
+  ground.softness = 0.45;
+  ground.sparkle = 0.4;
   ground.relief = 0.07;
   ground.ripple_m = 0.9;
   scene.balloon.position = {0.0, 150.0, 0.0};

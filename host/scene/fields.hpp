@@ -38,6 +38,7 @@ void fields(Archive& archive, Terrain& terrain) {
   archive("warp_m", terrain.warp_m);
   archive("warp_feature_m", terrain.warp_feature_m);
   archive("sharpness", terrain.sharpness);
+  archive("erosion", terrain.erosion);
   archive("fractal", terrain.fractal);
   archive("dunes", terrain.dunes);
 }
@@ -58,6 +59,9 @@ void fields(Archive& archive, Ground& ground) {
   archive("pattern_m", ground.pattern_m);
   archive("relief", ground.relief);
   archive("ripple_m", ground.ripple_m);
+  archive("strata_m", ground.strata_m);
+  archive("softness", ground.softness);
+  archive("sparkle", ground.sparkle);
   archive("forest", ground.forest);
   archive("forest_top_m", ground.forest_top_m);
   archive("forest_share", ground.forest_share);

@@ -62,6 +62,7 @@ struct Terrain {
   double warp_m = 900.0;           // amplitude of the domain distortion
   double warp_feature_m = 7000.0;  // its wavelength
   double sharpness = 1.0;          // > 1 widens valleys, < 1 widens heights
+  double erosion = 0.7;            // strength of gullies, channels and scree, 0 (none) to 1
   Fractal fractal;
   Dunes dunes;
 
@@ -82,6 +83,9 @@ struct Ground {
   double pattern_m = 120.0;   // largest wavelength of colour and relief detail
   double relief = 0.9;        // strength of the detail in the normal, 0 = none
   double ripple_m = 0.0;      // wavelength of wind ripples, 0 = none
+  double strata_m = 0.0;      // thickness of the largest beds of rock, 0 = none
+  double softness = 0.0;      // how evenly bright snow or sand is at every slope, 0 to 1
+  double sparkle = 0.0;       // strength of the glitter of its grains, 0 = none
   vec3 forest{0.03f, 0.05f, 0.03f};
   double forest_top_m = 0.0;  // trees grow below this height
   double forest_share = 0.0;  // of the ground that trees cover, 0 to 1

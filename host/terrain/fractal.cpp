@@ -59,6 +59,23 @@ void fbm(const std::vector<Octave>& octaves, const Points& points, Block& value)
   }
 }
 
+void fbm(const std::vector<Octave>& octaves, const Points& points, Block& value, Block& dx,
+         Block& dz) {
+  const float scale = kNoiseScale / amplitude_sum(octaves);
+  for (Block* sum : {&value, &dx, &dz}) std::fill_n(sum->begin(), points.count, 0.0f);
+  Block noise, noise_dx, noise_dz, share;
+  for (const Octave& octave : octaves) {
+    if (!band_shares(octave.layer, points, share)) continue;
+    sample(octave.layer, points, noise, noise_dx, noise_dz);
+    for (int i = 0; i < points.count; ++i) {
+      const float weight = scale * octave.amplitude * share[i];
+      value[i] += weight * noise[i];
+      dx[i] += weight * noise_dx[i];
+      dz[i] += weight * noise_dz[i];
+    }
+  }
+}
+
 void ridged(const std::vector<Octave>& octaves, float offset, const Points& points, Block& value) {
   // A faded octave is replaced by its average, so that distant ground does not sink.
   const float mean = (offset - 0.25f) * (offset - 0.25f);
@@ -93,6 +110,25 @@ void Distortion::apply(Points& points) const {
   for (int i = 0; i < points.count; ++i) {
     points.x[i] += amplitude_m_ * dx[i];
     points.z[i] += amplitude_m_ * dz[i];
+  }
+}
+
+void Distortion::apply(Points& points, Jacobian& jacobian) const {
+  Block dx, dz;
+  if (amplitude_m_ == 0.0f) {
+    for (Block* one : {&jacobian.x_by_x, &jacobian.z_by_z}) one->fill(1.0f);
+    for (Block* none : {&jacobian.x_by_z, &jacobian.z_by_x}) none->fill(0.0f);
+    return;
+  }
+  fbm(x_, points, dx, jacobian.x_by_x, jacobian.x_by_z);
+  fbm(z_, points, dz, jacobian.z_by_x, jacobian.z_by_z);
+  for (int i = 0; i < points.count; ++i) {
+    points.x[i] += amplitude_m_ * dx[i];
+    points.z[i] += amplitude_m_ * dz[i];
+    jacobian.x_by_x[i] = 1.0f + amplitude_m_ * jacobian.x_by_x[i];
+    jacobian.x_by_z[i] *= amplitude_m_;
+    jacobian.z_by_x[i] *= amplitude_m_;
+    jacobian.z_by_z[i] = 1.0f + amplitude_m_ * jacobian.z_by_z[i];
   }
 }
 

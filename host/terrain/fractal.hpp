@@ -31,9 +31,18 @@ inline float band_share(float wavelength_m, float spacing_m) {
 /// sum a_i n_i / sum a_i, within [-1, 1] (the noise is scaled up to fill it).
 void fbm(const std::vector<Octave>& octaves, const Points& points, Block& value);
 
+/// The same with derivatives by x and z, per metre.
+void fbm(const std::vector<Octave>& octaves, const Points& points, Block& value, Block& dx,
+         Block& dz);
+
 /// Ridged multifractal: each octave is s = (offset - |n|)^2, weighted by the octaves before it,
 /// clamp(2 s w, 0, 1), so that heights are rough and valleys smooth. Scaled to about [0, 1].
 void ridged(const std::vector<Octave>& octaves, float offset, const Points& points, Block& value);
+
+/// Derivatives of where points are moved to by where they were.
+struct Jacobian {
+  Block x_by_x, x_by_z, z_by_x, z_by_z;
+};
 
 /// Moves the points by amplitude_m times two independent fractals, in x and in z.
 class Distortion {
@@ -42,6 +51,7 @@ class Distortion {
   Distortion(double amplitude_m, double wavelength_m, std::uint32_t seed, int octaves = 2);
 
   void apply(Points& points) const;
+  void apply(Points& points, Jacobian& jacobian) const;
 
  private:
   float amplitude_m_ = 0.0f;

@@ -4,6 +4,8 @@
 #include <array>
 #include <cmath>
 
+#include <tbb/parallel_for.h>
+
 namespace aerostat::terrain {
 namespace {
 
@@ -42,7 +44,7 @@ HeightGrid make_grid(int nodes, double size_m) {
   return grid;
 }
 
-void sample(const HeightGrid& grid, const Points& points, Block& value, Block& slope) {
+void sample(const HeightGrid& grid, const Points& points, Block& value, Block& dx, Block& dz) {
   const int last = grid.nodes - 1;
   for (int k = 0; k < points.count; ++k) {
     const Position px = locate(grid, points.x[k]);
@@ -52,8 +54,8 @@ void sample(const HeightGrid& grid, const Points& points, Block& value, Block& s
     const Weights dwx = spline_slope(px.fraction);
     const Weights dwz = spline_slope(pz.fraction);
     float h = 0.0f;
-    float dx = 0.0f;
-    float dz = 0.0f;
+    float along_x = 0.0f;
+    float along_z = 0.0f;
     for (int j = 0; j < 4; ++j) {
       const float* row = &grid.values[grid.index(0, std::clamp(pz.cell + j - 1, 0, last))];
       float sum = 0.0f;
@@ -64,12 +66,33 @@ void sample(const HeightGrid& grid, const Points& points, Block& value, Block& s
         slope_sum += dwx[i] * v;
       }
       h += wz[j] * sum;
-      dx += wz[j] * slope_sum;
-      dz += dwz[j] * sum;
+      along_x += wz[j] * slope_sum;
+      along_z += dwz[j] * sum;
     }
     value[k] = h;
-    slope[k] = std::sqrt(dx * dx + dz * dz) / grid.spacing_m;
+    dx[k] = along_x / grid.spacing_m;
+    dz[k] = along_z / grid.spacing_m;
   }
+}
+
+HeightGrid sharpen(const HeightGrid& grid) {
+  // One step of iteration towards the interpolating spline: what the spline takes off a node is
+  // added to it.
+  HeightGrid sharp = grid;
+  const int last = grid.nodes - 1;
+  tbb::parallel_for(0, grid.nodes, [&](int j) {
+    const int j0 = std::max(j - 1, 0), j1 = std::min(j + 1, last);
+    for (int i = 0; i < grid.nodes; ++i) {
+      const int i0 = std::max(i - 1, 0), i1 = std::min(i + 1, last);
+      const auto row = [&](int k) {
+        return grid.values[grid.index(i0, k)] + 4.0f * grid.values[grid.index(i, k)] +
+               grid.values[grid.index(i1, k)];
+      };
+      const float blurred = (row(j0) + 4.0f * row(j) + row(j1)) / 36.0f;
+      sharp.values[grid.index(i, j)] += grid.values[grid.index(i, j)] - blurred;
+    }
+  });
+  return sharp;
 }
 
 HeightGrid refine(const HeightGrid& grid) {

@@ -25,8 +25,12 @@ struct HeightGrid {
 HeightGrid make_grid(int nodes, double size_m);
 
 /// Uniform cubic B-spline through the grid's control values: continuous curvature, never beyond
-/// the range of the values. Outside the grid the nearest rim counts. `slope` is |gradient|.
-void sample(const HeightGrid& grid, const Points& points, Block& value, Block& slope);
+/// the range of the values. Outside the grid the nearest rim counts. dx and dz are its derivatives.
+void sample(const HeightGrid& grid, const Points& points, Block& value, Block& dx, Block& dz);
+
+/// Control values whose spline comes closer to `grid`'s values: it rounds off crests less. May
+/// leave their range.
+HeightGrid sharpen(const HeightGrid& grid);
 
 /// The values at twice the resolution: 2 n - 1 nodes per side.
 HeightGrid refine(const HeightGrid& grid);

@@ -1,6 +1,7 @@
 #include "blend.hpp"
 #include "drainage.hpp"
 #include "fractal.hpp"
+#include "gullies.hpp"
 #include "relief.hpp"
 
 namespace aerostat::terrain {
@@ -10,6 +11,8 @@ namespace {
 constexpr float kLagoonDepth = 7.0f;
 constexpr float kReefDepth = 2.2f;
 constexpr float kDeep = 160.0f;
+constexpr double kWidestGully = 0.075;  // of the feature
+constexpr float kGullyDepth = 0.4f;
 
 class Island : public Relief {
  public:
@@ -20,6 +23,7 @@ class Island : public Relief {
  private:
   void shore_distance(const Points& points, Block& inland) const;
   void plain_width(const Points& points, Block& width) const;
+  void hills(const Points& points, const Points& bent, const Jacobian& bends, Block& height) const;
   void survey(const Points& points, Bedrock* rock) const;
   float sea_bed(float offshore, float reef_at, float bumps) const;
 
@@ -30,6 +34,7 @@ class Island : public Relief {
   std::vector<Octave> massif_;
   std::vector<Octave> detail_;
   std::vector<Octave> bumps_;
+  Gullies gullies_;
   float detail_m_ = 0.0f;
   float radius_m_;
   float island_x_ = 0.0f;
@@ -48,6 +53,7 @@ Island::Island(const scene::Terrain& t)
       plain_(make_soft_octaves(0.5 * t.feature_m, t.seed ^ 0xCBBB9D5Du)),
       massif_(make_soft_octaves(t.feature_m, t.seed ^ 0xA54FF53Au, 3)),
       bumps_(make_soft_octaves(260.0, t.seed ^ 0x1F83D9ABu, 4)),
+      gullies_(kWidestGully * t.feature_m, 4, kGullyDepth, t.seed ^ 0x27D4EB2Fu),
       radius_m_(0.22f * static_cast<float>(t.size_m)) {
   const float turn = static_cast<float>(lattice_hash(t.seed, 7, 11) >> 8) / 16777216.0f;
   // The island lies ahead (-z) and to one side; the bay opens around the centre.
@@ -73,7 +79,8 @@ Island::Island(const scene::Terrain& t)
   for (const Octave& octave : make_octaves(t.fractal, 6.0 * cell, t.seed ^ 0x51ED270Bu))
     detail_.push_back(octave);
   detail_m_ = 0.22f * static_cast<float>(6.0 * cell);
-  carved_ = carve_valleys(options, [this](const Points& p, Bedrock* rock) { survey(p, rock); });
+  carved_ =
+      sharpen(carve_valleys(options, [this](const Points& p, Bedrock* rock) { survey(p, rock); }));
 }
 
 /// Metres from the shore, positive on land; only roughly a distance, but with a slope near 1.
@@ -133,28 +140,45 @@ float Island::sea_bed(float offshore, float reef_at, float bumps) const {
   return -mix(flat, kDeep, ramp(reef_at, 2.0f * reef_at + 400.0f, offshore));
 }
 
-void Island::heights(const Points& points, Block& height) const {
-  Points bent = points;
-  bends_.apply(bent);
-  Block inland, slope, detail, bumps, plain;
-  shore_distance(bent, inland);
-  plain_width(bent, plain);
-  sample(carved_, bent, height, slope);
+/// The hills that the rivers have carved, with their gullies.
+void Island::hills(const Points& points, const Points& bent, const Jacobian& bends,
+                   Block& height) const {
+  Slopes ground;
+  Block detail, dx, dz, strength;
+  sample(carved_, bent, ground.height, dx, dz);
   ridged(detail_, static_cast<float>(terrain_.fractal.ridge_offset), points, detail);
-  fbm(bumps_, points, bumps);
   const float top = std::max(static_cast<float>(terrain_.height_m), 1.0f);
   const auto sharpness = static_cast<float>(terrain_.sharpness);
+  const auto erosion = static_cast<float>(terrain_.erosion);
+  for (int i = 0; i < points.count; ++i) {
+    const float slope = std::hypot(dx[i], dz[i]);
+    ground.height[i] = top * std::pow(std::max(ground.height[i], 0.0f) / top, sharpness) +
+                       detail_m_ * ramp(0.1f, 0.7f, slope) * (detail[i] - 0.4f);
+    ground.dx[i] = dx[i] * bends.x_by_x[i] + dz[i] * bends.z_by_x[i];
+    ground.dz[i] = dx[i] * bends.x_by_z[i] + dz[i] * bends.z_by_z[i];
+    strength[i] = erosion * ramp(0.12f, 0.5f, slope);
+  }
+  gullies_.add(points, strength, ground);
+  std::copy_n(ground.height.begin(), points.count, height.begin());
+}
+
+void Island::heights(const Points& points, Block& height) const {
+  Points bent = points;
+  Jacobian bends;
+  bends_.apply(bent, bends);
+  Block inland, bumps, plain;
+  shore_distance(bent, inland);
+  plain_width(bent, plain);
+  hills(points, bent, bends, height);
+  fbm(bumps_, points, bumps);
   for (int i = 0; i < points.count; ++i) {
     const float widest = 0.11f * static_cast<float>(terrain_.feature_m);
     if (inland[i] < 0.0f) {
       height[i] = sea_bed(-inland[i], 1.2f * widest + 1.6f * plain[i], bumps[i]);
       continue;
     }
-    const float rough = ramp(0.1f, 0.7f, slope[i]);
-    const float hills = top * std::pow(std::max(height[i], 0.0f) / top, sharpness) +
-                        detail_m_ * rough * (detail[i] - 0.4f);
     const float beach = smooth_min(0.07f * inland[i], 2.5f + 0.008f * inland[i], 2.0f);
-    height[i] = beach + (std::max(hills, 0.0f) + 1.5f * std::max(bumps[i], 0.0f)) *
+    height[i] = beach + (std::max(height[i], 0.0f) + 1.5f * std::max(bumps[i], 0.0f)) *
                             ramp(8.0f, 60.0f, inland[i]);
   }
 }

@@ -3,6 +3,7 @@
 #include "blend.hpp"
 #include "drainage.hpp"
 #include "fractal.hpp"
+#include "gullies.hpp"
 #include "relief.hpp"
 
 namespace aerostat::terrain {
@@ -10,6 +11,8 @@ namespace {
 
 constexpr float kFloorRelief = 20.0f;  // metres; valley floors are not quite flat
 constexpr float kLeastHeight = 1.0f;
+constexpr double kWidestGully = 0.065;  // of the feature
+constexpr float kGullyDepth = 0.5f;
 
 class Mountains : public Relief {
  public:
@@ -19,6 +22,7 @@ class Mountains : public Relief {
 
  private:
   void survey(const Points& points, Bedrock* rock) const;
+  void carved_ground(const Points& points, Slopes& ground) const;
   void river_distance(const Points& points, Block& distance) const;
 
   scene::Terrain terrain_;
@@ -28,6 +32,7 @@ class Mountains : public Relief {
   std::vector<Octave> strength_;
   std::vector<Octave> detail_;
   std::vector<Octave> floor_;
+  Gullies gullies_;
   float detail_m_ = 0.0f;
   float axis_x_ = 0.0f;
   float axis_z_ = -1.0f;
@@ -47,7 +52,8 @@ Mountains::Mountains(const scene::Terrain& terrain)
       bends_(terrain.warp_m, terrain.warp_feature_m, terrain.seed ^ 0x3C6EF372u, 6),
       river_(make_soft_octaves(1.3 * terrain.feature_m, terrain.seed ^ 0x9B05688Cu)),
       strength_(make_soft_octaves(0.25 * terrain.feature_m, terrain.seed ^ 0x1F83D9ABu, 3)),
-      floor_(make_soft_octaves(0.15 * terrain.feature_m, terrain.seed ^ 0x5BE0CD19u, 5)) {
+      floor_(make_soft_octaves(0.15 * terrain.feature_m, terrain.seed ^ 0x5BE0CD19u, 5)),
+      gullies_(kWidestGully * terrain.feature_m, 5, kGullyDepth, terrain.seed ^ 0x27D4EB2Fu) {
   DrainageOptions options;
   options.size_m = terrain.size_m + 2.0 * terrain.warp_m;
   options.height_m = terrain.height_m;
@@ -66,7 +72,8 @@ Mountains::Mountains(const scene::Terrain& terrain)
   Block river;
   river_distance(center, river);
   river_at_center_ = river[0];
-  carved_ = carve_valleys(options, [this](const Points& p, Bedrock* rock) { survey(p, rock); });
+  carved_ =
+      sharpen(carve_valleys(options, [this](const Points& p, Bedrock* rock) { survey(p, rock); }));
 }
 
 /// Signed distance across the main valley; its river winds along a straight axis.
@@ -103,23 +110,42 @@ void Mountains::survey(const Points& points, Bedrock* rock) const {
   }
 }
 
-void Mountains::heights(const Points& points, Block& height) const {
+/// What the rivers have carved, with its gradient in the plane that is not bent.
+void Mountains::carved_ground(const Points& points, Slopes& ground) const {
   Points bent = points;
-  bends_.apply(bent);
-  Block slope;
-  sample(carved_, bent, height, slope);
+  Jacobian bends;
+  bends_.apply(bent, bends);
+  Block dx, dz;
+  sample(carved_, bent, ground.height, dx, dz);
+  const float top = std::max(static_cast<float>(terrain_.height_m), kLeastHeight);
+  const auto sharpness = static_cast<float>(terrain_.sharpness);
+  for (int i = 0; i < points.count; ++i) {
+    const float share = std::max(ground.height[i], 0.0f) / top;
+    const float bent_share = std::pow(share, sharpness);
+    ground.height[i] = top * bent_share;
+    const float factor = share > 1e-4f ? sharpness * bent_share / share : 1.0f;
+    ground.dx[i] = factor * (dx[i] * bends.x_by_x[i] + dz[i] * bends.z_by_x[i]);
+    ground.dz[i] = factor * (dx[i] * bends.x_by_z[i] + dz[i] * bends.z_by_z[i]);
+  }
+}
+
+void Mountains::heights(const Points& points, Block& height) const {
+  Slopes ground;
+  carved_ground(points, ground);
   Block detail;
   ridged(detail_, static_cast<float>(terrain_.fractal.ridge_offset), points, detail);
   Block floor;
   fbm(floor_, points, floor);
-  const float top = std::max(static_cast<float>(terrain_.height_m), kLeastHeight);
-  const auto sharpness = static_cast<float>(terrain_.sharpness);
+  Block strength;
+  const auto erosion = static_cast<float>(terrain_.erosion);
   for (int i = 0; i < points.count; ++i) {
-    const float share = std::max(height[i], 0.0f) / top;
-    const float rough = ramp(0.1f, 0.8f, slope[i]);
-    height[i] = top * std::pow(share, sharpness) + detail_m_ * rough * (detail[i] - 0.4f) +
-                kFloorRelief * (1.0f - rough) * floor[i];
+    const float rough = ramp(0.1f, 0.8f, std::hypot(ground.dx[i], ground.dz[i]));
+    strength[i] = erosion * ramp(0.12f, 0.5f, std::hypot(ground.dx[i], ground.dz[i]));
+    ground.height[i] += detail_m_ * rough * (1.0f - 0.5f * erosion) * (detail[i] - 0.4f) +
+                        kFloorRelief * (1.0f - rough) * floor[i];
   }
+  gullies_.add(points, strength, ground);
+  std::copy_n(ground.height.begin(), points.count, height.begin());
 }
 
 }  // namespace

@@ -62,13 +62,15 @@ typedef struct AeroGround {
   aero_float relief;
   aero_float ripple;
   aero_float wind[2]; /* unit, x and z */
+  aero_float strata;  /* thickness of the largest beds, 0: none */
+  aero_float softness, sparkle;
   aero_float forest[3];
   aero_float forest_top, forest_share;
   aero_float canopy;
   aero_uint seed;
 } AeroGround;
 
-AERO_ASSERT_LAYOUT(AeroGround, 148);
+AERO_ASSERT_LAYOUT(AeroGround, 160);
 
 typedef struct AeroWater {
   aero_float absorption[3]; /* per metre */
@@ -89,6 +91,6 @@ typedef struct AeroScene {
   AeroAir air;
 } AeroScene;
 
-AERO_ASSERT_LAYOUT(AeroScene, 33796);
+AERO_ASSERT_LAYOUT(AeroScene, 33808);
 
 #endif

@@ -154,6 +154,7 @@ TEST_P(EveryKind, FieldAgreesWithItselfOneByOneAndInBlocks) {
 TEST_P(EveryKind, NormalMatchesFiniteDifferences) {
   scene::Terrain terrain = small_terrain(GetParam());
   terrain.center = {1000.0, 2000.0};
+  terrain.erosion = 0.0;  // ribs between gullies are rounded by the spacing, as dunes are
   const HeightField field(terrain);
   int different = 0;
   for (int i = 0; i < 200; ++i) {

@@ -23,6 +23,7 @@ struct Looks {
 struct Material {
   float ambient = 0.0f, diffuse = 0.0f, specular = 0.0f, shininess = 1.0f, translucency = 0.0f;
   vec3 albedo{1.0f};
+  float softness = 0.0f;
 };
 
 class Phong : public LaneTest {
@@ -30,8 +31,9 @@ class Phong : public LaneTest {
   const Probe probe{"shading.cl", GetParam()};
 
   std::vector<vec3> shade(const AeroScene& scene, const Material& m, const Looks& looks) const {
-    const std::vector<float> coefficients{m.ambient,      m.diffuse,  m.specular, m.shininess,
-                                          m.translucency, m.albedo.x, m.albedo.y, m.albedo.z};
+    const std::vector<float> coefficients{m.ambient,   m.diffuse,      m.specular,
+                                          m.shininess, m.translucency, m.albedo.x,
+                                          m.albedo.y,  m.albedo.z,     m.softness};
     const std::size_t count = whole_packets(looks.normals.size());
     std::vector<std::uint32_t> visible = looks.visible;
     visible.resize(count, 0u);
@@ -64,6 +66,41 @@ TEST_P(Phong, DiffuseFollowsLambertsCosine) {
   for (std::size_t i = 0; i < radiance.size(); ++i) {
     const float cosine = std::max(looks.normals[i].y, 0.0f);
     expect_color(radiance[i], 0.8f * cosine * vec3(0.5f, 0.5f, 3.0f), 2e-6f, "lit");
+  }
+}
+
+// A white rough surface sends back no more than it receives, and most of that; more than Lambert's
+// towards the light, less away from it.
+TEST_P(Phong, RoughSurfacesKeepTheEnergyAndLookBackAtTheLight) {
+  Material material;
+  material.diffuse = 1.0f;
+  material.softness = 1.0f;
+  constexpr int kRings = 24, kTurns = 48;
+  for (const float lean : {0.0f, 30.0f, 60.0f, 80.0f}) {
+    Looks looks;  // the sun is above: the surface leans instead
+    const vec3 normal = tilted(lean);
+    const vec3 side(0.0f, 0.0f, 1.0f), across = glm::cross(normal, side);
+    for (int ring = 0; ring < kRings; ++ring) {
+      // Rings of equal weight: sine^2 is even.
+      const float sine = std::sqrt((static_cast<float>(ring) + 0.5f) / kRings);
+      for (int turn = 0; turn < kTurns; ++turn) {
+        const float a = 2.0f * kPi * static_cast<float>(turn) / kTurns;
+        looks.add(normal,
+                  normal * std::sqrt(1.0f - sine * sine) +
+                      sine * (side * std::cos(a) + across * std::sin(a)),
+                  1u);
+      }
+    }
+    looks.add(normal, vec3(0.0f, 1.0f, 0.0f), 1u);
+    const auto radiance = shade(bare_scene(), material, looks);
+    double sum = 0.0;
+    for (std::size_t i = 0; i + 1 < radiance.size(); ++i) sum += radiance[i].x;
+    const double reflectance = sum / (kRings * kTurns) / normal.y;
+    EXPECT_LE(reflectance, 1.01) << lean;
+    EXPECT_GE(reflectance, 0.7) << lean;
+    const float sine = std::sqrt(1.0f - normal.y * normal.y);
+    // A (cos + sin^2), A = 1 / (3/2 - 2 / (3 pi)).
+    expect_color(radiance.back(), vec3((normal.y + sine * sine) / 1.28779f), 2e-5f, "back");
   }
 }
 

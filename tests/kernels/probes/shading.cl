@@ -2,7 +2,7 @@
 #include "shade.clh"
 
 /* A look whose scalars stand in `coefficients`: ambient, diffuse, specular, shininess,
- * translucency, then the albedo. */
+ * translucency, then the albedo and the softness. */
 inline Look load_look(__global const float* coefficients, __global const float* positions,
                       __global const float* normals, __global const float* viewers) {
   Look look;
@@ -16,6 +16,7 @@ inline Look load_look(__global const float* coefficients, __global const float* 
   look.translucency = (lane_float)coefficients[4];
   look.albedo = lane3_from(coefficients + 5);
   look.open = (lane_float)1.0f;
+  look.softness = (lane_float)coefficients[8];
   return look;
 }
 

@@ -1,0 +1,164 @@
+#include "gullies.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "fractal.hpp"
+#include "noise.hpp"
+
+// As in noise.cpp: the loop exists twice, and both give the same bits.
+#if defined(__x86_64__) && defined(__GNUC__)
+#define AEROSTAT_GULLIES_AVX2 1
+#else
+#define AEROSTAT_GULLIES_AVX2 0
+#endif
+#define AEROSTAT_INLINE inline __attribute__((always_inline))
+
+namespace aerostat::terrain {
+namespace {
+
+/// A wave around each point: its cosine and sine, and the direction across it.
+struct Waves {
+  Block cosine, sine;
+};
+
+/// One octave's lattice and what its waves run across.
+struct Wave {
+  float scale;  // squares per metre
+  float shift;
+  std::uint32_t seed;
+};
+
+/// Cosine and sine of a turn's fraction in [-1/2, 1/2]; error below 2e-3, continuous at the ends.
+AEROSTAT_INLINE void wave_of(float turn, float& cosine, float& sine) {
+  // A parabola bent to the sine, of half turns.
+  const float s = 8.0f * turn * (1.0f - 2.0f * std::fabs(turn));
+  sine = s * (0.775f + 0.225f * std::fabs(s));
+  float quarter = turn + 0.25f;
+  quarter -= quarter > 0.5f ? 1.0f : 0.0f;
+  const float c = 8.0f * quarter * (1.0f - 2.0f * std::fabs(quarter));
+  cosine = c * (0.775f + 0.225f * std::fabs(c));
+}
+
+AEROSTAT_INLINE void wave_loop(const Wave& wave, const Points& points, const Block& side_x,
+                               const Block& side_z, Waves& out) {
+  const Wave w = wave;
+  Waves sum;
+  for (int k = 0; k < points.count; ++k) {
+    const float x = points.x[k] * w.scale + w.shift;
+    const float z = points.z[k] * w.scale - w.shift;
+    auto ix = static_cast<std::int32_t>(x);
+    auto iz = static_cast<std::int32_t>(z);
+    ix -= static_cast<std::int32_t>(static_cast<float>(ix) > x);
+    iz -= static_cast<std::int32_t>(static_cast<float>(iz) > z);
+    const float u = x - static_cast<float>(ix), v = z - static_cast<float>(iz);
+    float cosines = 0.0f, sines = 0.0f;
+#pragma GCC unroll 9
+    for (int n = 0; n < 9; ++n) {
+      const int i = n % 3 - 1, j = n / 3 - 1;
+      const std::uint32_t hash = lattice_hash(w.seed, ix + i, iz + j);
+      const float px =
+          static_cast<float>(static_cast<std::int32_t>(hash >> 20)) * (0.6f / 4096.0f) +
+          (0.2f + static_cast<float>(i));
+      const float pz =
+          static_cast<float>(static_cast<std::int32_t>((hash >> 8) & 4095u)) * (0.6f / 4096.0f) +
+          (0.2f + static_cast<float>(j));
+      const float du = u - px, dv = v - pz;
+      const float near = std::max(1.21f - (du * du + dv * dv), 0.0f);
+      const float turn = du * side_x[k] + dv * side_z[k];
+      float cosine, sine;
+      const float rest = turn - static_cast<float>(static_cast<std::int32_t>(turn + 8.5f) - 8);
+      wave_of(rest, cosine, sine);
+      const float weight = near * near * near;
+      cosines += weight * cosine;
+      sines += weight * sine;
+    }
+    sum.cosine[k] = cosines;
+    sum.sine[k] = sines;
+  }
+  std::copy_n(sum.cosine.begin(), points.count, out.cosine.begin());
+  std::copy_n(sum.sine.begin(), points.count, out.sine.begin());
+}
+
+using Loop = void (*)(const Wave&, const Points&, const Block&, const Block&, Waves&);
+
+void wave_plain(const Wave& wave, const Points& points, const Block& side_x, const Block& side_z,
+                Waves& out) {
+  wave_loop(wave, points, side_x, side_z, out);
+}
+
+#if AEROSTAT_GULLIES_AVX2
+__attribute__((target("avx2"))) void wave_avx2(const Wave& wave, const Points& points,
+                                               const Block& side_x, const Block& side_z,
+                                               Waves& out) {
+  wave_loop(wave, points, side_x, side_z, out);
+}
+#endif
+
+Loop loop() {
+#if AEROSTAT_GULLIES_AVX2
+  static const Loop chosen = __builtin_cpu_supports("avx2") != 0 ? wave_avx2 : wave_plain;
+  return chosen;
+#else
+  return wave_plain;
+#endif
+}
+
+/// A wave's height by its phase, from 1 on the crest to -1 on the floor, and its slope by the
+/// phase in radians. `round` > 0 takes the edge off the crest.
+struct Profile {
+  float height, slope;
+};
+
+Profile ribbed(float cosine, float sine, float round) {
+  // |sin(phase / 2)|: a crest like a roof, a floor like a trough.
+  const float half = std::sqrt(std::max(0.5f * (1.0f - cosine), 0.0f) + round);
+  return {1.0f - 2.0f * half, -0.5f * sine / half};
+}
+
+}  // namespace
+
+Gullies::Gullies(double widest_m, int octaves, float depth, std::uint32_t seed)
+    : widest_m_(widest_m), octaves_(octaves), depth_(depth), seed_(seed) {}
+
+void Gullies::add(const Points& points, const Block& strength, Slopes& ground) const {
+  constexpr float kTwoPi = 6.28318531f;
+  double width_m = widest_m_;
+  Block side_x, side_z, depth, share;
+  Waves waves;
+  for (int octave = 0; octave < octaves_; ++octave, width_m *= 0.5) {
+    const auto width = static_cast<float>(width_m);
+    float most = 0.0f;
+    for (int i = 0; i < points.count; ++i) {
+      share[i] = band_share(width, points.spacing[i]) * strength[i];
+      most = std::max(most, share[i]);
+      const float steep = std::sqrt(ground.dx[i] * ground.dx[i] + ground.dz[i] * ground.dz[i]);
+      const float inverse = 1.0f / std::max(steep, 1e-6f);
+      side_x[i] = -ground.dz[i] * inverse;
+      side_z[i] = ground.dx[i] * inverse;
+      // Gentle ground has none; walls keep to what is their due.
+      depth[i] = 0.5f * depth_ * width * std::min(steep * steep / (steep + 0.35f), 1.1f);
+    }
+    if (!(most > 0.0f)) continue;
+    // One wave in every square.
+    const Wave wave{1.0f / width, 0.31f * static_cast<float>(octave),
+                    seed_ + 0x9E3779B9u * static_cast<std::uint32_t>(octave)};
+    loop()(wave, points, side_x, side_z, waves);
+    for (int i = 0; i < points.count; ++i) {
+      const float size =
+          std::sqrt(waves.cosine[i] * waves.cosine[i] + waves.sine[i] * waves.sine[i]);
+      // Where waves cancel out, neither is the right one: the slope is left even.
+      const float kept = 1.0f / std::max(size, 0.25f);
+      const float full = std::min(4.0f * size, 1.0f);
+      const float round = 0.02f + 0.2f * points.spacing[i] / width;
+      const Profile profile = ribbed(waves.cosine[i] * kept, waves.sine[i] * kept, round);
+      const float metres = share[i] * depth[i] * full;
+      const float slope = metres * profile.slope * kTwoPi / width;
+      ground.height[i] += metres * profile.height;
+      ground.dx[i] += slope * side_x[i];
+      ground.dz[i] += slope * side_z[i];
+    }
+  }
+}
+
+}  // namespace aerostat::terrain
