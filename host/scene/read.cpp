@@ -1,3 +1,5 @@
+#include "scene/read.hpp"
+
 #include <cerrno>
 #include <cmath>
 #include <cstring>
@@ -118,6 +120,10 @@ void check_version(const Json& document, const std::string& name) {
   if (*version != 1) detail::fail(name, {"version"}, detail::describe(*version), "1");
 }
 
+}  // namespace
+
+namespace detail {
+
 std::string read_bytes(const std::filesystem::path& path) {
   const auto unreadable = [&path](const std::string& reason) {
     return Error(ErrorKind::io,
@@ -138,34 +144,43 @@ std::string read_bytes(const std::filesystem::path& path) {
   return bytes;
 }
 
-}  // namespace
-
-Scene read_text(const std::string& text, const std::string& name,
-                const std::vector<Override>& overrides) {
-  if (text.size() > detail::kMaxFileBytes) {
+Json parse_document(const std::string& text, const std::string& name) {
+  if (text.size() > kMaxFileBytes) {
     throw Error(ErrorKind::bad_data,
                 fmt::format("{}: found more than {} MiB, expected a scene file", name,
-                            detail::kMaxFileBytes >> 20));
+                            kMaxFileBytes >> 20));
   }
-  Json document = detail::parse_json(text, name);
-  detail::expand_short_forms(document);
-  detail::apply_overrides(document, overrides, name);
+  Json document = parse_json(text, name);
+  expand_short_forms(document);
+  return document;
+}
+
+Scene read_document(Json& document, const std::string& name) {
   normalize_numbers(document);
   check_version(document, name);
-  detail::check_schema(document, name);
+  check_schema(document, name);
 
-  Scene usual = defaults(detail::biome_of(document), detail::view_of(document));
-  set_quality(usual, detail::quality_of(document));
+  Scene usual = defaults(biome_of(document), view_of(document));
+  set_quality(usual, quality_of(document));
   Scene scene = usual;
   Reader reader(document);
   fields(reader, scene);
-  detail::check_semantics(document, scene, name);
+  check_semantics(document, scene, name);
   settle_sun(document, scene.sun, usual.sun);
   return scene;
 }
 
+}  // namespace detail
+
+Scene read_text(const std::string& text, const std::string& name,
+                const std::vector<Override>& overrides) {
+  Json document = detail::parse_document(text, name);
+  detail::apply_overrides(document, overrides, name);
+  return detail::read_document(document, name);
+}
+
 Scene read_file(const std::filesystem::path& path, const std::vector<Override>& overrides) {
-  return read_text(read_bytes(path), path.string(), overrides);
+  return read_text(detail::read_bytes(path), path.string(), overrides);
 }
 
 }  // namespace aerostat::scene

@@ -56,6 +56,10 @@ const Json& child(const Json& value, const std::string& token) {
 
 }  // namespace
 
+const Json& schema_document() {
+  return scene_schema().document;
+}
+
 void check_schema(const Json& document, const std::string& name) {
   const SceneSchema& schema = scene_schema();
   valijson::Validator validator;

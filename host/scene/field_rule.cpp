@@ -1,0 +1,68 @@
+#include "scene/field_rule.hpp"
+
+#include <fmt/format.h>
+
+#include "core/error.hpp"
+#include "scene/expected.hpp"
+#include "scene/overrides.hpp"
+#include "scene/schema.hpp"
+
+namespace aerostat::scene {
+
+using detail::Json;
+
+namespace {
+
+FieldType type_of(const Json& rule) {
+  if (rule.contains("enum")) return FieldType::word;
+  const std::string type = rule.value("type", "object");
+  if (type == "boolean") return FieldType::boolean;
+  if (type == "integer") return FieldType::integer;
+  if (type == "number") return FieldType::number;
+  if (type == "string") return FieldType::text;
+  return type == "array" ? FieldType::array : FieldType::object;
+}
+
+void read_range(const Json& rule, FieldRule& field) {
+  field.minimum = rule.value("minimum", rule.value("exclusiveMinimum", field.minimum));
+  field.maximum = rule.value("maximum", field.maximum);
+}
+
+FieldRule read_rule(const Json& rule) {
+  FieldRule field;
+  field.type = type_of(rule);
+  field.description = rule.value("description", "");
+  read_range(rule, field);
+  if (field.type == FieldType::word) {
+    for (const Json& word : rule["enum"]) {
+      field.words.push_back(word.is_string() ? word.get<std::string>() : word.dump());
+    }
+  }
+  if (field.type == FieldType::array) {
+    field.least_items = rule.value("minItems", 0);
+    field.most_items = rule.value("maxItems", 0);
+    read_range(rule["items"], field);
+  }
+  return field;
+}
+
+}  // namespace
+
+FieldRule field_rule(const std::string& pointer) {
+  const Json& schema = detail::schema_document();
+  const Json* rule = &schema;
+  std::string description;
+  for (const std::string& token : detail::parse_pointer(pointer)) {
+    const bool is_array = rule->contains("items");
+    if (!is_array && !(rule->contains("properties") && (*rule)["properties"].contains(token))) {
+      throw Error(ErrorKind::usage, fmt::format("{}: a scene has no such value", pointer));
+    }
+    if (is_array) description = rule->value("description", "");
+    rule = &detail::resolve_rule(detail::child_rule(*rule, token), schema, Json::object());
+  }
+  FieldRule field = read_rule(*rule);
+  if (field.description.empty()) field.description = description;
+  return field;
+}
+
+}  // namespace aerostat::scene

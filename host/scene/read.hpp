@@ -1,0 +1,21 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "scene/json_text.hpp"
+#include "scene/scene.hpp"
+
+namespace aerostat::scene::detail {
+
+/// The bytes of a scene file, at most a little more than kMaxFileBytes. Throws Error{io}.
+std::string read_bytes(const std::filesystem::path& path);
+
+/// Text as JSON, short forms expanded. Throws Error{bad_data}.
+Json parse_document(const std::string& text, const std::string& name);
+
+/// The scene that a document describes, whose numbers are normalised on the way. Throws
+/// Error{bad_data} if it is against the schema or makes no sense.
+Scene read_document(Json& document, const std::string& name);
+
+}  // namespace aerostat::scene::detail

@@ -1,0 +1,213 @@
+#include "scene/source.hpp"
+
+#include <cmath>
+
+#include "scene/overrides.hpp"
+#include "scene/read.hpp"
+#include "scene/sun_angles.hpp"
+#include "scene/write.hpp"
+
+namespace aerostat::scene {
+
+using detail::Json;
+using detail::OrderedJson;
+using detail::Pointer;
+
+namespace {
+
+constexpr const char* kName = "scene";
+
+/// Degrees to nine digits: angles of a direction show no rounding.
+double rounded(double degrees) {
+  return std::round(degrees * 1e9) / 1e9 + 0.0;
+}
+
+/// A scene as JSON, with the sun's angles beside its direction.
+Json shown(const Scene& scene) {
+  Json json(detail::to_json(scene));
+  const detail::SunAngles angles = detail::angles_of(scene.sun.direction);
+  json["sun"]["azimuth_deg"] = rounded(angles.azimuth_deg);
+  json["sun"]["elevation_deg"] = rounded(angles.elevation_deg);
+  return json;
+}
+
+Json::json_pointer json_pointer(const std::string& text) {
+  detail::parse_pointer(text);  // its errors are ours
+  return Json::json_pointer(text);
+}
+
+const Json* found(const Json& in, const Json::json_pointer& pointer) {
+  return in.contains(pointer) ? &in.at(pointer) : nullptr;
+}
+
+/// Leaves what `usual` says too out of an object, and objects that are empty then.
+void prune(Json& object, const Json& usual) {
+  for (auto at = object.begin(); at != object.end();) {
+    const auto same = usual.find(at.key());
+    const bool known = usual.is_object() && same != usual.end();
+    if (at->is_object()) prune(*at, known ? *same : Json::object());
+    const bool empty = at->is_object() && at->empty();
+    at = empty || (known && *at == *same) ? object.erase(at) : std::next(at);
+  }
+}
+
+/// Keys in the order of `model`, then the others.
+OrderedJson ordered(const Json& value, const OrderedJson& model) {
+  if (!value.is_object()) return OrderedJson(value);
+  OrderedJson result = OrderedJson::object();
+  const OrderedJson nothing;
+  if (model.is_object()) {
+    for (const auto& [key, child] : model.items()) {
+      if (value.contains(key)) result[key] = ordered(value[key], child);
+    }
+  }
+  for (const auto& [key, child] : value.items()) {
+    if (!result.contains(key)) result[key] = ordered(child, nothing);
+  }
+  return result;
+}
+
+void erase(Json& document, const Pointer& pointer, std::size_t depth, const Json& usual) {
+  const std::string& token = pointer[depth];
+  if (document.is_array()) {
+    const auto at = Json::json_pointer("/" + token);
+    if (document.contains(at) && usual.contains(at)) document[at] = usual.at(at);
+    return;
+  }
+  if (!document.is_object() || !document.contains(token)) return;
+  if (depth + 1 == pointer.size()) {
+    document.erase(token);
+    return;
+  }
+  const bool known = usual.is_object() && usual.contains(token);
+  erase(document[token], pointer, depth + 1, known ? usual[token] : Json());
+  if (document[token].is_object() && document[token].empty()) document.erase(token);
+}
+
+/// Appends what leads from `base` to `here`, members of one object. False if that cannot be said.
+bool collect_changes(const Json& base, const Json& here, const Json& shown_here,
+                     const Json::json_pointer& at, std::vector<Override>& changes) {
+  for (const auto& [key, value] : here.items()) {
+    const auto former = base.find(key);
+    const bool known = base.is_object() && former != base.end();
+    if (known && *former == value) continue;
+    if (value.is_object()) {
+      if (!collect_changes(known ? *former : Json::object(), value, shown_here, at / key, changes))
+        return false;
+    } else {
+      changes.push_back({(at / key).to_string(), value.dump()});
+    }
+  }
+  for (const auto& [key, value] : base.items()) {
+    if (here.contains(key) || key == "$schema") continue;
+    if (value.is_object()) {
+      if (!collect_changes(value, Json::object(), shown_here, at / key, changes)) return false;
+      continue;
+    }
+    const Json* const now = found(shown_here, at / key);
+    if (now == nullptr) return false;
+    if (*now != value) changes.push_back({(at / key).to_string(), now->dump()});
+  }
+  return true;
+}
+
+}  // namespace
+
+struct SceneSource::State {
+  explicit State(Json given)
+      : document(std::move(given)), scene(detail::read_document(document, kName)) {
+    fill_in();
+  }
+  State(Json given, const std::string& name)
+      : document(std::move(given)), scene(detail::read_document(document, name)) {
+    fill_in();
+  }
+
+  void fill_in() {
+    Scene usual = defaults(scene.biome.kind, scene.camera.view);
+    set_quality(usual, scene.quality);
+    usual_values = shown(usual);
+    values = shown(scene);
+    if (!document.contains("sun")) return;
+    for (const auto& [key, value] : document["sun"].items()) values["sun"][key] = value;
+  }
+
+  Json document;
+  Scene scene;
+  Json values, usual_values;
+};
+
+SceneSource::SceneSource() : SceneSource(std::make_shared<State>(Json{{"version", 1}})) {}
+
+SceneSource SceneSource::from_file(const std::filesystem::path& path) {
+  return from_text(detail::read_bytes(path), path.string());
+}
+
+SceneSource SceneSource::from_text(const std::string& text, const std::string& name) {
+  return SceneSource(std::make_shared<State>(detail::parse_document(text, name), name));
+}
+
+const Scene& SceneSource::scene() const {
+  return state_->scene;
+}
+
+SceneSource SceneSource::with(const std::vector<Override>& changes) const {
+  Json document = state_->document;
+  detail::apply_overrides(document, changes, kName);
+  return SceneSource(std::make_shared<State>(std::move(document)));
+}
+
+SceneSource SceneSource::without(const std::vector<std::string>& pointers) const {
+  Json document = state_->document;
+  for (const std::string& pointer : pointers) {
+    erase(document, detail::parse_pointer(pointer), 0, state_->usual_values);
+  }
+  return SceneSource(std::make_shared<State>(std::move(document)));
+}
+
+std::string SceneSource::value(const std::string& pointer) const {
+  const Json* const value = found(state_->values, json_pointer(pointer));
+  return value == nullptr ? std::string() : value->dump();
+}
+
+bool SceneSource::differs(const std::string& pointer) const {
+  const auto at = json_pointer(pointer);
+  const Json* const value = found(state_->values, at);
+  const Json* const usual = found(state_->usual_values, at);
+  if (value == nullptr || usual == nullptr) return value != usual;
+  return *value != *usual;
+}
+
+std::string SceneSource::text() const {
+  Json left = state_->document;
+  Json usual = state_->usual_values;
+  // Always said: it makes the rest readable.
+  usual.erase("version");
+  usual["biome"].erase("kind");
+  // These choose what the defaults are.
+  usual["camera"]["view"] = "outside";
+  usual["quality"] = "standard";
+  left["biome"]["kind"] = state_->values["biome"]["kind"];
+  // One angle of two stays: read back, it must not come from a direction.
+  const bool both = left.contains("sun") && left["sun"].contains("azimuth_deg") &&
+                    left["sun"].contains("elevation_deg") &&
+                    left["sun"]["azimuth_deg"] == usual["sun"]["azimuth_deg"] &&
+                    left["sun"]["elevation_deg"] == usual["sun"]["elevation_deg"];
+  if (!both) usual["sun"].erase("azimuth_deg"), usual["sun"].erase("elevation_deg");
+  prune(left, usual);
+  if (left["biome"].size() == 1) left["biome"] = left["biome"]["kind"];
+  OrderedJson model = OrderedJson::object();
+  model["$schema"] = nullptr;
+  model.update(detail::to_json(state_->scene));
+  return detail::print_json(ordered(left, model));
+}
+
+std::optional<std::vector<Override>> SceneSource::changes_from(const SceneSource& base) const {
+  std::vector<Override> changes;
+  const bool possible = collect_changes(base.state_->document, state_->document, state_->values,
+                                        Json::json_pointer(), changes);
+  if (!possible) return std::nullopt;
+  return changes;
+}
+
+}  // namespace aerostat::scene
