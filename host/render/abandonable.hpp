@@ -15,14 +15,19 @@ namespace aerostat::render {
 
 /// Runs long host work beside the caller, who can give up waiting for it: work that knows no
 /// interruption (building a mesh or a tree) is then left to finish unheard. What it refers to must
-/// be its own. The destructor waits for all of it.
+/// be its own. New work waits while more than one piece of it is at work, so that it never piles
+/// up. The destructor waits for all of it.
 class AbandonableWork {
  public:
   /// The result of `work()`, or its exception. Throws Error{interrupted} soon after `stop` is
   /// requested. `waiting()` is called every 20 ms meanwhile.
   template <typename Work, typename Waiting>
   auto run(Work work, const std::stop_token& stop, Waiting waiting) -> decltype(work()) {
-    let_go_of_finished();
+    while (given_up() > 1) {
+      waiting();
+      if (stop.stop_requested()) throw Error(ErrorKind::interrupted, "interrupted");
+      std::this_thread::sleep_for(std::chrono::milliseconds(10));
+    }
     std::packaged_task<decltype(work())()> task(std::move(work));
     auto result = task.get_future().share();
     std::jthread thread(std::move(task));
@@ -45,9 +50,10 @@ class AbandonableWork {
     std::function<bool()> ended;
   };
 
-  /// Someone who drags a view about gives up work at every turn.
-  void let_go_of_finished() {
+  /// Someone who drags a view about gives up work at every turn. How many are at work.
+  std::size_t given_up() {
     std::erase_if(abandoned_, [](const Abandoned& one) { return one.ended(); });
+    return abandoned_.size();
   }
 
   std::vector<Abandoned> abandoned_;

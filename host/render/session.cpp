@@ -46,7 +46,7 @@ struct Session::State {
   void await_programs();
   void build(const scene::Scene& scene, Plants plants);
   void upload();
-  void prepare(const scene::Scene& scene, Plants plants);
+  void prepare(const scene::Scene& scene, const scene::Scene& shown, Plants plants);
   image::Film trace(const scene::Scene& scene, const Crop& crop);
   void trace_pass(const Pass& pass, RowQueue& queue);
   image::Film read_passes(const scene::Scene& scene, const Crop& crop, const RowQueue& queue);
@@ -120,7 +120,8 @@ void Session::State::upload() {
 }
 
 /// Everything before the first ray: world, trees, kernels, buffers, as far as they are not there.
-void Session::State::prepare(const scene::Scene& scene, Plants plants) {
+/// `shown` is the scene at the size of the film.
+void Session::State::prepare(const scene::Scene& scene, const scene::Scene& shown, Plants plants) {
   report(Stage::world, 0.0);
   team.begin_programs();
   build(scene, plants);
@@ -129,9 +130,9 @@ void Session::State::prepare(const scene::Scene& scene, Plants plants) {
   report(Stage::upload, 0.0);
   const Stopwatch upload_watch;
   upload();
-  const AeroScene packed = pack::pack_scene(scene);
+  const AeroScene packed = pack::pack_scene(shown);
   const auto pixels =
-      static_cast<std::size_t>(scene.image.width) * static_cast<std::size_t>(scene.image.height);
+      static_cast<std::size_t>(shown.image.width) * static_cast<std::size_t>(shown.image.height);
   team.begin_frame(packed, pixels);
   stats.upload_seconds = upload_watch.seconds();
 }
@@ -227,9 +228,12 @@ void Session::begin_kernels() {
 
 image::Film Session::render(const scene::Scene& scene, std::stop_token stop,
                             const ProgressCallback& progress, std::optional<Crop> crop,
-                            Plants plants) {
+                            Plants plants, int shrink) {
   State& state = *state_;
-  const Crop area = checked_crop(scene, crop);
+  scene::Scene shown = scene;
+  shown.image.width = (scene.image.width + shrink - 1) / shrink;
+  shown.image.height = (scene.image.height + shrink - 1) / shrink;
+  const Crop area = checked_crop(shown, crop);
   state.stop = std::move(stop);
   state.progress = progress;
   state.stats = {};
@@ -240,8 +244,8 @@ image::Film Session::render(const scene::Scene& scene, std::stop_token stop,
     state.latest = {};
     state.finished = nullptr;
   }
-  state.prepare(scene, plants);
-  image::Film film = state.trace(scene, area);
+  state.prepare(scene, shown, plants);
+  image::Film film = state.trace(shown, area);
   state.collect_stats();
   state.report(Stage::done, 1.0);
   return film;

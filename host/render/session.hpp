@@ -97,9 +97,12 @@ class Session {
   /// Renders all samples of `scene` (resolved) and returns the film of `crop` (default: all of it).
   /// If `stop` is requested, throws Error{interrupted} within 100 ms of device work; what was done
   /// until then stays readable by `snapshot`. Throws Error of other kinds as the parts do.
+  /// With `shrink` > 1 the film has that many times fewer pixels a side, rounded up, and so have
+  /// crops; the world is that of the whole picture, so that going on with a larger one builds
+  /// nothing.
   image::Film render(const scene::Scene& scene, std::stop_token stop = {},
                      const ProgressCallback& progress = {}, std::optional<Crop> crop = {},
-                     Plants plants = Plants::as_seen);
+                     Plants plants = Plants::as_seen, int shrink = 1);
 
   /// The film of the whole passes finished so far, from any thread; empty before the first.
   image::Film snapshot() const;

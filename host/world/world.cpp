@@ -30,11 +30,11 @@ std::shared_ptr<const Objects> build_balloon(const scene::Scene& scene) {
   return objects;
 }
 
+}  // namespace
+
 bool same_land(const scene::Scene& a, const scene::Scene& b) {
   return a.terrain == b.terrain && a.biome.water == b.biome.water;
 }
-
-}  // namespace
 
 World build(const scene::Scene& scene, const World* previous, const scene::Scene* previous_scene) {
   const bool known = previous != nullptr && previous_scene != nullptr;

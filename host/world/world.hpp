@@ -41,6 +41,9 @@ struct World {
   std::shared_ptr<const Plants> plants;    // null if there are none
 };
 
+/// Whether two scenes stand on the same land and sea.
+bool same_land(const scene::Scene& a, const scene::Scene& b);
+
 /// Builds the world of a resolved scene. Parts of `previous` are kept if `previous_scene` asked
 /// for the same ones. Runs on all cores. Throws Error{exhausted} if memory does not suffice.
 World build(const scene::Scene& scene, const World* previous = nullptr,

@@ -1,0 +1,102 @@
+// Progressive renders: each look is finer than the one before, the last is the picture itself.
+#include "render/progressive.hpp"
+#include "world/world.hpp"
+
+#include "core/error.hpp"
+#include "pictures.hpp"
+
+namespace aerostat::test {
+namespace {
+
+using render::Look;
+using render::Step;
+
+/// Not resolved.
+scene::Scene scene_of(const std::string& name, int seed = 1) {
+  return scene::read_file(std::string(AEROSTAT_SOURCE_DIR "/scenes/") + name + ".json",
+                          {{"/image/width", "150"},
+                           {"/image/height", "90"},
+                           {"/terrain/cells", "256"},
+                           {"/terrain/seed", std::to_string(seed)},
+                           {"/vegetation/reach_m", "500"}});
+}
+
+struct Seen {
+  int width = 0, shrink = 0, samples = 0;
+  bool rough = false, draft = false, complete = false;
+};
+
+std::vector<Seen> seen_of(render::Progressive& progressive, const scene::Scene& scene,
+                          image::Film& last, render::Stats& stats) {
+  std::vector<Seen> seen;
+  progressive.render(scene, {}, [&](const Look& look) {
+    seen.push_back(
+        {look.film.width, look.shrink, look.samples, look.rough, look.draft, look.complete});
+    last = look.film;
+    stats = look.stats;
+    EXPECT_EQ(look.scene.camera.height_above, scene::HeightReference::sea);
+  });
+  return seen;
+}
+
+TEST(Progressive, StepsHalveUntilThePictureItself) {
+  const auto steps = render::steps_to(1280 * 720, 1e6, 0.05, false);
+  ASSERT_EQ(steps.size(), 5u);
+  EXPECT_EQ(steps[0].shrink, 8) << "14,400 pixels take 14 ms, 57,600 more than 50";
+  EXPECT_EQ(steps[2].shrink, 2);
+  EXPECT_TRUE(steps[3].shrink == 1 && steps[3].draft);
+  EXPECT_TRUE(steps[4].shrink == 1 && !steps[4].draft);
+  EXPECT_EQ(render::steps_to(1280 * 720, 1e9, 0.05, true).size(), 1u);
+  EXPECT_EQ(render::steps_to(1e9, 1.0, 0.05, true).front().shrink, 16) << "and no further";
+}
+
+TEST(Progressive, LooksGetFinerAndTheLastIsThePicture) {
+  render::Progressive progressive(options());
+  image::Film last;
+  render::Stats stats;
+  scene::Scene scene = scene_of("snow");
+  const auto first = seen_of(progressive, scene, last, stats);
+  ASSERT_GE(first.size(), 3u);
+  EXPECT_TRUE(first.front().rough) << "before the land is built";
+  for (std::size_t i = 1; i < first.size(); ++i) {
+    EXPECT_LE(first[i].rough, first[i - 1].rough);
+    EXPECT_EQ(first[i].complete, i + 1 == first.size());
+    const bool same_land = first[i].rough == first[i - 1].rough;
+    EXPECT_TRUE(!same_land || first[i].shrink <= first[i - 1].shrink);
+    EXPECT_EQ(first[i].width, (150 + first[i].shrink - 1) / first[i].shrink);
+  }
+  EXPECT_EQ(first.back().samples, 4);
+  world::resolve(scene);
+  EXPECT_TRUE(same_bits(last, shared_session().render(scene)));
+}
+
+TEST(Progressive, ALandThatIsThereIsNotBuiltAgain) {
+  render::Progressive progressive(options());
+  image::Film last;
+  render::Stats stats;
+  scene::Scene scene = scene_of("sand");
+  seen_of(progressive, scene, last, stats);
+  scene.sun.direction = {0.0, 0.6, 0.8};
+  for (const Seen& look : seen_of(progressive, scene, last, stats)) EXPECT_FALSE(look.rough);
+  EXPECT_EQ(stats.worlds_built, 0);
+  const auto other = seen_of(progressive, scene_of("sand", 2), last, stats);
+  EXPECT_TRUE(other.front().rough);
+}
+
+TEST(Progressive, StopsAndGoesOn) {
+  render::Progressive progressive(options());
+  std::stop_source stop;
+  int looks = 0;
+  const auto once = [&](const Look&) {
+    ++looks;
+    stop.request_stop();
+  };
+  EXPECT_THROW(progressive.render(scene_of("snow"), stop.get_token(), once), Error);
+  EXPECT_EQ(looks, 1);
+  image::Film last;
+  render::Stats stats;
+  EXPECT_TRUE(seen_of(progressive, scene_of("snow"), last, stats).back().complete);
+}
+
+}  // namespace
+}  // namespace aerostat::test
