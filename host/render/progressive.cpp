@@ -81,6 +81,7 @@ struct Progressive::State {
   AbandonableWork background;
 
   // Of the render under way.
+  std::shared_ptr<const world::Surface> surface;
   std::stop_token stop;
   LookCallback show;
   ProgressCallback progress;
@@ -92,11 +93,13 @@ scene::Scene Progressive::State::resolved(const scene::Scene& scene) {
   const auto resolve = [scene] {
     scene::Scene copy = scene;
     world::resolve(copy);
-    return copy;
+    return std::pair(copy, std::make_shared<const world::Surface>(copy));
   };
-  return background.run(resolve, stop, [this] {
+  auto [resolved_scene, its_surface] = background.run(resolve, stop, [this] {
     if (progress) progress({Stage::world, 0.0, 0, watch.seconds(), 0});
   });
+  surface = std::move(its_surface);
+  return resolved_scene;
 }
 
 void Progressive::State::show_steps(Session& session, const scene::Scene& resolved, bool rough) {
@@ -113,7 +116,7 @@ void Progressive::State::show_step(Session& session, const scene::Scene& resolve
   // Trees of a former eye do until the view rests.
   const Plants plants = step.draft && !is_draft(resolved) ? Plants::as_they_stand : Plants::as_seen;
   const bool last = step.shrink == 1 && !rough && step.draft == is_draft(resolved);
-  Look look{{}, resolved, step.shrink, 0, rough, step.draft, false, {}, 0.0};
+  Look look{{}, resolved, surface, step.shrink, 0, rough, step.draft, false, {}, 0.0};
   const auto watch_passes = [&](const Progress& now) {
     if (progress) progress(now);
     if (now.stage != Stage::rays || now.samples_done <= look.samples) return;

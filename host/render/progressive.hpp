@@ -8,15 +8,17 @@
 #include "image/film.hpp"
 #include "render/session.hpp"
 #include "scene/scene.hpp"
+#include "world/surface.hpp"
 
 namespace aerostat::render {
 
 /// One of the pictures, each better than the one before, that a progressive render shows.
 struct Look {
   image::Film film;
-  scene::Scene scene;     // resolved, at the size of the whole picture
-  int shrink = 1;         // the film's pixels are so many pixels wide
-  int samples = 0;        // per pixel
+  scene::Scene scene;                             // resolved, at the size of the whole picture
+  std::shared_ptr<const world::Surface> surface;  // of that scene
+  int shrink = 1;                                 // the film's pixels are so many pixels wide
+  int samples = 0;                                // per pixel
   bool rough = false;     // of a coarse land without plants, because the land is still to be built
   bool draft = false;     // without what the scene's quality asks for
   bool complete = false;  // this is the picture asked for

@@ -1,5 +1,5 @@
 #include "model/balloon.hpp"
-#include "terrain/height_field.hpp"
+#include "world/surface.hpp"
 #include "world/world.hpp"
 
 namespace aerostat::world {
@@ -9,22 +9,14 @@ namespace {
 constexpr double kBasketLookAhead_m = 100.0;
 constexpr double kBasketDip_deg = 7.0;
 
-/// Height of what one stands on: the ground, or the sea where it is higher.
-double surface_height(const scene::Scene& scene, const terrain::HeightField& field,
-                      const dvec3& at) {
-  const double ground = field.height(at.x, at.z);
-  const auto& water = scene.biome.water;
-  return water.enabled ? std::max(ground, water.level_m) : ground;
-}
-
 /// What heights at a point count from. The balloon's height must be known already.
-double reference_height(const scene::Scene& scene, const terrain::HeightField& field,
+double reference_height(const scene::Scene& scene, const Surface& surface,
                         scene::HeightReference reference, const dvec3& at) {
   switch (reference) {
     case scene::HeightReference::sea:
       return 0.0;
     case scene::HeightReference::ground:
-      return surface_height(scene, field, at);
+      return surface.height(at.x, at.z);
     case scene::HeightReference::balloon:
       return scene.balloon.position.y;
   }
@@ -46,18 +38,18 @@ void look_from_basket(scene::Scene& scene) {
 }  // namespace
 
 void resolve(scene::Scene& scene) {
-  const terrain::HeightField field(scene.terrain);
+  const Surface surface(scene);
   scene::Balloon& balloon = scene.balloon;
   if (balloon.height_above == scene::HeightReference::ground) {
-    balloon.position.y += surface_height(scene, field, balloon.position);
+    balloon.position.y += surface.height(balloon.position.x, balloon.position.z);
     balloon.height_above = scene::HeightReference::sea;
   }
   scene::Camera& camera = scene.camera;
   if (camera.position_given) {
-    camera.position.y += reference_height(scene, field, camera.height_above, camera.position);
+    camera.position.y += reference_height(scene, surface, camera.height_above, camera.position);
   }
   if (camera.target_given) {
-    camera.target.y += reference_height(scene, field, camera.height_above, camera.target);
+    camera.target.y += reference_height(scene, surface, camera.height_above, camera.target);
   }
   camera.height_above = scene::HeightReference::sea;
   if (camera.view == scene::View::basket) look_from_basket(scene);

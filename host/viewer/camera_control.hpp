@@ -1,0 +1,55 @@
+#pragma once
+
+#include <QObject>
+#include <memory>
+#include <optional>
+
+#include "viewer/camera_motion.hpp"
+#include "viewer/document.hpp"
+#include "viewer/render_thread.hpp"
+
+class QPointF;
+
+namespace aerostat::viewer {
+
+enum class ViewKind { outside, basket, free };
+
+/// Moves the camera of the document, starting from where the last look saw it.
+class CameraControl : public QObject {
+  Q_OBJECT
+
+ public:
+  explicit CameraControl(Document& document, QObject* parent = nullptr);
+
+  /// What was rendered last: the camera above the sea, and the ground.
+  void note(std::shared_ptr<const Shown> shown) { shown_ = std::move(shown); }
+
+  ViewKind kind() const;
+  void set_kind(ViewKind kind);
+
+  void orbit_by(double right, double down);
+  void look_by(double right, double down);
+  void dolly_by(double factor);
+  void fly_by(const Flight& flight, double seconds, bool fast);
+  /// Aims at what is seen at a place of the picture.
+  void aim_at(const QPointF& place);
+  /// Puts the balloon above what is seen there, as high above the ground as it is now.
+  void put_balloon(const QPointF& place);
+  void apply_preset(int index);
+  static QStringList preset_names();
+
+  /// Where the camera is, if that is known yet.
+  std::optional<Pose> pose() const;
+  std::optional<double> height_above_ground() const;
+
+ private:
+  bool is_absolute() const;
+  void move_to(const QString& what, Pose pose, bool keep_basket);
+  std::optional<dvec3> point_at(const QPointF& place) const;
+  double radians_for(double share) const;
+
+  Document& document_;
+  std::shared_ptr<const Shown> shown_;
+};
+
+}  // namespace aerostat::viewer

@@ -1,0 +1,86 @@
+#include "viewer/camera_motion.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace aerostat::viewer {
+namespace {
+
+constexpr double kLeastDistance_m = 0.5;
+constexpr double kSteepest_rad = 89.0 * std::numbers::pi / 180.0;
+
+/// A vector by its length and two angles.
+struct Polar {
+  double length, azimuth, elevation;
+};
+
+Polar polar_of(const dvec3& v) {
+  const double level = std::hypot(v.x, v.z);
+  return {glm::length(v), std::atan2(v.x, -v.z), std::atan2(v.y, level)};
+}
+
+dvec3 vector_of(const Polar& p) {
+  const double level = p.length * std::cos(p.elevation);
+  return {level * std::sin(p.azimuth), p.length * std::sin(p.elevation),
+          -level * std::cos(p.azimuth)};
+}
+
+/// Where one looks after a turn by which what is seen moves right and down.
+dvec3 turned(const dvec3& sight, double right_rad, double down_rad) {
+  Polar polar = polar_of(sight);
+  polar.azimuth -= right_rad;
+  polar.elevation = std::clamp(polar.elevation + down_rad, -kSteepest_rad, kSteepest_rad);
+  return vector_of(polar);
+}
+
+dvec3 level_right(const dvec3& sight) {
+  const double azimuth = polar_of(sight).azimuth;
+  return {std::cos(azimuth), 0.0, std::sin(azimuth)};
+}
+
+}  // namespace
+
+Pose orbit(const Pose& pose, double right_rad, double down_rad) {
+  const dvec3 sight = pose.target - pose.position;
+  return {pose.target - turned(sight, right_rad, -down_rad), pose.target};
+}
+
+Pose look(const Pose& pose, double right_rad, double down_rad) {
+  return {pose.position, pose.position + turned(pose.target - pose.position, right_rad, down_rad)};
+}
+
+Pose dolly(const Pose& pose, double factor) {
+  const dvec3 sight = pose.target - pose.position;
+  const double length = glm::length(sight);
+  const double wanted = std::max(kLeastDistance_m, length * factor);
+  return {pose.target - sight * (wanted / length), pose.target};
+}
+
+Pose fly(const Pose& pose, const Flight& flight, double distance_m) {
+  const dvec3 sight = pose.target - pose.position;
+  const dvec3 step = glm::normalize(sight) * flight.forward + level_right(sight) * flight.right +
+                     dvec3(0.0, flight.up, 0.0);
+  return {pose.position + step * distance_m, pose.target + step * distance_m};
+}
+
+Pose above_ground(const Pose& pose, const HeightAt& height) {
+  const double least = height(pose.position.x, pose.position.z) + kEyeClearance_m;
+  const dvec3 lift(0.0, std::max(0.0, least - pose.position.y), 0.0);
+  return {pose.position + lift, pose.target + lift};
+}
+
+double flight_speed(double height_m) {
+  return std::clamp(0.6 * height_m, 8.0, 1500.0);
+}
+
+dvec3 direction_at(const scene::Camera& camera, double aspect, double x, double y) {
+  const dvec3 forward = glm::normalize(camera.target - camera.position);
+  const dvec3 right = glm::normalize(glm::cross(forward, camera.up));
+  const dvec3 up = glm::cross(right, forward);
+  const double tangent = std::tan(camera.fov_y_deg * (std::numbers::pi / 360.0));
+  return glm::normalize(forward + right * ((2.0 * x - 1.0) * tangent * aspect) +
+                        up * ((1.0 - 2.0 * y) * tangent));
+}
+
+}  // namespace aerostat::viewer

@@ -1,0 +1,119 @@
+#include "viewer/color_editor.hpp"
+
+#include <QColorDialog>
+#include <QHBoxLayout>
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QPainter>
+#include <QToolButton>
+#include <cmath>
+
+#include "image/tone.hpp"
+
+namespace aerostat::viewer {
+namespace {
+
+QColor color_of(const QJsonArray& linear) {
+  const auto encoded = [&linear](int i) {
+    return static_cast<float>(image::srgb_from_linear(linear[i].toDouble()));
+  };
+  return QColor::fromRgbF(encoded(0), encoded(1), encoded(2));
+}
+
+QString json_of(const QColor& color) {
+  const auto linear = [](float encoded) {
+    // Four digits: less than a step of eight bits anywhere.
+    return QString::number(std::round(image::linear_from_srgb(static_cast<double>(encoded)) * 1e4) /
+                           1e4);
+  };
+  return "[" + linear(color.redF()) + ", " + linear(color.greenF()) + ", " + linear(color.blueF()) +
+         "]";
+}
+
+QIcon swatch(const QColor& color, const QWidget& on) {
+  constexpr int kSize = 16;
+  QPixmap pixmap(QSize(kSize, kSize) * on.devicePixelRatioF());
+  pixmap.setDevicePixelRatio(on.devicePixelRatioF());
+  pixmap.fill(Qt::transparent);
+  QPainter painter(&pixmap);
+  painter.setRenderHint(QPainter::Antialiasing);
+  painter.setPen(on.palette().color(QPalette::Mid));
+  painter.setBrush(color);
+  painter.drawRoundedRect(QRectF(0.5, 0.5, kSize - 1, kSize - 1), 3, 3);
+  return QIcon(pixmap);
+}
+
+}  // namespace
+
+ColorEditor::ColorEditor(int least, int most, QWidget* parent)
+    : QWidget(parent),
+      least_(least),
+      most_(most),
+      layout_(new QHBoxLayout(this)),
+      more_(new QToolButton),
+      fewer_(new QToolButton) {
+  layout_->setContentsMargins(0, 0, 0, 0);
+  layout_->setSpacing(2);
+  more_->setText(QStringLiteral("+"));
+  more_->setToolTip(tr("One more colour"));
+  fewer_->setText(QStringLiteral("−"));
+  fewer_->setToolTip(tr("One colour less"));
+  layout_->addWidget(more_);
+  layout_->addWidget(fewer_);
+  layout_->addStretch(1);
+  connect(more_, &QToolButton::clicked, this, [this] {
+    colors_.push_back(colors_.empty() ? QColor(Qt::white) : colors_.back());
+    tell();
+  });
+  connect(fewer_, &QToolButton::clicked, this, [this] {
+    colors_.pop_back();
+    tell();
+  });
+}
+
+void ColorEditor::show_colors(const QString& json) {
+  colors_.clear();
+  const QJsonDocument document = QJsonDocument::fromJson(json.toUtf8());
+  for (const auto& one : document.array()) colors_.push_back(color_of(one.toArray()));
+  arrange();
+}
+
+void ColorEditor::arrange() {
+  while (buttons_.size() > colors_.size()) {
+    // Not at once: it may be what was clicked.
+    buttons_.back()->hide();
+    buttons_.back()->deleteLater();
+    buttons_.pop_back();
+  }
+  while (buttons_.size() < colors_.size()) {
+    const int index = static_cast<int>(buttons_.size());
+    auto* button = new QToolButton;
+    button->setAutoRaise(true);
+    connect(button, &QToolButton::clicked, this, [this, index] { choose(index); });
+    layout_->insertWidget(index, button);
+    buttons_.push_back(button);
+  }
+  for (std::size_t i = 0; i < colors_.size(); ++i) {
+    buttons_[i]->setIcon(swatch(colors_[i], *this));
+    buttons_[i]->setToolTip(tr("Colour %1: %2").arg(i + 1).arg(colors_[i].name()));
+    buttons_[i]->setAccessibleName(buttons_[i]->toolTip());
+  }
+  more_->setEnabled(static_cast<int>(colors_.size()) < most_);
+  fewer_->setEnabled(static_cast<int>(colors_.size()) > least_);
+}
+
+void ColorEditor::choose(int index) {
+  QColor& color = colors_[static_cast<std::size_t>(index)];
+  const QColor chosen = QColorDialog::getColor(color, this, tr("Colour of the Balloon"));
+  if (!chosen.isValid()) return;
+  colors_[static_cast<std::size_t>(index)] = chosen;
+  tell();
+}
+
+void ColorEditor::tell() {
+  QStringList parts;
+  for (const QColor& color : colors_) parts.push_back(json_of(color));
+  Q_EMIT edited("[" + parts.join(", ") + "]");
+}
+
+}  // namespace aerostat::viewer

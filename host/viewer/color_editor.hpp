@@ -1,0 +1,38 @@
+#pragma once
+
+#include <QColor>
+#include <QWidget>
+#include <vector>
+
+class QHBoxLayout;
+class QToolButton;
+
+namespace aerostat::viewer {
+
+/// A list of colours, each a button that opens the colour dialog. Values are linear Rec. 709 as
+/// JSON, [[r, g, b], ...].
+class ColorEditor : public QWidget {
+  Q_OBJECT
+
+ public:
+  ColorEditor(int least, int most, QWidget* parent = nullptr);
+
+  void show_colors(const QString& json);
+
+ Q_SIGNALS:
+  void edited(const QString& json);
+
+ private:
+  void choose(int index);
+  void tell();
+  void arrange();
+
+  int least_, most_;
+  std::vector<QColor> colors_;
+  std::vector<QToolButton*> buttons_;
+  QHBoxLayout* layout_;
+  QToolButton* more_;
+  QToolButton* fewer_;
+};
+
+}  // namespace aerostat::viewer

@@ -1,0 +1,35 @@
+#pragma once
+
+#include <QString>
+#include <span>
+
+/// What the window lets one change, said once: the panels, the tests and the manual follow it.
+namespace aerostat::viewer {
+
+enum class Editor { number, integer, seed, toggle, choice, colors };
+enum class Panel { land, light, balloon, view, picture };
+
+/// A control of one value of the scene. Range, words and tooltip come from the schema.
+struct Control {
+  const char* pointer;
+  const char* label;  // English, context "Controls"
+  Editor editor;
+  Panel panel;
+  const char* group = nullptr;  // heading above it, if another one than that of the former
+  const char* unit = "";        // English, context "Units"
+  double from = 0.0, to = 1.0;  // of the slider; the schema's range can be typed
+  int decimals = 0;
+  bool logarithmic = false;
+};
+
+std::span<const Control> controls();
+
+/// Translated.
+QString label_of(const Control& control);
+QString group_of(const Control& control);
+QString unit_of(const Control& control);
+QString description_of(const Control& control);
+/// A word of an enumeration, such as "gaussian".
+QString word_text(const QString& word);
+
+}  // namespace aerostat::viewer

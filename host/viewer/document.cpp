@@ -1,0 +1,128 @@
+#include "viewer/document.hpp"
+
+#include <QUndoCommand>
+#include <chrono>
+
+#include "core/error.hpp"
+#include "image/write.hpp"
+
+namespace aerostat::viewer {
+namespace {
+
+constexpr std::chrono::milliseconds kSameStep(1000);
+
+}  // namespace
+
+/// Goes from one source to another; steps of one gesture at one key become one.
+class SourceCommand : public QUndoCommand {
+ public:
+  SourceCommand(Document& document, scene::SceneSource after, const QString& what, QString key)
+      : QUndoCommand(what),
+        document_(document),
+        before_(document.source_),
+        after_(std::move(after)),
+        key_(std::move(key)),
+        gesture_(document.gesture_),
+        made_(std::chrono::steady_clock::now()) {}
+
+  void undo() override { document_.show(before_); }
+  void redo() override { document_.show(after_); }
+  int id() const override { return 1; }
+
+  bool mergeWith(const QUndoCommand* other) override {
+    const auto* next = static_cast<const SourceCommand*>(other);
+    if (next->key_ != key_ || key_.isEmpty() || next->gesture_ != gesture_) return false;
+    if (next->made_ - made_ > kSameStep) return false;
+    after_ = next->after_;
+    made_ = next->made_;
+    return true;
+  }
+
+ private:
+  Document& document_;
+  scene::SceneSource before_, after_;
+  QString key_;
+  int gesture_;
+  std::chrono::steady_clock::time_point made_;
+};
+
+Document::Document(QObject* parent) : QObject(parent) {}
+
+template <typename Action>
+bool Document::guarded(Action action) {
+  try {
+    action();
+    return true;
+  } catch (const std::bad_alloc&) {
+    Q_EMIT failed(tr("Out of memory"));
+  } catch (const std::exception& error) {
+    Q_EMIT failed(QString::fromUtf8(error.what()));
+  }
+  // Whoever shows what was wished goes back to what is.
+  Q_EMIT changed();
+  return false;
+}
+
+QString Document::value(const QString& pointer) const {
+  return QString::fromStdString(source_.value(pointer.toStdString()));
+}
+
+bool Document::change(const QString& what, const std::vector<scene::Override>& changes) {
+  return guarded([&] {
+    QString key = what;
+    for (const auto& one : changes) key += QString::fromStdString("\n" + one.pointer);
+    replace(what, source_.with(changes), key);
+  });
+}
+
+bool Document::set(const QString& what, const QString& pointer, const QString& json) {
+  return change(what, {{pointer.toStdString(), json.toStdString()}});
+}
+
+bool Document::reset(const QString& what, const QStringList& pointers) {
+  return guarded([&] {
+    std::vector<std::string> names;
+    for (const QString& pointer : pointers) names.push_back(pointer.toStdString());
+    replace(what, source_.without(names));
+  });
+}
+
+void Document::replace(const QString& what, const scene::SceneSource& source, const QString& key) {
+  if (source.text() == source_.text()) {
+    Q_EMIT changed();
+    return;
+  }
+  undo_.push(new SourceCommand(*this, source, what, key));
+}
+
+void Document::show(const scene::SceneSource& source) {
+  source_ = source;
+  Q_EMIT changed();
+}
+
+void Document::start(const scene::SceneSource& source, const QString& path) {
+  undo_.clear();
+  saved_ = source;
+  path_ = path;
+  show(source);
+  Q_EMIT file_changed();
+}
+
+bool Document::open(const QString& path) {
+  return guarded([&] { start(scene::SceneSource::from_file(path.toStdString()), path); });
+}
+
+bool Document::save(const QString& path) {
+  return guarded([&] {
+    const std::string text = source_.text();
+    image::write_file(path.toStdString(),
+                      {reinterpret_cast<const std::uint8_t*>(text.data()), text.size()});
+    path_ = path;
+    saved_ = source_;
+    undo_.setClean();
+    end_gesture();
+    Q_EMIT file_changed();
+  });
+}
+
+}  // namespace aerostat::viewer

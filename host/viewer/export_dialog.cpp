@@ -1,0 +1,188 @@
+#include "viewer/export_dialog.hpp"
+
+#include <QComboBox>
+#include <QDir>
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QFormLayout>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QLineEdit>
+#include <QProgressBar>
+#include <QPushButton>
+#include <QSpinBox>
+#include <QVBoxLayout>
+
+#include "viewer/controls.hpp"
+#include "viewer/export_job.hpp"
+
+namespace aerostat::viewer {
+namespace {
+
+QString suggested_path(const Document& document) {
+  const QFileInfo file(document.path());
+  const QString name =
+      document.path().isEmpty() ? QStringLiteral("aerostat") : file.completeBaseName();
+  const QString folder = document.path().isEmpty() ? QDir::currentPath() : file.absolutePath();
+  return folder + "/" + name + ".png";
+}
+
+QSpinBox* pixels_box(int value) {
+  auto* box = new QSpinBox;
+  box->setRange(1, 32768);
+  box->setSuffix(ExportDialog::tr(" px"));
+  box->setValue(value);
+  return box;
+}
+
+}  // namespace
+
+ExportDialog::ExportDialog(const Document& document, const QString& device, QWidget* parent)
+    : QDialog(parent),
+      document_(document),
+      device_(device),
+      path_(new QLineEdit(suggested_path(document))),
+      quality_(new QComboBox),
+      width_(pixels_box(document.scene().image.width)),
+      height_(pixels_box(document.scene().image.height)),
+      progress_(new QProgressBar),
+      message_(new QLabel),
+      export_(new QPushButton(tr("&Export"))),
+      close_(new QPushButton(tr("Close"))) {
+  setWindowTitle(tr("Export Picture"));
+  build();
+}
+
+ExportDialog::~ExportDialog() = default;
+
+void ExportDialog::build() {
+  for (const char* word : {"draft", "standard", "final"}) {
+    quality_->addItem(word_text(QString::fromLatin1(word)), QString::fromLatin1(word));
+  }
+  quality_->addItem(tr("As the scene says"), QString());
+  quality_->setCurrentIndex(2);
+  auto* browse = new QPushButton(tr("&Browse…"));
+  connect(browse, &QPushButton::clicked, this, &ExportDialog::choose_path);
+  auto* file = new QHBoxLayout;
+  file->addWidget(path_, 1);
+  file->addWidget(browse);
+  auto* size = new QHBoxLayout;
+  size->addWidget(width_);
+  size->addWidget(new QLabel(QStringLiteral("×")));
+  size->addWidget(height_);
+  size->addStretch(1);
+  auto* form = new QFormLayout;
+  form->addRow(tr("&File"), file);
+  form->addRow(tr("&Quality"), quality_);
+  form->addRow(tr("&Size"), size);
+  auto* hint =
+      new QLabel(tr("A name that ends in .exr keeps the light as it is, with distances, "
+                    "normals and objects in layers; any other gives a PNG."));
+  hint->setWordWrap(true);
+  progress_->setRange(0, 1000);
+  progress_->setVisible(false);
+  message_->setWordWrap(true);
+  auto* buttons = new QHBoxLayout;
+  buttons->addStretch(1);
+  buttons->addWidget(export_);
+  buttons->addWidget(close_);
+  export_->setDefault(true);
+  connect(export_, &QPushButton::clicked, this, &ExportDialog::begin);
+  connect(close_, &QPushButton::clicked, this, &ExportDialog::reject);
+  auto* layout = new QVBoxLayout(this);
+  layout->addLayout(form);
+  layout->addWidget(hint);
+  layout->addWidget(progress_);
+  layout->addWidget(message_);
+  layout->addStretch(1);
+  layout->addLayout(buttons);
+  resize(520, sizeHint().height());
+}
+
+void ExportDialog::set_path(const QString& path) {
+  path_->setText(path);
+}
+
+void ExportDialog::set_quality(const QString& quality) {
+  quality_->setCurrentIndex(quality_->findData(quality));
+}
+
+QString ExportDialog::message() const {
+  return message_->text();
+}
+
+void ExportDialog::choose_path() {
+  const QString path =
+      QFileDialog::getSaveFileName(this, tr("Export Picture"), path_->text(),
+                                   tr("Pictures (*.png)") + ";;" + tr("OpenEXR (*.exr)"));
+  if (!path.isEmpty()) path_->setText(path);
+}
+
+/// The quality's own samples and light, whatever the scene says of them.
+std::vector<scene::Override> ExportDialog::changes() const {
+  return {{"/image/width", std::to_string(width_->value())},
+          {"/image/height", std::to_string(height_->value())}};
+}
+
+void ExportDialog::begin() {
+  QString path = path_->text().trimmed();
+  if (path.isEmpty()) return;
+  if (QFileInfo(path).suffix().isEmpty()) path += QStringLiteral(".png");
+  try {
+    scene::SceneSource source = document_.source().with(changes());
+    const QString quality = quality_->currentData().toString();
+    if (!quality.isEmpty()) {
+      source = source.without({"/image/spp", "/sun/soft_shadows", "/sky/ambient_occlusion"})
+                   .with({{"/quality", quality.toStdString()}});
+    }
+    job_ = std::make_unique<ExportJob>(source.scene(), path, device_);
+  } catch (const std::exception& error) {
+    message_->setText(QString::fromUtf8(error.what()));
+    return;
+  }
+  message_->clear();
+  connect(job_.get(), &ExportJob::progressed, this, &ExportDialog::show_progress,
+          Qt::QueuedConnection);
+  connect(
+      job_.get(), &ExportJob::finished, this,
+      [this, path](bool written, const QString& error) {
+        end(written, written ? tr("Wrote %1").arg(QDir::toNativeSeparators(path)) : error);
+      },
+      Qt::QueuedConnection);
+  set_busy(true);
+}
+
+void ExportDialog::show_progress(double fraction, const QString& stage) {
+  progress_->setValue(static_cast<int>(fraction * 1000.0));
+  progress_->setFormat(stage + QStringLiteral(" %p %"));
+}
+
+void ExportDialog::end(bool written, const QString& error) {
+  if (!job_) return;
+  job_.reset();
+  set_busy(false);
+  message_->setText(error.isEmpty() ? tr("Cancelled") : error);
+  Q_EMIT ended(written);
+}
+
+void ExportDialog::set_busy(bool busy) {
+  for (QWidget* widget : {static_cast<QWidget*>(path_), static_cast<QWidget*>(quality_),
+                          static_cast<QWidget*>(width_), static_cast<QWidget*>(height_),
+                          static_cast<QWidget*>(export_)}) {
+    widget->setEnabled(!busy);
+  }
+  progress_->setVisible(busy);
+  progress_->setValue(0);
+  close_->setText(busy ? tr("Cancel") : tr("Close"));
+}
+
+void ExportDialog::reject() {
+  if (job_) {
+    job_->cancel();
+    message_->setText(tr("Cancelling…"));
+    return;
+  }
+  QDialog::reject();
+}
+
+}  // namespace aerostat::viewer

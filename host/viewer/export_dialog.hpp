@@ -1,0 +1,62 @@
+#pragma once
+
+#include <QDialog>
+#include <memory>
+
+#include "viewer/document.hpp"
+
+class QComboBox;
+class QLabel;
+class QLineEdit;
+class QProgressBar;
+class QPushButton;
+class QSpinBox;
+
+namespace aerostat::viewer {
+
+class ExportJob;
+
+/// Asks where to, how large and how good, renders, and can be cancelled meanwhile.
+class ExportDialog : public QDialog {
+  Q_OBJECT
+
+ public:
+  ExportDialog(const Document& document, const QString& device, QWidget* parent = nullptr);
+  ~ExportDialog() override;
+
+  void set_path(const QString& path);
+  /// "draft", "standard" or "final".
+  void set_quality(const QString& quality);
+  void begin();
+  bool is_busy() const { return job_ != nullptr; }
+  QString message() const;
+
+ public Q_SLOTS:
+  /// Cancels the export if there is one, else closes.
+  void reject() override;
+
+ Q_SIGNALS:
+  void ended(bool written);
+
+ private:
+  void build();
+  void choose_path();
+  void show_progress(double fraction, const QString& stage);
+  void end(bool written, const QString& error);
+  void set_busy(bool busy);
+  std::vector<scene::Override> changes() const;
+
+  const Document& document_;
+  QString device_;
+  QLineEdit* path_;
+  QComboBox* quality_;
+  QSpinBox* width_;
+  QSpinBox* height_;
+  QProgressBar* progress_;
+  QLabel* message_;
+  QPushButton* export_;
+  QPushButton* close_;
+  std::unique_ptr<ExportJob> job_;
+};
+
+}  // namespace aerostat::viewer

@@ -1,0 +1,78 @@
+#include "viewer/export_job.hpp"
+
+#include <QFileInfo>
+
+#include "core/error.hpp"
+#include "image/write.hpp"
+#include "opencl/device.hpp"
+#include "render/session.hpp"
+#include "world/world.hpp"
+
+namespace aerostat::viewer {
+namespace {
+
+/// Share of the whole that is done when a stage begins, roughly.
+double begin_of(render::Stage stage) {
+  switch (stage) {
+    case render::Stage::world:
+    case render::Stage::tree:
+      return 0.0;
+    case render::Stage::kernels:
+    case render::Stage::upload:
+      return 0.04;
+    default:
+      return 0.05;
+  }
+}
+
+}  // namespace
+
+ExportJob::ExportJob(const scene::Scene& scene, const QString& path, const QString& device,
+                     QObject* parent)
+    : QObject(parent), thread_([this, scene, path, device](const std::stop_token& stop) {
+        run(stop, scene, path, device);
+      }) {}
+
+ExportJob::~ExportJob() {
+  cancel();
+  thread_.join();
+}
+
+void ExportJob::cancel() {
+  thread_.request_stop();
+}
+
+void ExportJob::run(const std::stop_token& stop, scene::Scene scene, const QString& path,
+                    const QString& device) {
+  try {
+    image::require_writable(path.toStdString());
+    render::Options options;
+    options.devices = opencl::select_devices(opencl::effective_selector(device.toStdString()));
+    render::Session session(std::move(options));
+    session.begin_kernels();
+    world::resolve(scene);
+    const auto film = session.render(scene, stop, [this](const render::Progress& progress) {
+      const double begin = begin_of(progress.stage);
+      const bool traces = progress.stage == render::Stage::rays;
+      Q_EMIT progressed(traces ? begin + (1.0 - begin) * progress.fraction : begin,
+                        traces ? tr("Tracing rays…") : tr("Building the world…"));
+    });
+    const bool exr =
+        QFileInfo(path).suffix().compare(QLatin1String("exr"), Qt::CaseInsensitive) == 0;
+    const double ev =
+        scene.image.exposure_given ? scene.image.exposure_ev : image::automatic_exposure_ev(film);
+    const auto bytes = exr ? image::encode_exr(film) : image::encode_png(image::develop(film, ev));
+    if (stop.stop_requested()) throw Error(ErrorKind::interrupted, "interrupted");
+    image::write_file(path.toStdString(), bytes);
+    Q_EMIT finished(true, {});
+  } catch (const Error& error) {
+    const bool cancelled = error.kind() == ErrorKind::interrupted;
+    Q_EMIT finished(false, cancelled ? QString() : QString::fromUtf8(error.what()));
+  } catch (const std::bad_alloc&) {
+    Q_EMIT finished(false, tr("Out of memory"));
+  } catch (const std::exception& error) {
+    Q_EMIT finished(false, QString::fromUtf8(error.what()));
+  }
+}
+
+}  // namespace aerostat::viewer

@@ -1,0 +1,41 @@
+#pragma once
+
+#include <QObject>
+#include <QString>
+#include <atomic>
+#include <functional>
+#include <memory>
+#include <stop_token>
+#include <thread>
+
+#include "scene/scene.hpp"
+
+namespace aerostat::viewer {
+
+/// Renders a scene in full and writes it, on a thread of its own. Ends when it is done, or soon
+/// after it is cancelled or destroyed; then nothing is written.
+class ExportJob : public QObject {
+  Q_OBJECT
+
+ public:
+  /// `scene` is not resolved; the file's suffix says PNG or EXR.
+  ExportJob(const scene::Scene& scene, const QString& path, const QString& device,
+            QObject* parent = nullptr);
+  ~ExportJob() override;
+
+  void cancel();
+
+ Q_SIGNALS:
+  /// Of the whole, 0 to 1; `stage` is a word for it.
+  void progressed(double fraction, const QString& stage);
+  /// `error` is empty if the file was written, or if the job was cancelled.
+  void finished(bool written, const QString& error);
+
+ private:
+  void run(const std::stop_token& stop, scene::Scene scene, const QString& path,
+           const QString& device);
+
+  std::jthread thread_;
+};
+
+}  // namespace aerostat::viewer

@@ -1,0 +1,55 @@
+#include <QApplication>
+#include <QCommandLineParser>
+#include <QLibraryInfo>
+#include <QLocale>
+#include <QTranslator>
+
+#include "viewer/main_window.hpp"
+
+namespace {
+
+/// Ours, and Qt's own for its dialogs, where the desktop's language has them.
+void load_translations(QApplication& application) {
+  static QTranslator own, of_qt;
+  const QLocale locale;
+  if (own.load(locale, QStringLiteral("aerostat"), QStringLiteral("_"),
+               QStringLiteral(":/translations"))) {
+    application.installTranslator(&own);
+  }
+  if (of_qt.load(locale, QStringLiteral("qtbase"), QStringLiteral("_"),
+                 QLibraryInfo::path(QLibraryInfo::TranslationsPath))) {
+    application.installTranslator(&of_qt);
+  }
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  QApplication application(argc, argv);
+  QApplication::setApplicationName(QStringLiteral("aerostat-viewer"));
+  QApplication::setOrganizationName(QStringLiteral("aerostat"));
+  QApplication::setApplicationVersion(QStringLiteral(AEROSTAT_VERSION));
+  QApplication::setDesktopFileName(QStringLiteral("aerostat-viewer"));
+  load_translations(application);
+
+  QCommandLineParser parser;
+  parser.setApplicationDescription(
+      QCoreApplication::translate("main", "Sets up a picture of aerostat by eye."));
+  parser.addHelpOption();
+  parser.addVersionOption();
+  parser.addPositionalArgument(QStringLiteral("scene"),
+                               QCoreApplication::translate("main", "Scene file to open"),
+                               QStringLiteral("[SCENE]"));
+  const QCommandLineOption device(
+      QStringLiteral("device"),
+      QCoreApplication::translate("main", "What computes, as of aerostat render"),
+      QStringLiteral("DEVICE"));
+  parser.addOption(device);
+  parser.process(application);
+
+  aerostat::viewer::MainWindow window(parser.value(device));
+  window.show();
+  const QStringList scenes = parser.positionalArguments();
+  if (!scenes.isEmpty()) window.open(scenes.front());
+  return QApplication::exec();
+}

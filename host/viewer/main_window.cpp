@@ -1,0 +1,189 @@
+#include "viewer/main_window.hpp"
+
+#include <QApplication>
+#include <QClipboard>
+#include <QCloseEvent>
+#include <QDockWidget>
+#include <QFileInfo>
+#include <QMimeData>
+#include <QSettings>
+#include <QVBoxLayout>
+
+#include "viewer/command_text.hpp"
+#include "viewer/export_dialog.hpp"
+#include "viewer/message_bar.hpp"
+#include "viewer/panels.hpp"
+#include "viewer/picture_view.hpp"
+#include "viewer/scene_files.hpp"
+
+namespace aerostat::viewer {
+
+MainWindow::MainWindow(const QString& device, QWidget* parent)
+    : QMainWindow(parent), camera_(document_), device_(device) {
+  if (device_.isEmpty()) device_ = QSettings().value(QStringLiteral("device")).toString();
+  setObjectName(QStringLiteral("main"));
+  setAcceptDrops(true);
+  build();
+  connect_view();
+  add_file_menu();
+  add_edit_menu();
+  add_view_menu();
+  add_camera_menu();
+  add_help_menu();
+  RenderThread::Listener listener;
+  listener.shown = [this](std::shared_ptr<const Shown> shown) { show_look(std::move(shown)); };
+  listener.progressed = [this](const render::Progress& progress) { show_progress(progress); };
+  listener.troubled = [this](const Trouble& trouble) { show_trouble(trouble); };
+  listener.devices_found = [this](const std::vector<DeviceChoice>& devices) {
+    devices_ = devices;
+    panels_->show_devices(devices);
+  };
+  renderer_ = std::make_unique<RenderThread>(std::move(listener));
+  if (!device_.isEmpty()) renderer_->use_device(device_);
+  panels_->show_device(device_);
+  connect(&document_, &Document::changed, this, &MainWindow::render);
+  connect(&document_, &Document::failed, this,
+          [this](const QString& message) { messages_->show_message(message); });
+  connect(&document_, &Document::file_changed, this, &MainWindow::show_title);
+  connect(&document_.undo_stack(), &QUndoStack::cleanChanged, this, &MainWindow::show_title);
+  restore_layout();
+  show_title();
+  render();
+}
+
+MainWindow::~MainWindow() = default;
+
+void MainWindow::build() {
+  view_ = new PictureView;
+  messages_ = new MessageBar;
+  files_ = new SceneFiles(document_, this);
+  panels_ = new Panels(document_, camera_);
+  auto* middle = new QWidget;
+  auto* layout = new QVBoxLayout(middle);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->setSpacing(0);
+  layout->addWidget(messages_);
+  layout->addWidget(view_, 1);
+  setCentralWidget(middle);
+  auto* dock = new QDockWidget(tr("Controls"));
+  dock->setObjectName(QStringLiteral("controls"));
+  dock->setWidget(panels_);
+  addDockWidget(Qt::RightDockWidgetArea, dock);
+  build_status();
+  view_->setFocus();
+}
+
+void MainWindow::connect_view() {
+  connect(view_, &PictureView::orbited, &camera_, &CameraControl::orbit_by);
+  connect(view_, &PictureView::looked, &camera_, &CameraControl::look_by);
+  connect(view_, &PictureView::dollied, &camera_, &CameraControl::dolly_by);
+  connect(view_, &PictureView::flown, &camera_, &CameraControl::fly_by);
+  connect(view_, &PictureView::aimed, &camera_, &CameraControl::aim_at);
+  connect(view_, &PictureView::gesture_ended, &document_, &Document::end_gesture);
+  connect(view_, &PictureView::placed, this, [this](const QPointF& place) {
+    camera_.put_balloon(place);
+    view_->set_placing(false);
+  });
+  connect(panels_, &Panels::placing_asked, this, [this] {
+    view_->set_placing(true);
+    view_->setFocus();
+  });
+  connect(panels_, &Panels::device_chosen, this, &MainWindow::choose_device);
+}
+
+void MainWindow::render() {
+  request_ = renderer_->render(document_.scene());
+}
+
+void MainWindow::choose_device(const QString& selector) {
+  device_ = selector;
+  QSettings().setValue(QStringLiteral("device"), selector);
+  messages_->dismiss();
+  panels_->show_device(selector);
+  renderer_->use_device(selector);
+  render();
+}
+
+void MainWindow::show_trouble(const Trouble& trouble) {
+  if (trouble.request != 0 && trouble.request < request_ && trouble.kind == ErrorKind::bad_data) {
+    return;  // of a scene that was changed meanwhile
+  }
+  std::vector<MessageBar::Offer> offers;
+  if (trouble.kind != ErrorKind::bad_data) {
+    offers.push_back({tr("Try Again"), [this] { render(); }});
+    if (!device_.isEmpty()) {
+      offers.push_back({tr("Use the Automatic Device"), [this] { choose_device({}); }});
+    }
+    for (const DeviceChoice& device : devices_) {
+      if (device.selector == device_) continue;
+      offers.push_back({tr("Use %1").arg(device.name),
+                        [this, selector = device.selector] { choose_device(selector); }});
+      if (offers.size() >= 4) break;
+    }
+  }
+  messages_->show_message(trouble.message, offers);
+  show_progress({});
+}
+
+bool MainWindow::open(const QString& path) {
+  return files_->open(path);
+}
+
+void MainWindow::export_picture() {
+  renderer_->pause();
+  ExportDialog dialog(document_, device_, this);
+  dialog.exec();
+  render();
+}
+
+void MainWindow::copy_picture() {
+  if (shown_) QApplication::clipboard()->setImage(shown_->image);
+}
+
+void MainWindow::copy_command() {
+  QApplication::clipboard()->setText(command_text(document_, device_));
+}
+
+void MainWindow::show_title() {
+  const QString name =
+      document_.path().isEmpty() ? tr("Unnamed scene") : QFileInfo(document_.path()).fileName();
+  setWindowTitle(tr("%1[*] — Aerostat").arg(name));
+  setWindowModified(document_.is_modified());
+  setWindowFilePath(document_.path());
+}
+
+void MainWindow::closeEvent(QCloseEvent* event) {
+  if (!files_->may_discard()) {
+    event->ignore();
+    return;
+  }
+  save_layout();
+  renderer_->pause();
+  event->accept();
+}
+
+void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
+  const auto urls = event->mimeData()->urls();
+  if (urls.size() == 1 && urls.front().isLocalFile()) event->acceptProposedAction();
+}
+
+void MainWindow::dropEvent(QDropEvent* event) {
+  const auto urls = event->mimeData()->urls();
+  if (!urls.isEmpty()) files_->open(urls.front().toLocalFile());
+}
+
+void MainWindow::save_layout() {
+  QSettings settings;
+  settings.setValue(QStringLiteral("geometry"), saveGeometry());
+  settings.setValue(QStringLiteral("state"), saveState());
+}
+
+void MainWindow::restore_layout() {
+  const QSettings settings;
+  if (!restoreGeometry(settings.value(QStringLiteral("geometry")).toByteArray())) {
+    resize(1280, 800);
+  }
+  restoreState(settings.value(QStringLiteral("state")).toByteArray());
+}
+
+}  // namespace aerostat::viewer

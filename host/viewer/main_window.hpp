@@ -1,0 +1,89 @@
+#pragma once
+
+#include <QMainWindow>
+#include <memory>
+
+#include "viewer/camera_control.hpp"
+#include "viewer/document.hpp"
+#include "viewer/render_thread.hpp"
+
+class QLabel;
+
+namespace aerostat::viewer {
+
+class MessageBar;
+class Panels;
+class PictureView;
+class SceneFiles;
+
+/// The window: the picture, the panels beside it, menus, and a line that says how the picture is
+/// getting on.
+class MainWindow : public QMainWindow {
+  Q_OBJECT
+
+ public:
+  /// `device` as of `--device`; empty for the one chosen last.
+  explicit MainWindow(const QString& device = {}, QWidget* parent = nullptr);
+  ~MainWindow() override;
+
+  Document& document() { return document_; }
+  CameraControl& camera() { return camera_; }
+  Panels& panels() { return *panels_; }
+  PictureView& view() { return *view_; }
+  MessageBar& messages() { return *messages_; }
+  /// What is shown; null before the first look.
+  const std::shared_ptr<const Shown>& shown() const { return shown_; }
+  /// The number of the render that shows the document as it is.
+  std::uint64_t request() const { return request_; }
+
+  bool open(const QString& path);
+
+ Q_SIGNALS:
+  void look_arrived();
+
+ protected:
+  void closeEvent(QCloseEvent* event) override;
+  void dragEnterEvent(QDragEnterEvent* event) override;
+  void dropEvent(QDropEvent* event) override;
+
+ private:
+  void build();
+  void build_status();
+  void connect_view();
+  void add_file_menu();
+  void add_edit_menu();
+  void add_view_menu();
+  void add_camera_menu();
+  void add_help_menu();
+  QAction* add_action(class QMenu* menu, const QString& text, const QKeySequence& keys,
+                      const std::function<void()>& act);
+
+  void render();
+  void show_look(std::shared_ptr<const Shown> shown);
+  void show_progress(const render::Progress& progress);
+  void show_trouble(const Trouble& trouble);
+  void choose_device(const QString& selector);
+  void show_title();
+  void export_picture();
+  void copy_picture();
+  void copy_command();
+  void save_layout();
+  void restore_layout();
+
+  Document document_;
+  CameraControl camera_;
+  Panels* panels_ = nullptr;
+  PictureView* view_ = nullptr;
+  MessageBar* messages_ = nullptr;
+  SceneFiles* files_ = nullptr;
+  QLabel* device_label_ = nullptr;
+  QLabel* work_label_ = nullptr;
+  QLabel* place_label_ = nullptr;
+  QString device_;
+  std::vector<DeviceChoice> devices_;
+  std::shared_ptr<const Shown> shown_;
+  std::uint64_t request_ = 0;
+  std::unique_ptr<RenderThread> renderer_;  // last: it ends first
+};
+
+}  // namespace aerostat::viewer

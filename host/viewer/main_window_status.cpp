@@ -1,0 +1,75 @@
+#include <QLabel>
+#include <QStatusBar>
+
+#include "viewer/main_window.hpp"
+#include "viewer/panels.hpp"
+#include "viewer/picture_view.hpp"
+
+namespace aerostat::viewer {
+namespace {
+
+QString stage_text(render::Stage stage) {
+  switch (stage) {
+    case render::Stage::world:
+      return MainWindow::tr("building the land…");
+    case render::Stage::tree:
+      return MainWindow::tr("building trees…");
+    case render::Stage::kernels:
+      return MainWindow::tr("compiling kernels…");
+    case render::Stage::upload:
+      return MainWindow::tr("uploading…");
+    default:
+      return {};
+  }
+}
+
+double rays_per_second(const render::Stats& stats) {
+  const auto rays = stats.primary_rays + stats.shadow_rays + stats.ambient_rays;
+  return stats.rays_seconds > 0.0 ? static_cast<double>(rays) / stats.rays_seconds : 0.0;
+}
+
+}  // namespace
+
+void MainWindow::build_status() {
+  device_label_ = new QLabel;
+  work_label_ = new QLabel;
+  place_label_ = new QLabel;
+  statusBar()->addWidget(work_label_, 1);
+  statusBar()->addPermanentWidget(place_label_);
+  statusBar()->addPermanentWidget(device_label_);
+}
+
+void MainWindow::show_look(std::shared_ptr<const Shown> shown) {
+  const render::Look& look = shown->look;
+  shown_ = shown;
+  camera_.note(shown);
+  view_->show_image(shown->image, QSize(look.scene.image.width, look.scene.image.height));
+  QStringList parts;
+  parts << tr("%1 × %2").arg(look.scene.image.width).arg(look.scene.image.height);
+  if (look.shrink > 1) {
+    parts << tr("1/%1 of the size").arg(look.shrink);
+  } else {
+    parts << tr("%n sample(s) a pixel", nullptr, look.samples);
+  }
+  if (look.rough) parts << tr("coarse land");
+  const double rate = rays_per_second(look.stats);
+  if (rate > 0.0) parts << tr("%1 Mrays/s").arg(rate * 1e-6, 0, 'f', 1);
+  parts << tr("%1 s").arg(look.seconds, 0, 'f', 2);
+  if (look.complete) parts << tr("done");
+  work_label_->setText(parts.join(QStringLiteral("  ·  ")));
+  device_label_->setText(shown->device);
+  if (const auto height = camera_.height_above_ground()) {
+    place_label_->setText(tr("eye %1 m above ground").arg(*height, 0, 'f', 0));
+  }
+  panels_->show_view();
+  Q_EMIT look_arrived();
+}
+
+void MainWindow::show_progress(const render::Progress& progress) {
+  const QString text = stage_text(progress.stage);
+  if (!text.isEmpty() && progress.seconds > 0.2) {
+    work_label_->setText(tr("%1  ·  %2 s").arg(text).arg(progress.seconds, 0, 'f', 1));
+  }
+}
+
+}  // namespace aerostat::viewer

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <QFrame>
+#include <QString>
+#include <functional>
+
+class QHBoxLayout;
+class QLabel;
+
+namespace aerostat::viewer {
+
+/// A bar above the picture that says what went wrong, and what can be done about it.
+class MessageBar : public QFrame {
+  Q_OBJECT
+
+ public:
+  explicit MessageBar(QWidget* parent = nullptr);
+
+  struct Offer {
+    QString text;
+    std::function<void()> accept;
+  };
+  void show_message(const QString& message, const std::vector<Offer>& offers = {});
+  void dismiss();
+  QString message() const;
+
+ private:
+  void clear_offers();
+
+  QLabel* text_;
+  QHBoxLayout* offers_;
+};
+
+}  // namespace aerostat::viewer

@@ -1,0 +1,177 @@
+#include "viewer/panels.hpp"
+
+#include <QComboBox>
+#include <QFormLayout>
+#include <QPushButton>
+#include <QScrollArea>
+#include <cmath>
+#include <numbers>
+
+#include "viewer/camera_control.hpp"
+#include "viewer/sun_disc.hpp"
+#include "viewer/sun_panel.hpp"
+
+namespace aerostat::viewer {
+namespace {
+
+constexpr QSize kSizes[] = {{640, 360},   {1280, 720},  {1920, 1080},
+                            {3840, 2160}, {1080, 1080}, {1080, 1350}};
+
+QLabel* heading(const QString& text) {
+  auto* label = new QLabel("<b>" + text.toHtmlEscaped() + "</b>");
+  label->setContentsMargins(0, 8, 0, 0);
+  return label;
+}
+
+/// Does not change when the wheel scrolls over it.
+QComboBox* steady_box() {
+  auto* box = new QComboBox;
+  box->setFocusPolicy(Qt::StrongFocus);
+  box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+  box->setMinimumContentsLength(12);
+  return box;
+}
+
+}  // namespace
+
+Panels::Panels(Document& document, CameraControl& camera, QWidget* parent)
+    : QTabWidget(parent),
+      document_(document),
+      camera_(camera),
+      sun_(new SunPanel(document)),
+      view_(steady_box()),
+      sizes_(steady_box()),
+      devices_(steady_box()) {
+  setDocumentMode(true);
+  add_rows(add_panel(tr("&Land")), Panel::land);
+  QFormLayout* light = add_panel(tr("Li&ght"));
+  light->addRow(heading(tr("Sun")));
+  light->addRow(sun_);
+  add_rows(light, Panel::light);
+  add_rows(add_panel(tr("&Balloon")), Panel::balloon);
+  QFormLayout* picture = add_panel(tr("&Picture"));
+  add_view(picture);
+  add_rows(picture, Panel::view);
+  add_rows(picture, Panel::picture);
+  add_sizes(picture);
+  add_device(picture);
+  connect(&document, &Document::changed, this, &Panels::refresh);
+  refresh();
+}
+
+QFormLayout* Panels::add_panel(const QString& title) {
+  auto* page = new QWidget;
+  auto* form = new QFormLayout(page);
+  form->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
+  form->setRowWrapPolicy(QFormLayout::DontWrapRows);
+  auto* scroll = new QScrollArea;
+  scroll->setWidgetResizable(true);
+  scroll->setFrameShape(QFrame::NoFrame);
+  scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  scroll->setWidget(page);
+  addTab(scroll, title);
+  return form;
+}
+
+void Panels::add_rows(QFormLayout* form, Panel panel) {
+  for (const Control& control : controls()) {
+    if (control.panel != panel) continue;
+    if (control.group != nullptr) form->addRow(heading(group_of(control)));
+    ControlRow* row = ControlRow::make(control, document_, this);
+    form->addRow(row->label(), row->editor());
+    rows_.push_back(row);
+  }
+}
+
+void Panels::add_view(QFormLayout* form) {
+  view_->addItem(tr("From outside"), static_cast<int>(ViewKind::outside));
+  view_->addItem(tr("From the basket"), static_cast<int>(ViewKind::basket));
+  view_->addItem(tr("Free"), static_cast<int>(ViewKind::free));
+  view_->setToolTip(
+      tr("Where the camera stands: before the balloon, in its basket, or where you "
+         "move it"));
+  connect(view_, &QComboBox::activated, this,
+          [this](int index) { camera_.set_kind(static_cast<ViewKind>(index)); });
+  auto* presets = steady_box();
+  presets->addItem(tr("Choose…"));
+  presets->addItems(CameraControl::preset_names());
+  presets->setToolTip(tr("Cameras that suit any scene, counted from the balloon"));
+  connect(presets, &QComboBox::activated, this, [this, presets](int index) {
+    if (index > 0) camera_.apply_preset(index - 1);
+    presets->setCurrentIndex(0);
+  });
+  auto* place = new QPushButton(tr("Put the Balloon by a Click"));
+  place->setToolTip(
+      tr("Then click on the ground below the place for the balloon (or Ctrl+click at "
+         "any time)"));
+  connect(place, &QPushButton::clicked, this, &Panels::placing_asked);
+  form->addRow(heading(tr("View")));
+  form->addRow(tr("View"), view_);
+  form->addRow(tr("Preset"), presets);
+  form->addRow(place);
+}
+
+void Panels::add_sizes(QFormLayout* form) {
+  sizes_->addItem(tr("Choose…"));
+  for (const QSize& size : kSizes) {
+    sizes_->addItem(QStringLiteral("%1 × %2").arg(size.width()).arg(size.height()), size);
+  }
+  connect(sizes_, &QComboBox::activated, this, [this](int index) {
+    const QSize size = sizes_->itemData(index).toSize();
+    if (size.isEmpty()) return;
+    document_.end_gesture();
+    document_.change(tr("Change the Size"), {{"/image/width", std::to_string(size.width())},
+                                             {"/image/height", std::to_string(size.height())}});
+  });
+  form->addRow(tr("Usual sizes"), sizes_);
+}
+
+void Panels::add_device(QFormLayout* form) {
+  devices_->addItem(tr("Automatic"), QString());
+  devices_->setToolTip(tr("What computes the picture. Not part of the scene."));
+  devices_->setObjectName(QStringLiteral("device"));
+  connect(devices_, &QComboBox::activated, this,
+          [this](int index) { Q_EMIT device_chosen(devices_->itemData(index).toString()); });
+  form->addRow(heading(tr("Computing")));
+  form->addRow(tr("Device"), devices_);
+}
+
+void Panels::show_devices(const std::vector<DeviceChoice>& devices) {
+  const QString chosen = devices_->currentData().toString();
+  while (devices_->count() > 1) devices_->removeItem(1);
+  for (const DeviceChoice& device : devices) {
+    devices_->addItem(device.name, device.selector);
+    devices_->setItemData(devices_->count() - 1, device.name, Qt::ToolTipRole);
+  }
+  show_device(chosen);
+}
+
+void Panels::show_device(const QString& selector) {
+  int index = devices_->findData(selector);
+  if (index < 0) {
+    devices_->addItem(selector, selector);
+    index = devices_->count() - 1;
+  }
+  devices_->setCurrentIndex(index);
+}
+
+void Panels::show_view() {
+  const auto pose = camera_.pose();
+  if (!pose) return;
+  const dvec3 sight = pose->target - pose->position;
+  const scene::Scene& scene = document_.scene();
+  const double half = std::tan(scene.camera.fov_y_deg * std::numbers::pi / 360.0);
+  const double wide = 2.0 * std::atan(half * scene.image.width / scene.image.height);
+  sun_->disc().show_view(std::atan2(sight.x, -sight.z) * 180.0 / std::numbers::pi,
+                         wide * 180.0 / std::numbers::pi);
+}
+
+void Panels::refresh() {
+  view_->setCurrentIndex(static_cast<int>(camera_.kind()));
+  const scene::Image& image = document_.scene().image;
+  const int index = sizes_->findData(QSize(image.width, image.height));
+  sizes_->setCurrentIndex(std::max(0, index));
+  show_view();
+}
+
+}  // namespace aerostat::viewer

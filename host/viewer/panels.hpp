@@ -1,0 +1,53 @@
+#pragma once
+
+#include <QTabWidget>
+#include <vector>
+
+#include "viewer/editors.hpp"
+#include "viewer/render_thread.hpp"
+
+class QComboBox;
+class QFormLayout;
+
+namespace aerostat::viewer {
+
+class CameraControl;
+class SunPanel;
+
+/// All controls, in tabs.
+class Panels : public QTabWidget {
+  Q_OBJECT
+
+ public:
+  Panels(Document& document, CameraControl& camera, QWidget* parent = nullptr);
+
+  const std::vector<ControlRow*>& rows() const { return rows_; }
+  SunPanel& sun() { return *sun_; }
+
+  void show_devices(const std::vector<DeviceChoice>& devices);
+  void show_device(const QString& selector);
+  /// Draws where the camera looks.
+  void show_view();
+
+ Q_SIGNALS:
+  void device_chosen(const QString& selector);
+  void placing_asked();
+
+ private:
+  QFormLayout* add_panel(const QString& title);
+  void add_rows(QFormLayout* form, Panel panel);
+  void add_view(QFormLayout* form);
+  void add_sizes(QFormLayout* form);
+  void add_device(QFormLayout* form);
+  void refresh();
+
+  Document& document_;
+  CameraControl& camera_;
+  std::vector<ControlRow*> rows_;
+  SunPanel* sun_;
+  QComboBox* view_;
+  QComboBox* sizes_;
+  QComboBox* devices_;
+};
+
+}  // namespace aerostat::viewer

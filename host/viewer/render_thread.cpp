@@ -1,0 +1,152 @@
+#include "viewer/render_thread.hpp"
+
+#include <QMetaObject>
+
+#include "image/write.hpp"
+#include "opencl/device.hpp"
+#include "viewer/picture.hpp"
+
+namespace aerostat::viewer {
+
+RenderThread::RenderThread(Listener listener)
+    : listener_(std::move(listener)), thread_([this](const std::stop_token& end) { run(end); }) {}
+
+RenderThread::~RenderThread() {
+  thread_.request_stop();
+  {
+    const std::lock_guard lock(mutex_);
+    stop_.request_stop();
+  }
+  thread_.join();
+}
+
+std::uint64_t RenderThread::render(const scene::Scene& scene) {
+  ask({scene, 0, false});
+  return last_number_;
+}
+
+void RenderThread::pause() {
+  const std::lock_guard lock(mutex_);
+  next_.reset();
+  stop_.request_stop();
+}
+
+void RenderThread::use_device(const QString& selector) {
+  {
+    const std::lock_guard lock(mutex_);
+    selector_ = selector;
+  }
+  ask({std::nullopt, 0, true});
+}
+
+/// The newest wish; one for another device is kept until it is served.
+void RenderThread::ask(Request request) {
+  const std::lock_guard lock(mutex_);
+  request.number = ++last_number_;
+  if (next_) {
+    request.other_device = request.other_device || next_->other_device;
+    if (!request.scene) request.scene = next_->scene;
+  }
+  next_ = std::move(request);
+  stop_.request_stop();
+  wake_.notify_all();
+}
+
+void RenderThread::run(const std::stop_token& end) {
+  guarded(0, [this] { find_devices(); });
+  while (!end.stop_requested()) {
+    Request request;
+    std::stop_token stop;
+    {
+      std::unique_lock lock(mutex_);
+      if (!wake_.wait(lock, end, [this] { return next_.has_value(); })) return;
+      request = *std::move(next_);
+      next_.reset();
+      stop_ = {};
+      stop = stop_.get_token();
+      if (end.stop_requested()) return;
+    }
+    guarded(request.number, [&] { serve(request, stop); });
+  }
+}
+
+/// Tells what goes wrong. A device that failed is let go, since it may be lost.
+template <typename Action>
+void RenderThread::guarded(std::uint64_t request, Action action) {
+  Trouble trouble{ErrorKind::internal, {}, request};
+  try {
+    action();
+    return;
+  } catch (const Error& error) {
+    if (error.kind() == ErrorKind::interrupted) return;
+    trouble.kind = error.kind();
+    trouble.message = QString::fromUtf8(error.what());
+  } catch (const std::bad_alloc&) {
+    trouble.kind = ErrorKind::exhausted;
+    trouble.message = QStringLiteral("out of memory");
+  } catch (const std::exception& error) {
+    trouble.message = QString::fromUtf8(error.what());
+  }
+  if (trouble.kind != ErrorKind::bad_data) progressive_.reset();
+  tell([this, trouble] { listener_.troubled(trouble); });
+}
+
+void RenderThread::serve(const Request& request, const std::stop_token& stop) {
+  if (request.other_device) progressive_.reset();
+  if (!request.scene) return;
+  if (!progressive_) {
+    QString selector;
+    {
+      const std::lock_guard lock(mutex_);
+      selector = selector_;
+    }
+    render::Options options;
+    options.devices = opencl::select_devices(opencl::effective_selector(selector.toStdString()));
+    device_.clear();
+    for (const auto& device : options.devices) {
+      device_ += (device_.isEmpty() ? "" : " + ") + QString::fromStdString(device.name);
+    }
+    progressive_ = std::make_unique<render::Progressive>(std::move(options));
+  }
+  double told = -1.0;
+  progressive_->render(
+      *request.scene, stop, [&](const render::Look& look) { show(look, request.number); },
+      [&](const render::Progress& progress) {
+        if (progress.seconds - told < 0.1 && progress.seconds >= told) return;
+        told = progress.seconds;
+        tell([this, progress] { listener_.progressed(progress); });
+      });
+}
+
+void RenderThread::find_devices() {
+  const auto list = opencl::list_devices();
+  std::vector<DeviceChoice> choices;
+  for (const opencl::Device& device : list.devices) {
+    choices.push_back({QString::fromStdString(device.selector()),
+                       QString::fromStdString(device.name + " (" + device.platform + ")")});
+  }
+  tell([this, choices] { listener_.devices_found(choices); });
+}
+
+void RenderThread::show(const render::Look& look, std::uint64_t request) {
+  auto shown = std::make_shared<Shown>(Shown{look, picture_of(look), request, device_});
+  const std::lock_guard lock(mutex_);
+  const bool waits = newest_ != nullptr;
+  newest_ = std::move(shown);
+  if (!waits) tell([this] { deliver(); });
+}
+
+void RenderThread::deliver() {
+  std::shared_ptr<const Shown> shown;
+  {
+    const std::lock_guard lock(mutex_);
+    shown.swap(newest_);
+  }
+  if (shown) listener_.shown(std::move(shown));
+}
+
+void RenderThread::tell(std::function<void()> message) {
+  QMetaObject::invokeMethod(&receiver_, std::move(message), Qt::QueuedConnection);
+}
+
+}  // namespace aerostat::viewer

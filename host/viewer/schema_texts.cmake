@@ -1,0 +1,12 @@
+# Writes the descriptions of the schema INPUT to OUTPUT as marked text.
+cmake_minimum_required(VERSION 3.25)
+file(STRINGS "${INPUT}" lines REGEX "\"description\": \"" ENCODING UTF-8)
+set(text "#include <QtGlobal>\n\n[[maybe_unused]] static const char* const kSchemaTexts[] = {\n")
+foreach(line IN LISTS lines)
+  string(REGEX MATCH "\"description\": (\"[^\"]*\")" matched "${line}")
+  string(FIND "${text}" "${CMAKE_MATCH_1}" place)
+  if(matched AND place EQUAL -1)
+    string(APPEND text "    QT_TRANSLATE_NOOP(\"Schema\", ${CMAKE_MATCH_1}),\n")
+  endif()
+endforeach()
+file(WRITE "${OUTPUT}" "${text}};\n")
