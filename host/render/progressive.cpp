@@ -113,9 +113,9 @@ void Progressive::State::show_step(Session& session, const scene::Scene& resolve
                                    bool rough) {
   scene::Scene scene = step.draft ? drafted(resolved) : resolved;
   if (rough) scene = roughened(scene);
-  // Trees of a former eye do until the view rests.
-  const Plants plants = step.draft && !is_draft(resolved) ? Plants::as_they_stand : Plants::as_seen;
   const bool last = step.shrink == 1 && !rough && step.draft == is_draft(resolved);
+  // Trees of a former eye do until the view rests.
+  const Plants plants = last ? Plants::as_seen : Plants::as_they_stand;
   Look look{{}, resolved, surface, step.shrink, 0, rough, step.draft, false, {}, 0.0};
   const auto watch_passes = [&](const Progress& now) {
     if (progress) progress(now);

@@ -58,11 +58,11 @@ class SeedRow : public ControlRow {
     number_->setRange(rule().minimum, rule().maximum);
     number_->setKeyboardTracking(false);
     dice_ = new QToolButton;
-    dice_->setText(tr("Dice"));
-    dice_->setToolTip(tr("Another land"));
+    dice_->setText(ControlRow::tr("Dice"));
+    dice_->setToolTip(ControlRow::tr("Another land"));
     back_ = new QToolButton;
-    back_->setText(tr("Back"));
-    back_->setToolTip(tr("The seed before the dice was thrown"));
+    back_->setText(ControlRow::tr("Back"));
+    back_->setToolTip(ControlRow::tr("The seed before the dice was thrown"));
     back_->setEnabled(false);
     layout->addWidget(number_, 1);
     layout->addWidget(dice_);

@@ -12,8 +12,10 @@ namespace {
 void load_translations(QApplication& application) {
   static QTranslator own, of_qt;
   const QLocale locale;
+  // English has forms of its own for one and for many.
   if (own.load(locale, QStringLiteral("aerostat"), QStringLiteral("_"),
-               QStringLiteral(":/translations"))) {
+               QStringLiteral(":/translations")) ||
+      own.load(QStringLiteral(":/translations/aerostat_en.qm"))) {
     application.installTranslator(&own);
   }
   if (of_qt.load(locale, QStringLiteral("qtbase"), QStringLiteral("_"),

@@ -17,23 +17,27 @@ QString row(const QString& keys, const QString& meaning) {
 }
 
 QString picture_rows() {
-  const auto tr = [](const char* text) { return ShortcutsDialog::tr(text); };
-  return row(tr("Drag"), tr("turn around what is looked at; in the basket, look around")) +
-         row(tr("Right drag, Shift+drag"), tr("look around")) +
-         row(tr("Wheel, Page Up, Page Down"), tr("closer, away")) +
-         row(tr("Double click"), tr("aim there")) +
-         row(tr("Ctrl+click"), tr("put the balloon above it")) +
-         row(tr("W A S D"), tr("fly ahead, left, back, right (Shift: fast)")) +
-         row(tr("Q, E"), tr("down, up")) +
-         row(tr("Arrows, Shift+arrows"), tr("turn around it, look around")) +
-         row(tr("Middle drag"), tr("shift the picture at 1:1"));
+  return row(ShortcutsDialog::tr("Drag"),
+             ShortcutsDialog::tr("turn around what is looked at; in the basket, look around")) +
+         row(ShortcutsDialog::tr("Right drag, Shift+drag"), ShortcutsDialog::tr("look around")) +
+         row(ShortcutsDialog::tr("Wheel, Page Up, Page Down"),
+             ShortcutsDialog::tr("closer, away")) +
+         row(ShortcutsDialog::tr("Double click"), ShortcutsDialog::tr("aim there")) +
+         row(ShortcutsDialog::tr("Ctrl+click"), ShortcutsDialog::tr("put the balloon above it")) +
+         row(ShortcutsDialog::tr("W A S D"),
+             ShortcutsDialog::tr("fly ahead, left, back, right (Shift: fast)")) +
+         row(ShortcutsDialog::tr("Q, E"), ShortcutsDialog::tr("down, up")) +
+         row(ShortcutsDialog::tr("Arrows, Shift+arrows"),
+             ShortcutsDialog::tr("turn around it, look around")) +
+         row(ShortcutsDialog::tr("Middle drag"), ShortcutsDialog::tr("shift the picture at 1:1"));
 }
 
 QString control_rows() {
-  const auto tr = [](const char* text) { return ShortcutsDialog::tr(text); };
-  return row(tr("Double click on a name, Ctrl+Backspace"), tr("back to the default")) +
-         row(tr("Arrows on the sun's disc"), tr("move the sun (Shift: by 10°)")) +
-         row(tr("Ctrl+."), tr("dismiss a message"));
+  return row(ShortcutsDialog::tr("Double click on a name, Ctrl+Backspace"),
+             ShortcutsDialog::tr("back to the default")) +
+         row(ShortcutsDialog::tr("Arrows on the sun's disc"),
+             ShortcutsDialog::tr("move the sun (Shift: by 10°)")) +
+         row(ShortcutsDialog::tr("Ctrl+."), ShortcutsDialog::tr("dismiss a message"));
 }
 
 QString menu_rows(const QMenu& menu) {

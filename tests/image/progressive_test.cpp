@@ -1,9 +1,9 @@
 // Progressive renders: each look is finer than the one before, the last is the picture itself.
 #include "render/progressive.hpp"
-#include "world/world.hpp"
 
 #include "core/error.hpp"
 #include "pictures.hpp"
+#include "world/world.hpp"
 
 namespace aerostat::test {
 namespace {
