@@ -1,4 +1,6 @@
+#include "cloud_march.clh"
 #include "film.clh"
+#include "sampling.clh"
 #include "shade.clh"
 
 /* Radiance of a tile's eye rays, added to the film. */
@@ -32,6 +34,10 @@ __kernel void shade_hits(const AeroLaunch launch, __global const AeroScene* scen
     radiance = select3(met, through_air(scene, surface, &ray, hit.t), radiance);
     normal = select3(met, shading_normal, normal);
     object = lane_select(met, triangle.object, object);
+  }
+  if (scene->sky.cumulus.extinction > 0.0f) {
+    const LightSample at = light_sample(&task.frame, &packet);
+    radiance = behind_clouds(scene, radiance, &ray, hit.t, task.frame.pixel_angle, at.w);
   }
 
   Samples samples;

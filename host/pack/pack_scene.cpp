@@ -17,6 +17,28 @@ float cosine_of_deg(double degrees) {
   return static_cast<float>(std::cos(degrees * (std::numbers::pi / 180.0)));
 }
 
+// Per metre: a cloud of fair weather with some 60 droplets of 8 um radius a cubic centimetre.
+constexpr float kCumulusExtinction = 0.03f;
+
+/// Above it the kernels' noise, whose values are spread like a logistic distribution's, has a
+/// cloud.
+float cumulus_threshold(double cover) {
+  if (cover >= 1.0) return -3.0f;
+  const double share = std::max(cover, 1e-4);
+  return static_cast<float>(0.155 * std::log((1.0 - share) / share));
+}
+
+AeroCumulus pack_cumulus(const scene::Cumulus& from) {
+  AeroCumulus cumulus{};
+  cumulus.base = static_cast<float>(from.base_m);
+  cumulus.thickness = static_cast<float>(from.thickness_m);
+  cumulus.size = static_cast<float>(from.size_m);
+  cumulus.threshold = cumulus_threshold(from.cover);
+  cumulus.extinction = from.cover > 0.0 ? kCumulusExtinction : 0.0f;
+  cumulus.seed = from.seed * 2654435761u;
+  return cumulus;
+}
+
 AeroSky pack_sky(const scene::Scene& scene) {
   AeroSky sky{};
   copy(sky.sun_direction, glm::normalize(scene.sun.direction));
@@ -28,6 +50,8 @@ AeroSky pack_sky(const scene::Scene& scene) {
   sky.sun_spread = scene.sun.soft_shadows ? static_cast<float>(std::tan(air::kSunRadius)) : 0.0f;
   sky.ambient_reach =
       scene.sky.ambient_occlusion ? static_cast<float>(scene.sky.occlusion_m) : 0.0f;
+  sky.bounced = scene.sky.bounced_light ? 1u : 0u;
+  sky.cumulus = pack_cumulus(scene.sky.cumulus);
   return sky;
 }
 

@@ -39,6 +39,7 @@ void make_snow(Scene& scene) {
   scene.sun.direction = detail::direction_of({230.0, 15.0});
   scene.air.ground_albedo = {0.5f, 0.52f, 0.55f};
   scene.haze = {90000.0, 1300.0, 1.3, 0.72, vec3(0.96f)};
+  scene.sky.cumulus = {0.05, 2900.0, 380.0, 600.0, 1};
 }
 
 /// A green island in a warm sea: steep ridges under forest, pale beaches, moist air.
@@ -75,6 +76,7 @@ void make_tropical(Scene& scene) {
   scene.sun.direction = detail::direction_of({150.0, 23.0});
   scene.air.ground_albedo = {0.06f, 0.08f, 0.08f};
   scene.haze = {60000.0, 1000.0, 0.6, 0.76, vec3(0.99f)};
+  scene.sky.cumulus = {0.18, 1250.0, 480.0, 480.0, 8};
 }
 
 /// A sea of dunes before reddish rock: dust in the air, a low golden sun.
@@ -108,6 +110,7 @@ void make_sand(Scene& scene) {
   scene.sun.direction = detail::direction_of({80.0, 12.0});
   scene.air.ground_albedo = {0.42f, 0.28f, 0.16f};
   scene.haze = {50000.0, 1200.0, 0.3, 0.75, {0.97f, 0.94f, 0.88f}};
+  scene.sky.cumulus = {0.004, 2400.0, 300.0, 500.0, 1};
 }
 
 /// Across the gap from the balloon, which fills a third of the height. The camera stands at

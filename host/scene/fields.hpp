@@ -140,11 +140,22 @@ void fields(Archive& archive, PointLight& light) {
 }
 
 template <class Archive>
+void fields(Archive& archive, Cumulus& cumulus) {
+  archive("cover", cumulus.cover);
+  archive("base_m", cumulus.base_m);
+  archive("thickness_m", cumulus.thickness_m);
+  archive("size_m", cumulus.size_m);
+  archive("seed", cumulus.seed);
+}
+
+template <class Archive>
 void fields(Archive& archive, Sky& sky) {
   archive("cloud_cover", sky.cloud_cover);
   archive("cloud_height_m", sky.cloud_height_m);
   archive("ambient_occlusion", sky.ambient_occlusion);
   archive("occlusion_m", sky.occlusion_m);
+  archive("bounced_light", sky.bounced_light);
+  archive("cumulus", sky.cumulus);
 }
 
 template <class Archive>

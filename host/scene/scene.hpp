@@ -174,12 +174,23 @@ struct PointLight {
   bool shadows = true;
 };
 
+/// Heaped fair-weather clouds over flat bases. Their shadows fall on the land.
+struct Cumulus {
+  double cover = 0.0;          // of the sky straight above, 0 to 1
+  double base_m = 1400.0;      // above the sea
+  double thickness_m = 500.0;  // from the bases to high tops
+  double size_m = 700.0;       // across a cloud
+  std::uint32_t seed = 1;
+};
+
 /// What is in the sky beside sun and air.
 struct Sky {
   double cloud_cover = 0.4;        // of the sky by thin high cloud, 0 to 1
   double cloud_height_m = 7000.0;  // above the eye
   bool ambient_occlusion = true;   // what is near keeps the sky's light off
   double occlusion_m = 300.0;      // as far as this, ever less with distance
+  bool bounced_light = true;       // and is lit by the sun itself, if it counts
+  Cumulus cumulus;
 };
 
 /// The gases of the air and the ground under it, as far as its light goes.

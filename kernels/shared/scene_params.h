@@ -37,19 +37,32 @@ typedef struct AeroPointLight {
 
 AERO_ASSERT_LAYOUT(AeroPointLight, 28);
 
+/* Heaped clouds over flat bases; none if the extinction is 0. */
+typedef struct AeroCumulus {
+  aero_float base, thickness; /* metres above the sea */
+  aero_float size;            /* of a cloud */
+  aero_float threshold;       /* of the noise that says where they are */
+  aero_float extinction;
+  aero_uint seed;
+} AeroCumulus;
+
+AERO_ASSERT_LAYOUT(AeroCumulus, 24);
+
 /* Sun and clouds. */
 typedef struct AeroSky {
   aero_float sun_direction[3];
   aero_float sun_irradiance[3]; /* outside the air */
   aero_float sun_cos;           /* of the disc's angular radius */
-  aero_float cloud_cover;       /* 0 to 1 */
+  aero_float cloud_cover;       /* 0 to 1, of thin high cloud */
   aero_float cloud_height;      /* metres above the eye */
   aero_uint sun_shadows;
   aero_float sun_spread;    /* tangent of the disc's radius as shadows see it, 0: a point */
   aero_float ambient_reach; /* metres within which occluders of the sky count, 0: none do */
+  aero_uint bounced;        /* what hides the sky is lit by the sun */
+  AeroCumulus cumulus;
 } AeroSky;
 
-AERO_ASSERT_LAYOUT(AeroSky, 48);
+AERO_ASSERT_LAYOUT(AeroSky, 76);
 
 /* Colour rules of the ground. */
 typedef struct AeroGround {
@@ -91,6 +104,6 @@ typedef struct AeroScene {
   AeroAir air;
 } AeroScene;
 
-AERO_ASSERT_LAYOUT(AeroScene, 33808);
+AERO_ASSERT_LAYOUT(AeroScene, 33836);
 
 #endif

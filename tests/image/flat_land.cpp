@@ -39,6 +39,7 @@ scene::Scene flat_land() {
   scene.camera.up = {0.0, 0.0, -1.0};
   scene.sun.irradiance = 0.0;
   scene.sun.color = vec3(1.0f);
+  scene.sky.cumulus.cover = 0.0;
   scene.air = {0.0, 0.0, vec3(0.0f)};
   scene.haze.visibility_m = 1e12;
   scene.haze.albedo = vec3(0.0f);

@@ -15,8 +15,8 @@ inline Look load_look(__global const float* coefficients, __global const float* 
   look.shininess = (lane_float)coefficients[3];
   look.translucency = (lane_float)coefficients[4];
   look.albedo = lane3_from(coefficients + 5);
-  look.open = (lane_float)1.0f;
   look.softness = (lane_float)coefficients[8];
+  look.open = look.sunlit = (lane_float)1.0f;
   return look;
 }
 
