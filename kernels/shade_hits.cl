@@ -8,7 +8,7 @@ __kernel void shade_hits(const AeroLaunch launch, __global const AeroScene* scen
                          __global const AeroInstance* instances, __global const float* grid,
                          __global const AeroFace* faces, __global const AeroVertex* vertices,
                          __global const Hit* hits, __global const lane_uint* visible,
-                         __global const lane_float* open, __global AeroFilmPixel* film) {
+                         __global const AmbientFound* found, __global AeroFilmPixel* film) {
   const uint block = (uint)get_global_id(0);
   if (block >= launch.tile.block_count) return;
   const AeroLaunch task = launch;
@@ -26,18 +26,23 @@ __kernel void shade_hits(const AeroLaunch launch, __global const AeroScene* scen
     const HeightGrid ground = height_grid(grid);
     const MeshArrays meshes = mesh_arrays(faces, vertices, instances);
     const HitTriangle triangle = load_hit_triangle(&ground, &meshes, &hit);
-    const lane_float sky_share = scene->sky.ambient_reach > 0.0f ? open[block] : (lane_float)1.0f;
+    AmbientFound around;
+    around.free = (lane_float)1.0f;
+    around.facing = zero;
+    if (scene->sky.ambient_reach > 0.0f) around = found[block];
     Lane3 shading_normal;
     const lane_float across = pixel_across(&task.frame, hit.t);
     const Lane3 surface =
-        shade_hit(scene, &triangle, &ray, &hit, across, visible[block], sky_share, &shading_normal);
+        shade_hit(scene, &triangle, &ray, &hit, across, visible[block], &around, &shading_normal);
     radiance = select3(met, through_air(scene, surface, &ray, hit.t), radiance);
     normal = select3(met, shading_normal, normal);
     object = lane_select(met, triangle.object, object);
   }
   if (scene->sky.cumulus.extinction > 0.0f) {
     const LightSample at = light_sample(&task.frame, &packet);
-    radiance = behind_clouds(scene, radiance, &ray, hit.t, task.frame.pixel_angle, at.w);
+    /* A pixel of parallel rays counts as one seen a kilometre away. */
+    const float angle = task.frame.pixel_angle + 1e-3f * task.frame.pixel_width;
+    radiance = behind_clouds(scene, radiance, &ray, hit.t, angle, at.w);
   }
 
   Samples samples;

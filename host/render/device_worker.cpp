@@ -111,13 +111,13 @@ void DeviceWorker::reserve(std::uint64_t packets) {
   retire(0);
   hits_ = {};
   visible_ = {};
-  open_ = {};
+  found_ = {};
   packets_capacity_ = 0;
   const std::uint64_t rays = packets * static_cast<std::uint64_t>(lanes_);
-  // A hit is five words per lane, the lights that reach it one, the sky's share one.
+  // A hit is five words per lane, the lights that reach it one, what keeps off the sky two.
   hits_ = {context_, budget_, rays * 20, "the hits", CL_MEM_READ_WRITE};
   visible_ = {context_, budget_, rays * 4, "the shadows", CL_MEM_READ_WRITE};
-  open_ = {context_, budget_, rays * 4, "the open sky", CL_MEM_READ_WRITE};
+  found_ = {context_, budget_, rays * 8, "what is around the hits", CL_MEM_READ_WRITE};
   packets_capacity_ = packets;
 }
 
@@ -138,12 +138,12 @@ void DeviceWorker::launch_tile(const AeroLaunch& launch) {
     work.ambient =
         opencl::launch(context_, programs_->trace_ambient_rays, size, launch, scene_,
                        geometry_.nodes, geometry_.triangles, geometry_.instances, geometry_.grid,
-                       geometry_.faces, geometry_.vertices, hits_.handle(), open_.handle());
+                       geometry_.faces, geometry_.vertices, hits_.handle(), found_.handle());
   }
   work.shade =
       opencl::launch(context_, programs_->shade_hits, size, launch, scene_, geometry_.instances,
                      geometry_.grid, geometry_.faces, geometry_.vertices, hits_.handle(),
-                     visible_.handle(), open_.handle(), film_);
+                     visible_.handle(), found_.handle(), film_);
   in_flight_.push_back(work);
 }
 

@@ -91,7 +91,7 @@ class DeviceWorker {
   opencl::Buffer<AeroScene> scene_;
   FilmBuffer film_;
   bool occlusion_ = false;  // whether the frame asks for ambient occlusion
-  opencl::RawBuffer hits_, visible_, open_;
+  opencl::RawBuffer hits_, visible_, found_;
   std::uint64_t packets_capacity_ = 0;
 
   std::deque<Launch> in_flight_;

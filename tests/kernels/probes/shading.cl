@@ -1,3 +1,4 @@
+#include "cloud_march.clh"
 #include "probe.clh"
 #include "shade.clh"
 
@@ -17,6 +18,7 @@ inline Look load_look(__global const float* coefficients, __global const float* 
   look.albedo = lane3_from(coefficients + 5);
   look.softness = (lane_float)coefficients[8];
   look.open = look.sunlit = (lane_float)1.0f;
+  look.facing = (lane_float)0.0f;
   return look;
 }
 
@@ -73,4 +75,21 @@ __kernel void probe_waves(__global const AeroScene* scene, __global const float*
   lane_float rough;
   store3_planes(wave_normal(&scene->water, load3(positions), LOAD(footprints), &rough), normals);
   STORE(rough, roughness);
+}
+
+__kernel void probe_cloud_shadow(__global const AeroScene* scene, __global const float* positions,
+                                 __global const float* footprints, __global float* share) {
+  STORE(cumulus_shadow(&scene->sky, load3(positions), LOAD(footprints)), share);
+}
+
+__kernel void probe_clouds(__global const AeroScene* scene, __global const float* origins,
+                           __global const float* directions, __global const float* distances,
+                           __global float* arriving) {
+  Ray ray;
+  ray.origin = load3(origins);
+  ray.direction = load3(directions);
+  ray.t_max = (lane_float)INFINITY;
+  const Lane3 white = lane3((lane_float)1.0f, (lane_float)1.0f, (lane_float)1.0f);
+  store3_planes(behind_clouds(scene, white, &ray, LOAD(distances), 0.05f, (lane_float)0.5f),
+                arriving);
 }

@@ -1,0 +1,165 @@
+// Heaped clouds: what they let through, and where they are.
+#include <cmath>
+#include <random>
+
+#include "pack/pack_scene.hpp"
+#include "scene/io.hpp"
+#include "shading_scene.hpp"
+
+namespace aerostat::test {
+namespace {
+
+constexpr float kBase = 1000.0f, kThickness = 800.0f, kExtinction = 1e-3f;
+
+/// A deck without gaps whose bulges no footprint of 20 m resolves.
+AeroScene closed_deck() {
+  AeroScene scene = bare_scene();
+  scene.sky.cumulus = {kBase, kThickness, 10.0f, -1e6f, kExtinction, 7u};
+  return scene;
+}
+
+AeroScene broken_clouds(double cover) {
+  scene::Scene scene = scene::defaults(scene::BiomeKind::tropical, scene::View::outside);
+  scene.sun.direction = {0.0, 1.0, 0.0};
+  scene.sky.cumulus.cover = cover;
+  return pack::pack_scene(scene);
+}
+
+double smooth(double lo, double hi, double x) {
+  const double t = std::clamp((x - lo) / (hi - lo), 0.0, 1.0);
+  return t * t * (3.0 - 2.0 * t);
+}
+
+/// Its optical depth straight up: rounded below, thinning out above, dense between.
+double depth_of_deck(double footprint) {
+  constexpr int kSlices = 20000;
+  const double edge = 0.1 + 2.0 * footprint / kThickness;
+  double sum = 0.0;
+  for (int i = 0; i < kSlices; ++i) {
+    const double height = -0.1 + 1.4 * (i + 0.5) / kSlices;
+    const double below_top = 1.25 - 0.5 * 0.36 - height - 0.36 * 0.15;
+    sum += std::clamp(below_top / edge, 0.0, 1.0) * smooth(-0.04, 0.1, height);
+  }
+  return kExtinction * kThickness * 1.4 * sum / kSlices;
+}
+
+class Cumulus : public LaneTest {
+ protected:
+  const Probe probe{"shading.cl", GetParam()};
+
+  std::vector<float> shadow(const AeroScene& scene, const std::vector<vec3>& positions,
+                            float footprint) const {
+    const std::size_t count = whole_packets(positions.size());
+    const auto share = output<float>(count);
+    probe.run("probe_cloud_shadow", count, uploaded(scene), input(planes(positions)),
+              input(std::vector<float>(count, footprint)), share);
+    auto values = share.read();
+    values.resize(positions.size());
+    return values;
+  }
+
+  /// What is left of white light that comes along rays from (0, height, 0).
+  std::vector<float> left(const AeroScene& scene, const std::vector<vec3>& directions, float height,
+                          float distance) const {
+    const std::size_t count = whole_packets(directions.size());
+    const auto arriving = output<float>(3 * count);
+    probe.run("probe_clouds", count, uploaded(scene),
+              input(planes(std::vector<vec3>(directions.size(), {0.0f, height, 0.0f}))),
+              input(planes(directions)), input(std::vector<float>(count, distance)), arriving);
+    const auto values = arriving.read();
+    std::vector<float> result;
+    for (std::size_t i = 0; i < directions.size(); ++i) {
+      result.push_back(from_planes(values, i).x);
+    }
+    return result;
+  }
+};
+
+TEST_P(Cumulus, DimsTheSunByWhatALayerLetsThrough) {
+  for (const float degrees : {0.0f, 40.0f, 60.0f}) {
+    AeroScene scene = closed_deck();
+    set3(scene.sky.sun_direction, tilted(degrees));
+    const double cosine = scene.sky.sun_direction[1];
+    const double width = std::max(20.0, 2.0 * 0.0093 * kBase / cosine);
+    const double step = 0.35 * 1.25 * kThickness / cosine / 6.0;
+    const double depth = depth_of_deck(std::max(width, step)) / cosine;
+    const double straight = std::exp(-depth);
+    const double expected = straight + 0.35 * (1.0 / (1.0 + 0.1125 * depth) - straight);
+    EXPECT_NEAR(shadow(scene, {{5.0f, 0.0f, 9.0f}}, 20.0f)[0], expected, 0.03 * expected)
+        << degrees;
+  }
+}
+
+TEST_P(Cumulus, HidesByBeersLaw) {
+  AeroScene scene = closed_deck();
+  set3(scene.sky.sun_irradiance, vec3(0.0f));
+  const auto through = left(scene, {tilted(0.0f), tilted(30.0f), tilted(55.0f)}, 900.0f, INFINITY);
+  for (const auto& [i, degrees] : {std::pair{0, 0.0f}, {1, 30.0f}, {2, 55.0f}}) {
+    // A pixel is 0.05 wide: of the footprints only those at the soft upper edge count.
+    const double cosine = static_cast<double>(tilted(degrees).y);
+    const double expected = std::exp(-depth_of_deck(45.0 / cosine) / cosine);
+    EXPECT_NEAR(through[static_cast<std::size_t>(i)], expected, 0.05 * expected) << degrees;
+  }
+  EXPECT_EQ(left(scene, {tilted(0.0f)}, 0.0f, 890.0f)[0], 1.0f) << "what stands below the clouds";
+  EXPECT_EQ(left(scene, {tilted(180.0f)}, 900.0f, INFINITY)[0], 1.0f) << "downwards from below";
+  EXPECT_EQ(left(scene, {tilted(10.0f)}, 2100.0f, INFINITY)[0], 1.0f) << "upwards from above";
+  EXPECT_LT(left(scene, {tilted(180.0f)}, 2100.0f, 2100.0f)[0], 0.7f) << "the ground from above";
+}
+
+TEST_P(Cumulus, CastsTheSameShadowAllAlongTheSunsRay) {
+  AeroScene scene = broken_clouds(0.4);
+  set3(scene.sky.sun_direction, tilted(50.0f));
+  std::mt19937 random(17);
+  std::uniform_real_distribution<float> coordinate(-20000.0f, 20000.0f);
+  std::vector<vec3> low(256), high(256);
+  for (std::size_t i = 0; i < low.size(); ++i) {
+    low[i] = {coordinate(random), 0.0f, coordinate(random)};
+    high[i] = low[i] + 700.0f * tilted(50.0f);
+  }
+  // The sun's penumbra is narrower than this footprint at either height.
+  const auto below = shadow(scene, low, 60.0f), above = shadow(scene, high, 60.0f);
+  int shaded = 0;
+  for (std::size_t i = 0; i < low.size(); ++i) {
+    EXPECT_NEAR(below[i], above[i], 2e-3f) << i;
+    shaded += below[i] < 0.5f ? 1 : 0;
+  }
+  EXPECT_GT(shaded, 20);
+  EXPECT_LT(shaded, 236);
+}
+
+TEST_P(Cumulus, CoversTheShareOfTheSkyThatIsAskedFor) {
+  std::mt19937 random(23);
+  std::uniform_real_distribution<float> coordinate(-1e5f, 1e5f);
+  std::vector<vec3> points(4096);
+  for (vec3& p : points) p = {coordinate(random), 0.0f, coordinate(random)};
+  for (const double cover : {0.0, 0.1, 0.3, 0.6, 1.0}) {
+    const auto shares = shadow(broken_clouds(cover), points, 1.0f);
+    double shaded = 0.0;
+    for (const float share : shares) {
+      ASSERT_GE(share, 0.0f);
+      ASSERT_LE(share, 1.0f);
+      shaded += share < 0.6f ? 1.0 : 0.0;
+    }
+    EXPECT_NEAR(shaded / 4096.0, cover, 0.09) << cover;
+  }
+}
+
+TEST_P(Cumulus, LeavesNumbersInEveryDirection) {
+  const AeroScene scene = broken_clouds(0.5);
+  std::mt19937 random(5);
+  std::normal_distribution<float> normal;
+  std::vector<vec3> directions(512);
+  for (vec3& d : directions) {
+    d = glm::normalize(vec3(normal(random), 0.1f * normal(random), normal(random)));
+  }
+  for (const float height : {2.0f, 1300.0f, 5000.0f}) {
+    for (const float light : left(scene, directions, height, INFINITY)) {
+      ASSERT_TRUE(std::isfinite(light) && light >= 0.0f) << height;
+    }
+  }
+}
+
+AEROSTAT_AT_EVERY_WIDTH(Cumulus);
+
+}  // namespace
+}  // namespace aerostat::test
