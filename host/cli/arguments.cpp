@@ -38,6 +38,7 @@ class Arguments {
     app_.option_defaults()->multi_option_policy(CLI::MultiOptionPolicy::TakeLast);
     add_render();
     add_contact_sheet();
+    add_scenes();
     add_devices();
     add_check();
     add_dump();
@@ -55,7 +56,7 @@ class Arguments {
   /// What is wrong, in words. CLI11 calls an unknown command a missing one.
   std::string complaint(const CLI::ParseError& error, int argc, const char* const* argv) {
     if (!app_.get_subcommands().empty()) return error.what();
-    const std::string commands = "render, contact-sheet, devices, check, dump or export";
+    const std::string commands = "render, contact-sheet, scenes, devices, check, dump or export";
     if (argc < 2) return fmt::format("no command; expected {}", commands);
     if (argv[1][0] == '-') return error.what();
     return fmt::format("there is no command '{}'; expected {}", argv[1], commands);
@@ -78,7 +79,9 @@ class Arguments {
   }
 
   static void add_scene(CLI::App* sub, SceneOptions& options) {
-    sub->add_option("SCENE", options.scene, "Scene file (JSON with comments)")
+    sub->add_option("SCENE", options.scene,
+                    "Scene file (JSON with comments), or the name of a scene that\n"
+                    "came with aerostat, such as snow (see 'aerostat scenes')")
         ->required()
         ->type_name("");
     sub->add_option("--set", options.overrides,
@@ -182,6 +185,12 @@ class Arguments {
     add_quiet(sub, sheet_.quiet);
   }
 
+  void add_scenes() {
+    CLI::App* sub = add("scenes", "List the scenes that came with aerostat", kScenesFooter,
+                        [this] { return scenes(scenes_); });
+    sub->add_flag("--folder", scenes_.folder, "Print only the folder that they are in");
+  }
+
   void add_devices() {
     CLI::App* sub = add("devices", "List OpenCL platforms and devices", kDevicesFooter,
                         [this] { return devices(devices_); });
@@ -216,6 +225,7 @@ class Arguments {
   std::function<int()> command_;
   RenderOptions render_;
   ContactSheetOptions sheet_;
+  ScenesOptions scenes_;
   DevicesOptions devices_;
   SceneOptions check_;
   SceneOptions dump_;

@@ -7,13 +7,17 @@ inline constexpr const char* kDescription =
     "Renders pictures of a hot-air balloon before a mountain landscape, by ray tracing on OpenCL.";
 
 inline constexpr const char* kMainFooter = R"(Examples:
-  aerostat render scenes/snow.json
+  aerostat render snow
+  aerostat scenes
   aerostat devices
   aerostat COMMAND --help
 
 Environment:
   AEROSTAT_DEVICE      the devices, if --device is not given
+  AEROSTAT_SCENE_DIR   the folder of the scenes that came with aerostat
   AEROSTAT_KERNEL_DIR  reads the kernels from this folder instead of the program
+  POCL_CACHE_DIR       where PoCL keeps compiled kernels; by default aerostat/pocl in the
+                       user's cache folder
   NO_COLOR             if set, nothing is coloured
 
 Exit codes: 0 done, 64 wrong command line, 65 bad scene, 69 no such device, 70 internal fault,
@@ -40,6 +44,13 @@ inline constexpr const char* kContactSheetFooter = R"(Examples:
 
 Each tile is exposed by what it shows, unless the scene says /image/exposure_ev; the number below it
 is its /terrain/seed.)";
+
+inline constexpr const char* kScenesFooter = R"(Examples:
+  aerostat scenes
+  cp "$(aerostat scenes --folder)/snow.json" my.json
+
+A name without folder and extension means one of them wherever a command takes a scene, unless a file
+has that name.)";
 
 inline constexpr const char* kDevicesFooter = R"(Examples:
   aerostat devices

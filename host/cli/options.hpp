@@ -46,6 +46,10 @@ struct ContactSheetOptions {
   bool quiet = false;
 };
 
+struct ScenesOptions {
+  bool folder = false;
+};
+
 struct DevicesOptions {
   bool json = false;
 };

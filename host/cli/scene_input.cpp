@@ -1,6 +1,7 @@
 #include "cli/scene_input.hpp"
 
 #include "image/write.hpp"
+#include "scene/installed.hpp"
 #include "scene/io.hpp"
 #include "world/world.hpp"
 
@@ -11,7 +12,7 @@ scene::Scene read_scene(const SceneOptions& options) {
   for (const std::string& text : options.overrides) {
     overrides.push_back(scene::parse_override(text));
   }
-  return scene::read_file(options.scene, overrides);
+  return scene::read_file(scene::find_scene(options.scene), overrides);
 }
 
 scene::Scene load_scene(const SceneOptions& options) {

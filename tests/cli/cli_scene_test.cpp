@@ -1,5 +1,6 @@
 // Scenes that are good and bad, and the commands that only read them.
 
+#include <algorithm>
 #include <cmath>
 
 #include <nlohmann/json.hpp>
@@ -52,6 +53,37 @@ TEST_F(Scenes, SetChangesTheScene) {
   const auto json = nlohmann::json::parse(outcome.out);
   EXPECT_EQ(json.at("image").at("width"), 77);
   EXPECT_EQ(json.at("terrain").at("seed"), 6);
+}
+
+/// The environment in which the repository's scenes are the installed ones.
+Environment with_scenes() {
+  return {"AEROSTAT_SCENE_DIR=" + std::filesystem::path(scene_path("")).parent_path().string()};
+}
+
+TEST_F(Scenes, InstalledOnesGoByTheirNames) {
+  const Outcome by_name = run({"dump", "sand-empty"}, with_scenes());
+  ASSERT_EQ(by_name.code, 0) << by_name.err;
+  EXPECT_EQ(by_name.out, run({"dump", scene_path("sand-empty")}).out);
+  // A file of the name comes first; a folder or an extension makes it a path.
+  write("snow", R"({"version": 1, "image": {"width": 77}})");
+  EXPECT_TRUE(contains(run({"dump", "snow"}, with_scenes()).out, "\"width\": 77"));
+  for (const char* path : {"snow.json", "./sand", "nothing", "aerostat-scene.schema"}) {
+    const Outcome outcome = run({"check", path}, with_scenes());
+    EXPECT_EQ(outcome.code, 74) << path;
+    EXPECT_TRUE(contains(outcome.err, std::string(path) + ": cannot read the scene"));
+  }
+}
+
+TEST_F(Scenes, InstalledOnesAreListed) {
+  const Outcome list = run({"scenes"}, with_scenes());
+  ASSERT_EQ(list.code, 0) << list.err;
+  for (const char* scene : kScenes) EXPECT_TRUE(contains(list.out, std::string(scene) + " "));
+  EXPECT_EQ(std::count(list.out.begin(), list.out.end(), '\n'), 7);
+  EXPECT_TRUE(contains(list.out, "without a balloon"));
+  EXPECT_EQ(run({"scenes", "--folder"}, {"AEROSTAT_SCENE_DIR=/some/where"}).out, "/some/where\n");
+  const Outcome none = run({"scenes"}, {"AEROSTAT_SCENE_DIR=" + folder_.string()});
+  EXPECT_EQ(none.code, 74);
+  EXPECT_TRUE(contains(none.err, folder_.string()));
 }
 
 struct Fault {

@@ -11,7 +11,7 @@ using Usage = CliTest;
 
 TEST_F(Usage, EveryCommandHelpsWithExamples) {
   for (const std::string command :
-       {"", "render", "contact-sheet", "devices", "check", "dump", "export"}) {
+       {"", "render", "contact-sheet", "scenes", "devices", "check", "dump", "export"}) {
     std::vector<std::string> arguments;
     if (!command.empty()) arguments.push_back(command);
     arguments.push_back("--help");

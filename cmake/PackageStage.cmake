@@ -1,0 +1,14 @@
+# Run by CPack on the folder that a package is made from: what Debian wants beyond `cmake --install`.
+set(root "${CPACK_TEMPORARY_INSTALL_DIRECTORY}${CPACK_PACKAGING_INSTALL_PREFIX}")
+set(docs "${root}/${CPACK_AEROSTAT_DOC_DIR}")
+
+file(READ "${CPACK_AEROSTAT_SOURCE_DIR}/LICENSE" licence)
+file(WRITE "${docs}/copyright" "${licence}")
+configure_file("${CPACK_AEROSTAT_SOURCE_DIR}/CHANGELOG.md" "${docs}/changelog" COPYONLY)
+
+file(GLOB pages "${root}/${CPACK_AEROSTAT_MAN_DIR}/man1/*.1")
+foreach(file ${pages} "${docs}/changelog")
+  execute_process(COMMAND gzip -9nf "${file}" COMMAND_ERROR_IS_FATAL ANY)
+endforeach()
+file(CHMOD "${docs}/copyright" "${docs}/changelog.gz"
+     PERMISSIONS OWNER_READ OWNER_WRITE GROUP_READ WORLD_READ)

@@ -1,0 +1,92 @@
+# Completion of aerostat's command line for bash.
+
+_aerostat_commands='render contact-sheet scenes devices check dump export'
+
+_aerostat_options() {
+  local common='--help' scene='--help --set' device='--device --lanes --memory-limit --quiet'
+  case $1 in
+    render)
+      echo "$scene $device --output --width --height --quality --spp --seed --crop --stats" ;;
+    contact-sheet) echo "$scene $device --seeds --output --columns --tile-width --quality" ;;
+    scenes) echo "$common --folder" ;;
+    devices) echo "$common --json" ;;
+    check | dump) echo "$scene" ;;
+    export) echo "$scene --output --plants" ;;
+    *) echo "$common --version" ;;
+  esac
+}
+
+# Files whose names end in one of "$2 $3 ..." and folders.
+_aerostat_files() {
+  local word=$1 ending
+  shift
+  compgen -d -- "$word"
+  for ending in "$@"; do
+    compgen -f -X "!*.$ending" -- "$word"
+  done
+}
+
+_aerostat_scenes() {
+  compgen -W "$("$1" scenes 2>/dev/null | cut -d ' ' -f 1)" -- "$2"
+  _aerostat_files "$2" json
+}
+
+_aerostat_devices() {
+  local found
+  found=$("$1" devices --json 2>/dev/null | sed -n 's/.*"selector": *"\([^"]*\)".*/\1/p')
+  compgen -W "auto cpu gpu all $found" -- "$2"
+}
+
+_aerostat_outputs() {
+  case $1 in
+    export) _aerostat_files "$2" ply obj ;;
+    contact-sheet) _aerostat_files "$2" png ;;
+    *) _aerostat_files "$2" png exr ;;
+  esac
+}
+
+_aerostat_values() {
+  local program=$1 command=$2 option=$3 word=$4 IFS=$' \t\n'
+  case $option in
+    --device) _aerostat_devices "$program" "$word" ;;
+    --quality) compgen -W 'draft standard final' -- "$word" ;;
+    --lanes) compgen -W '1 4 8 16' -- "$word" ;;
+    -o | --output) _aerostat_outputs "$command" "$word" ;;
+    --set | --width | --height | --spp | --seed | --seeds | --crop | --memory-limit | --columns | \
+      --tile-width) ;;
+    *) return 1 ;;
+  esac
+}
+
+_aerostat() {
+  local line=${COMP_LINE:0:COMP_POINT} program=${COMP_WORDS[0]} command='' word previous i
+  # Words by spaces alone: bash itself also cuts at ':' and '=', of which devices and --set consist.
+  local -a words
+  read -r -a words <<<"$line"
+  [[ $line == *[[:space:]] ]] && words+=('')
+  word=${words[-1]}
+  previous=${words[-2]-}
+  for ((i = 1; i < ${#words[@]} - 1; ++i)); do
+    [[ " $_aerostat_commands " == *" ${words[i]} "* ]] && command=${words[i]} && break
+  done
+  local IFS=$'\n'
+  if [[ $word == --*=* ]]; then
+    previous=${word%%=*}
+    word=${word#*=}
+  fi
+  if ! COMPREPLY=($(_aerostat_values "$program" "$command" "$previous" "$word")); then
+    if [[ $word == -* ]]; then
+      COMPREPLY=($(IFS=' ' compgen -W "$(_aerostat_options "$command")" -- "$word"))
+    elif [[ -z $command ]]; then
+      COMPREPLY=($(IFS=' ' compgen -W "$_aerostat_commands" -- "$word"))
+    elif [[ $command != scenes && $command != devices ]]; then
+      COMPREPLY=($(_aerostat_scenes "$program" "$word"))
+    fi
+  fi
+  # What bash takes for an earlier word must not be repeated.
+  if [[ $word == *:* && $COMP_WORDBREAKS == *:* ]]; then
+    COMPREPLY=("${COMPREPLY[@]#"${word%:*}:"}")
+  fi
+}
+
+complete -o filenames -o nosort -F _aerostat aerostat

@@ -1,0 +1,51 @@
+# Completion of aerostat's command line for fish.
+
+function __aerostat_scenes
+    aerostat scenes 2>/dev/null | string replace -r ' +' \t
+    __fish_complete_suffix .json
+end
+
+function __aerostat_devices
+    printf '%s\n' auto cpu gpu all
+    aerostat devices --json 2>/dev/null | string replace -rf '.*"selector": *"([^"]*)".*' '$1'
+end
+
+complete -c aerostat -f
+complete -c aerostat -s h -l help -d 'Print the help and exit'
+complete -c aerostat -n __fish_use_subcommand -l version -d 'Print the version and exit'
+complete -c aerostat -n __fish_use_subcommand -a render -d 'Render a scene to a PNG or EXR file'
+complete -c aerostat -n __fish_use_subcommand -a contact-sheet -d 'Render many terrain seeds onto one sheet'
+complete -c aerostat -n __fish_use_subcommand -a scenes -d 'List the scenes that came with aerostat'
+complete -c aerostat -n __fish_use_subcommand -a devices -d 'List OpenCL platforms and devices'
+complete -c aerostat -n __fish_use_subcommand -a check -d 'Validate a scene'
+complete -c aerostat -n __fish_use_subcommand -a dump -d 'Print the scene with every default filled in'
+complete -c aerostat -n __fish_use_subcommand -a export -d 'Write the triangles of the world to a file'
+
+set -l scene 'render contact-sheet check dump export'
+complete -c aerostat -n "__fish_seen_subcommand_from $scene" -a '(__aerostat_scenes)'
+complete -c aerostat -n "__fish_seen_subcommand_from $scene" -x -l set -d 'Change the scene: pointer=value'
+
+set -l rendering 'render contact-sheet'
+complete -c aerostat -n "__fish_seen_subcommand_from $rendering" -x -l quality -a 'draft standard final' -d 'Samples, soft shadows and ambient occlusion'
+complete -c aerostat -n "__fish_seen_subcommand_from $rendering" -x -l device -a '(__aerostat_devices)' -d 'What computes'
+complete -c aerostat -n "__fish_seen_subcommand_from $rendering" -x -l lanes -a '1 4 8 16' -d 'Rays per work-item'
+complete -c aerostat -n "__fish_seen_subcommand_from $rendering" -x -l memory-limit -d 'Most memory to take on the device'
+complete -c aerostat -n "__fish_seen_subcommand_from $rendering" -s q -l quiet -d 'Say nothing but errors'
+
+set -l output 'render contact-sheet export'
+complete -c aerostat -n "__fish_seen_subcommand_from $output" -r -F -s o -l output -d 'The file to write'
+
+complete -c aerostat -n '__fish_seen_subcommand_from render' -x -l width -d 'Pixels across'
+complete -c aerostat -n '__fish_seen_subcommand_from render' -x -l height -d 'Pixels down'
+complete -c aerostat -n '__fish_seen_subcommand_from render' -x -l spp -d 'Samples per pixel'
+complete -c aerostat -n '__fish_seen_subcommand_from render' -x -l seed -d 'Seed of the samples'
+complete -c aerostat -n '__fish_seen_subcommand_from render' -x -l crop -d 'Render only a part: x0,y0,x1,y1'
+complete -c aerostat -n '__fish_seen_subcommand_from render' -l stats -d 'Report rays, times and memory'
+
+complete -c aerostat -n '__fish_seen_subcommand_from contact-sheet' -x -l seeds -d 'Terrain seeds and ranges of them'
+complete -c aerostat -n '__fish_seen_subcommand_from contact-sheet' -x -l columns -d 'Tiles across'
+complete -c aerostat -n '__fish_seen_subcommand_from contact-sheet' -x -l tile-width -d 'Pixels across a tile'
+
+complete -c aerostat -n '__fish_seen_subcommand_from scenes' -l folder -d 'Print only the folder that they are in'
+complete -c aerostat -n '__fish_seen_subcommand_from devices' -l json -d 'As JSON'
+complete -c aerostat -n '__fish_seen_subcommand_from export' -l plants -d 'Every plant, too'
