@@ -43,28 +43,29 @@ void raise(TriangleMesh& mesh, double height) {
   for (vec3& position : mesh.positions) position.y += static_cast<float>(height);
 }
 
-TriangleMesh hung_skirt(const EnvelopeShape& shape, const EnvelopePattern& pattern) {
+TriangleMesh hung_skirt(const EnvelopeShape& shape, const EnvelopePattern& pattern,
+                        const Detail& detail) {
   const double depth = kSkirtDepth * shape.diameter();
   const double hem = mouth_height(shape.diameter()) - depth;
   const double room = kSkirtClearance * clear_radius(flying_wires(shape), hem);
-  return build_skirt(shape, pattern, std::min(room, shape.mouth_radius()), depth);
+  return build_skirt(shape, pattern, std::min(room, shape.mouth_radius()), depth, detail);
 }
 
 }  // namespace
 
-std::vector<Part> balloon(const scene::Balloon& balloon) {
+std::vector<Part> balloon(const scene::Balloon& balloon, const Detail& detail) {
   const EnvelopeShape shape(balloon.diameter_m, balloon.gores);
   const EnvelopePattern pattern(balloon, shape.panels());
   std::vector<Part> parts;
-  parts.push_back({ObjectId::envelope, build_envelope(shape, pattern)});
-  parts.push_back({ObjectId::skirt, hung_skirt(shape, pattern)});
+  parts.push_back({ObjectId::envelope, build_envelope(shape, pattern, detail)});
+  parts.push_back({ObjectId::skirt, hung_skirt(shape, pattern, detail)});
   for (Part& part : parts) raise(part.mesh, mouth_height(shape.diameter()));
-  parts.push_back({ObjectId::basket, build_basket()});
-  parts.push_back({ObjectId::rim, build_rim(wall_outline(), kRimHeight)});
-  parts.push_back({ObjectId::frame, build_frame()});
-  parts.push_back({ObjectId::cables, build_cables(shape)});
+  parts.push_back({ObjectId::basket, build_basket(detail)});
+  parts.push_back({ObjectId::rim, build_rim(wall_outline(), kRimHeight, detail)});
+  parts.push_back({ObjectId::frame, build_frame(detail)});
+  parts.push_back({ObjectId::cables, build_cables(shape, detail)});
   parts.push_back({ObjectId::floor, build_floor()});
-  parts.push_back({ObjectId::flame, build_flame()});
+  parts.push_back({ObjectId::flame, build_flame(detail)});
   const Placement placement(balloon);
   for (Part& part : parts) placement.apply(part.mesh);
   return parts;
@@ -76,6 +77,10 @@ dvec3 basket_eye(const scene::Balloon& balloon) {
 
 dvec3 basket_forward(const scene::Balloon& balloon) {
   return Placement(balloon).turned({0.0, 0.0, -1.0});
+}
+
+dvec3 flame_middle(const scene::Balloon& balloon) {
+  return balloon.position + dvec3(0.0, flame_height(), 0.0);
 }
 
 double balloon_height(const scene::Balloon& balloon) {

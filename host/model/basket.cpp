@@ -20,8 +20,8 @@ const vec3 kRunnerWood{0.17f, 0.095f, 0.045f};
 const vec3 kRope{0.36f, 0.27f, 0.15f};
 
 /// A rounded strip of leather around the foot of the wall.
-void add_scuff(TriangleMesh& mesh, const Outline& wall) {
-  constexpr int kColumns = 160, kSides = 16;
+void add_scuff(TriangleMesh& mesh, const Outline& wall, double tolerance_m) {
+  const int columns = tolerance_m >= 0.002 ? 48 : 160, sides = tolerance_m >= 0.002 ? 8 : 16;
   constexpr double kBottom = -0.06, kTop = 0.075;
   const double middle_height = (kBottom + kTop) / 2.0, half_height = (kTop - kBottom) / 2.0;
   const double outside = kWallHalfThickness + weave_relief() + 0.004;
@@ -34,25 +34,26 @@ void add_scuff(TriangleMesh& mesh, const Outline& wall) {
     return point.position + out * point.normal +
            dvec3(0.0, middle_height + half_height * squared(std::sin(across)), 0.0);
   };
-  add_grid(mesh, {kColumns, kSides, true, true}, [&](int i, int j) {
-    const double u = static_cast<double>(i) / kColumns;
-    const double v = (j + 0.5) / kSides;
+  add_grid(mesh, {columns, sides, true, true}, [&](int i, int j) {
+    const double u = static_cast<double>(i) / columns;
+    const double v = (j + 0.5) / sides;
     return Vertex{surface(u, v), surface_normal(surface, u, v, 1e-4), kLeather * 0.7f};
   });
 }
 
 /// A loop of rope whose ends are fixed in the wall.
-void add_handle(TriangleMesh& mesh, const Outline::Point& place, double height) {
-  constexpr int kPoints = 17;
+void add_handle(TriangleMesh& mesh, const Outline::Point& place, double height,
+                double tolerance_m) {
+  const int points = tolerance_m >= 0.002 ? 7 : 17;
   constexpr double kHalfSpan = 0.09, kSag = 0.08, kReach = 0.07;
   std::vector<dvec3> path;
-  for (int i = 0; i < kPoints; ++i) {
-    const double angle = std::numbers::pi * i / (kPoints - 1);
+  for (int i = 0; i < points; ++i) {
+    const double angle = std::numbers::pi * i / (points - 1);
     path.push_back(place.position - kHalfSpan * std::cos(angle) * place.tangent +
                    std::sin(angle) * (kReach * place.normal - dvec3(0.0, kSag, 0.0)) +
                    dvec3(0.0, height, 0.0));
   }
-  add_tube(mesh, path, 0.011, 10, kRope);
+  add_tube(mesh, path, 0.011, sides_within(tolerance_m, 0.011, 4, 10), kRope);
 }
 
 /// A plank from x0 to x1 whose ends follow the outline's rounded corners.
@@ -97,19 +98,20 @@ void add_plank(TriangleMesh& mesh, const Outline& edge, double x0, double x1, co
 
 }  // namespace
 
-TriangleMesh build_basket() {
+TriangleMesh build_basket(const Detail& detail) {
   TriangleMesh mesh;
+  const double tolerance = detail.basket_m;
   const Outline wall = wall_outline();
-  add_woven_wall(mesh, wall, kWallBottom, kWallTop, kWallHalfThickness);
+  add_woven_wall(mesh, wall, kWallBottom, kWallTop, kWallHalfThickness, tolerance);
   const double outside = kWallHalfThickness + weave_relief() * 0.6;
-  add_rope_band(mesh, wall, outside, 0.54, 0.014);
-  add_rope_band(mesh, wall, outside, 0.985, 0.012);
-  add_rope_band(mesh, wall, -outside, 0.985, 0.012);
-  add_scuff(mesh, wall);
+  add_rope_band(mesh, wall, outside, 0.54, 0.014, tolerance);
+  add_rope_band(mesh, wall, outside, 0.985, 0.012, tolerance);
+  add_rope_band(mesh, wall, -outside, 0.985, 0.012, tolerance);
+  add_scuff(mesh, wall, tolerance);
   const double quarter = wall.length() / 4.0;
   for (int side = 0; side < 4; ++side) {
     for (const double shift : {-0.28, 0.28})
-      add_handle(mesh, wall.at(side * quarter + shift), 0.80);
+      add_handle(mesh, wall.at(side * quarter + shift), 0.80, tolerance);
   }
   return mesh;
 }

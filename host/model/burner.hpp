@@ -1,11 +1,12 @@
 #pragma once
 
 #include "mesh/mesh.hpp"
+#include "model/detail.hpp"
 
 namespace aerostat::model {
 
 /// Two burners side by side on the frame's cross tubes: valve block, can, coil and levers.
-void add_burners(mesh::TriangleMesh& mesh);
+void add_burners(mesh::TriangleMesh& mesh, const Detail& detail);
 
 /// Distance of the frame's cross tubes from the middle.
 double burner_mount_z();
@@ -14,9 +15,12 @@ double burner_mount_z();
 dvec3 burner_port();
 
 /// A gas cylinder that stands on `foot`, in a padded cover.
-void add_cylinder(mesh::TriangleMesh& mesh, const dvec3& foot);
+void add_cylinder(mesh::TriangleMesh& mesh, const dvec3& foot, const Detail& detail);
+
+/// Height of the middle of the flames.
+double flame_height();
 
 /// The flames of both burners.
-mesh::TriangleMesh build_flame();
+mesh::TriangleMesh build_flame(const Detail& detail = {});
 
 }  // namespace aerostat::model

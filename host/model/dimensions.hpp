@@ -22,7 +22,8 @@ inline Outline wall_outline() {
   return {{0.575, 0.725}, 0.16};
 }
 
-inline const vec3 kLeather{0.125f, 0.047f, 0.018f};
+inline const vec3 kLeather{0.088f, 0.047f, 0.028f};  // brown suede
+inline const vec3 kCover{0.022f, 0.030f, 0.052f};    // dark blue cloth over padding
 inline const vec3 kSteel{0.42f, 0.43f, 0.45f};
 inline const vec3 kBlackRubber{0.02f, 0.02f, 0.022f};
 

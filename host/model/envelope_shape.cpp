@@ -16,10 +16,8 @@ constexpr double kTwoPi = 2.0 * std::numbers::pi;
 constexpr double kMouthRadius = 0.085;  // in diameters, as are the next two
 constexpr double kDiscRadius = 0.15;
 constexpr double kPlateRadius = 0.014;
-constexpr double kGoreBulge = 0.075;       // of a gore's width
-constexpr double kPanelBulge = 0.011;      // of a panel's height
-constexpr double kTapeHalfWidth = 0.0014;  // in diameters
-constexpr double kTapeHeight = 0.0008;
+constexpr double kGoreBulge = 0.075;   // of a gore's width
+constexpr double kPanelBulge = 0.014;  // of a panel's height
 constexpr int kPanels = 20;
 
 }  // namespace
@@ -45,8 +43,20 @@ int EnvelopeShape::panels() const {
 double EnvelopeShape::mouth_radius() const {
   return kMouthRadius * diameter_;
 }
-double EnvelopeShape::tape_height() const {
-  return kTapeHeight * diameter_;
+/// Bulge and, between its ends, the natural shape's circle.
+double EnvelopeShape::gore_rise() const {
+  const double half_turn = 0.5 * kTwoPi / gores_;
+  return kGoreBulge * kTwoPi / gores_ * 0.5 * diameter_ +
+         0.5 * diameter_ * (1.0 - std::cos(half_turn));
+}
+double EnvelopeShape::panel_rise() const {
+  const double panel = (disc_arc_ - mouth_arc_) / kPanels;
+  // The meridian's radius of curvature is half a diameter about the equator and more elsewhere.
+  return kPanelBulge * panel + panel * panel / (4.0 * diameter_);
+}
+double EnvelopeShape::disc_rise() const {
+  const double disc = crown_arc_ - disc_arc_;
+  return disc * disc / (4.0 * diameter_);
 }
 
 double EnvelopeShape::tape_angle(int gore) const {
@@ -55,11 +65,6 @@ double EnvelopeShape::tape_angle(int gore) const {
 
 double EnvelopeShape::height() const {
   return diameter_ * natural_shape().height() - mouth_height_;
-}
-
-double EnvelopeShape::tape_share(double arc) const {
-  const double gore_width = natural_shape().at(arc / diameter_).radius * kTwoPi / gores_;
-  return gore_width > 0.0 ? std::min(kTapeHalfWidth / gore_width, 0.2) : 0.2;
 }
 
 EnvelopeShape::Bulge EnvelopeShape::bulge(double share, const EnvelopeRow& row, double radius,
@@ -71,15 +76,13 @@ EnvelopeShape::Bulge EnvelopeShape::bulge(double share, const EnvelopeRow& row, 
   const double x = 2.0 * along - 1.0;
   const double fade = 1.0 - x * x * x * x;
   const double fade_slope = -8.0 * x * x * x / span;
-  const double u = std::abs(share);
-  const double across = 4.0 * u * (1.0 - u);
-  const double across_slope = (share < 0.0 ? -1.0 : 1.0) * (4.0 - 8.0 * u);
+  const double across = 4.0 * share * (1.0 - share);
+  const double across_slope = 4.0 - 8.0 * share;
   const double panel = span / kPanels;
   const double f = row.panel_share;
   const double gore = kGoreBulge * kTwoPi / gores_;
   const double swell = gore * radius + kPanelBulge * panel * 4.0 * f * (1.0 - f);
-  const double panel_slope = row.on_seam ? 0.0 : kPanelBulge * (4.0 - 8.0 * f);
-  const double swell_slope = gore * radius_slope + panel_slope;
+  const double swell_slope = gore * radius_slope + kPanelBulge * (4.0 - 8.0 * f);
   return {fade * across * swell, across * (fade_slope * swell + fade * swell_slope),
           fade * across_slope * swell};
 }

@@ -10,7 +10,6 @@ namespace aerostat::model {
 struct EnvelopeRow {
   double arc = 0.0;          // along the natural shape, in metres from the uncut tip
   double panel_share = 0.0;  // 0 at the panel's lower seam, 1 at its upper one
-  bool on_seam = false;      // slopes as on the seam, which takes no part in the panel's bulge
 };
 
 /// A point of the envelope's fabric and the frame of its surface there.
@@ -40,14 +39,14 @@ class EnvelopeShape {
   double plate_arc() const { return plate_arc_; }  // rim of the crown's plate
   double crown_arc() const { return crown_arc_; }
 
-  /// Half the width of a load tape, as a share of a gore.
-  double tape_share(double arc) const;
-  double tape_height() const;
+  /// The largest distances of the surface from chords across a gore, up a panel, over the disc.
+  double gore_rise() const;
+  double panel_rise() const;
+  double disc_rise() const;
   /// Angle of the tape at which gore `gore` begins.
   double tape_angle(int gore) const;
 
-  /// The fabric of gore `gore` at `share` (0 to 1 between its tapes). `share` may be a little
-  /// negative: that is the gore before.
+  /// The fabric of gore `gore` at `share` (0 to 1 between its tapes).
   FabricPoint fabric(int gore, double share, const EnvelopeRow& row) const;
 
  private:

@@ -14,7 +14,8 @@ CutVertex crossing(const CutVertex& a, const CutVertex& b, double phase) {
   const CutVertex& high = a.phase < b.phase ? b : a;
   const auto t = static_cast<float>((phase - low.phase) / (high.phase - low.phase));
   return {low.position + t * (high.position - low.position),
-          glm::normalize(low.normal + t * (high.normal - low.normal)), phase};
+          glm::normalize(low.normal + t * (high.normal - low.normal)),
+          low.place + t * (high.place - low.place), phase};
 }
 
 /// Splits a convex polygon at `phase` into what lies below and what lies above.

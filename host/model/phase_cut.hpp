@@ -11,6 +11,7 @@ namespace aerostat::model {
 struct CutVertex {
   vec3 position{0.0f};
   vec3 normal{0.0f};
+  vec2 place{0.0f};  // mesh::TriangleMesh::places
   double phase = 0.0;
 };
 

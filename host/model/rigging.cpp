@@ -15,11 +15,12 @@ namespace {
 
 using mesh::TriangleMesh;
 
-constexpr double kFlyingWireRadius = 0.008;
-constexpr double kBasketWireRadius = 0.006;
-constexpr double kMouthRingRadius = 0.022;
+constexpr double kFlyingWireRadius = 0.0030;
+constexpr double kBasketWireRadius = 0.0032;
+constexpr double kMouthRingRadius = 0.012;
 constexpr double kFrameTube = 0.019;
-constexpr double kSleeveRadius = 0.033;
+constexpr double kSleeveRadius = 0.034;
+constexpr double kHoseRadius = 0.009;
 const vec3 kWireColor{0.23f, 0.235f, 0.245f};
 const std::array<dvec2, 4> kCorners{dvec2(1.0, -1.0), dvec2(-1.0, -1.0), dvec2(-1.0, 1.0),
                                     dvec2(1.0, 1.0)};  // counter-clockwise from above
@@ -39,80 +40,85 @@ struct Upright {
   dvec3 at(double share) const { return glm::mix(foot, head, share); }
 };
 
-/// The padded sleeve leaves the upright's upper end bare; straps draw it in.
-void add_upright(TriangleMesh& mesh, const Upright& upright) {
-  add_rod(mesh, upright.foot, upright.head, 0.014, 12, kSteel);
+/// A sleeve of cloth over padding, laced in at both ends, leaves the upright's upper end bare. The
+/// hose runs inside of it.
+void add_upright(TriangleMesh& mesh, const Upright& upright, double tolerance_m) {
+  add_rod(mesh, upright.foot, upright.head, 0.014, sides_within(tolerance_m, 0.014, 4, 12), kSteel);
   struct Ring {
     double share, radius;
     vec3 color;
   };
-  std::vector<Ring> rings{{0.0, kSleeveRadius, kLeather}};
-  for (const double strap : {0.16, 0.44, 0.72}) {
-    for (const double side : {-1.0, 1.0}) {
-      const double edge = strap + side * 0.011;
-      const Ring padding{edge + side * 0.016, kSleeveRadius, kLeather};
-      const Ring pressed{edge + side * 0.004, 0.90 * kSleeveRadius, kLeather * 0.6f};
-      const Ring tight{edge, 0.87 * kSleeveRadius, kLeather * 0.25f};
-      if (side < 0.0) rings.insert(rings.end(), {padding, pressed, tight});
-      if (side > 0.0) rings.insert(rings.end(), {tight, pressed, padding});
-    }
-  }
-  rings.insert(rings.end(), {{0.915, kSleeveRadius, kLeather},
-                             {0.928, 0.90 * kSleeveRadius, kLeather * 0.8f},
-                             {0.932, 0.60 * kSleeveRadius, kLeather * 0.5f}});
+  const double r = kSleeveRadius;
+  const std::array<Ring, 12> rings{{{0.0, 0.72 * r, kCover * 0.6f},
+                                    {0.030, 0.72 * r, kCover * 0.6f},
+                                    {0.045, 0.90 * r, kCover},
+                                    {0.070, 0.98 * r, kCover},
+                                    {0.110, r, kCover},
+                                    {0.480, 1.02 * r, kCover},
+                                    {0.840, r, kCover},
+                                    {0.875, 0.97 * r, kCover},
+                                    {0.895, 0.88 * r, kCover},
+                                    {0.908, 0.70 * r, kCover * 0.6f},
+                                    {0.930, 0.70 * r, kCover * 0.6f},
+                                    {0.932, 0.50 * r, kCover * 0.4f}}};
   std::vector<dvec3> path;
   for (const Ring& ring : rings) path.push_back(upright.at(ring.share));
-  add_tube(mesh, {path, 20, [&](std::size_t i) { return rings[i].radius; },
+  add_tube(mesh, {path, sides_within(tolerance_m, r, 5, 24),
+                  [&](std::size_t i) { return rings[i].radius; },
                   [&](std::size_t i) { return rings[i].color; }});
 }
 
-void add_frame_tubes(TriangleMesh& mesh) {
+void add_frame_tubes(TriangleMesh& mesh, double tolerance_m) {
+  const int sides = sides_within(tolerance_m, kFrameTube, 4, 16);
   constexpr double kShort = 0.012;  // the corner pieces take the tubes' ends in
   for (std::size_t i = 0; i < kCorners.size(); ++i) {
     const dvec3 corner = frame_corner(kCorners[i]);
     const dvec3 next = frame_corner(kCorners[(i + 1) % kCorners.size()]);
     const dvec3 along = kShort * glm::normalize(next - corner);
-    add_rod(mesh, corner + along, next - along, kFrameTube, 16, kSteel);
-    add_sphere(mesh, corner, 0.034, 20, kSteel * 0.8f);
+    add_rod(mesh, corner + along, next - along, kFrameTube, sides, kSteel);
+    add_sphere(mesh, corner, 0.034, sides_within(tolerance_m, 0.034, 6, 20), kSteel * 0.8f);
   }
   for (const double z : {-burner_mount_z(), burner_mount_z()}) {
-    add_rod(mesh, {-kFrameHalf.x, kFrameHeight, z}, {kFrameHalf.x, kFrameHeight, z}, kFrameTube, 16,
-            kSteel);
+    add_rod(mesh, {-kFrameHalf.x, kFrameHeight, z}, {kFrameHalf.x, kFrameHeight, z}, kFrameTube,
+            sides, kSteel);
   }
 }
 
 /// A curve from `from` to `to` that leaves along `leave` and arrives along `arrive`.
 std::vector<dvec3> bent_path(const dvec3& from, const dvec3& leave, const dvec3& arrive,
-                             const dvec3& to) {
-  constexpr int kPoints = 25;
+                             const dvec3& to, int points) {
   std::vector<dvec3> path;
-  for (int i = 0; i < kPoints; ++i) {
-    const double t = static_cast<double>(i) / (kPoints - 1), s = 1.0 - t;
+  for (int i = 0; i < points; ++i) {
+    const double t = static_cast<double>(i) / (points - 1), s = 1.0 - t;
     path.push_back(s * s * s * from + 3.0 * s * s * t * (from + leave) +
                    3.0 * s * t * t * (to - arrive) + t * t * t * to);
   }
   return path;
 }
 
-/// Hoses rise from the cylinders, follow the uprights on their inner side and cross to the burners.
-void add_hoses(TriangleMesh& mesh) {
+/// Hoses rise from the cylinders into the uprights' sleeves and leave them for the burners.
+void add_hoses(TriangleMesh& mesh, double tolerance_m) {
+  const int points = 4 * steps_within(tolerance_m, 0.2, 6) + 1;
+  const int sides = sides_within(tolerance_m, kHoseRadius, 4, 10);
   for (const dvec2& sign : kCorners) {
     const Upright upright(sign);
     const dvec3 axis = glm::normalize(upright.head - upright.foot);
     const dvec3 inwards = glm::normalize(dvec3(-sign.x, 0.0, -sign.y));
-    const dvec3 beside = (kSleeveRadius + 0.011) * inwards;
+    const dvec3 inside = 0.5 * kSleeveRadius * inwards;
     const dvec3 valve(sign.x * kCylinderPlace.x, kCylinderHeight + 0.03, sign.y * kCylinderPlace.y);
-    const dvec3 low = upright.at(0.20) + beside, high = upright.at(0.84) + beside;
+    const dvec3 low = upright.at(0.10) + inside, high = upright.at(0.86) + inside;
     const dvec3 port(sign.x * burner_port().x, burner_port().y, sign.y * burner_port().z);
-    std::vector<dvec3> path = bent_path(valve, {0.0, 0.22, 0.0}, 0.18 * axis, low);
-    const std::vector<dvec3> rest = bent_path(high, 0.16 * axis, {0.0, 0.0, -sign.y * 0.14}, port);
-    path.insert(path.end(), rest.begin(), rest.end());
-    add_tube(mesh, path, 0.010, 10, kBlackRubber);
+    add_tube(mesh, bent_path(valve, {0.0, 0.16, 0.0}, 0.16 * axis, low, points), kHoseRadius, sides,
+             kBlackRubber);
+    add_tube(mesh, bent_path(high, 0.16 * axis, {0.0, 0.0, -sign.y * 0.14}, port, points),
+             kHoseRadius, sides, kBlackRubber);
   }
 }
 
-void add_wire(TriangleMesh& mesh, const Wire& wire) {
-  add_rod(mesh, wire.from, wire.to, wire.radius, 8, kWireColor);
+void add_wire(TriangleMesh& mesh, const Wire& wire, const Detail& detail) {
+  const double radius = seen_radius(wire.radius, detail);
+  add_rod(mesh, wire.from, wire.to, radius, sides_within(detail.basket_m, radius, 4, 8),
+          kWireColor);
 }
 
 }  // namespace
@@ -164,24 +170,26 @@ double clear_radius(const std::vector<Wire>& wires, double y) {
   return clear;
 }
 
-TriangleMesh build_cables(const EnvelopeShape& shape) {
+TriangleMesh build_cables(const EnvelopeShape& shape, const Detail& detail) {
   TriangleMesh mesh;
-  for (const Wire& wire : flying_wires(shape)) add_wire(mesh, wire);
-  for (const Wire& wire : basket_wires()) add_wire(mesh, wire);
-  add_torus(mesh, {0.0, mouth_height(shape.diameter()), 0.0}, shape.mouth_radius(),
-            kMouthRingRadius, shape.gores() * 8, 10, kWireColor);
+  for (const Wire& wire : flying_wires(shape)) add_wire(mesh, wire, detail);
+  for (const Wire& wire : basket_wires()) add_wire(mesh, wire, detail);
+  const double ring = seen_radius(kMouthRingRadius, detail);
+  add_torus(mesh, {0.0, mouth_height(shape.diameter()), 0.0}, shape.mouth_radius(), ring,
+            sides_within(detail.basket_m, shape.mouth_radius(), shape.gores(), shape.gores() * 8),
+            sides_within(detail.basket_m, ring, 4, 10), kWireColor);
   return mesh;
 }
 
-TriangleMesh build_frame() {
+TriangleMesh build_frame(const Detail& detail) {
   TriangleMesh mesh;
   for (const dvec2& sign : kCorners) {
-    add_upright(mesh, Upright(sign));
-    add_cylinder(mesh, {sign.x * kCylinderPlace.x, 0.0, sign.y * kCylinderPlace.y});
+    add_upright(mesh, Upright(sign), detail.basket_m);
+    add_cylinder(mesh, {sign.x * kCylinderPlace.x, 0.0, sign.y * kCylinderPlace.y}, detail);
   }
-  add_frame_tubes(mesh);
-  add_burners(mesh);
-  add_hoses(mesh);
+  add_frame_tubes(mesh, detail.basket_m);
+  add_burners(mesh, detail);
+  add_hoses(mesh, detail.basket_m);
   return mesh;
 }
 

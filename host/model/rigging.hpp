@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "mesh/mesh.hpp"
+#include "model/detail.hpp"
 #include "model/envelope_shape.hpp"
 
 namespace aerostat::model {
@@ -27,9 +28,9 @@ std::vector<Wire> basket_wires();
 double clear_radius(const std::vector<Wire>& wires, double y);
 
 /// All wires, with the ring that they meet at the mouth.
-mesh::TriangleMesh build_cables(const EnvelopeShape& shape);
+mesh::TriangleMesh build_cables(const EnvelopeShape& shape, const Detail& detail = {});
 
 /// The burner's frame with its four padded uprights, the burners, the gas cylinders and the hoses.
-mesh::TriangleMesh build_frame();
+mesh::TriangleMesh build_frame(const Detail& detail = {});
 
 }  // namespace aerostat::model

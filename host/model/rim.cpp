@@ -16,11 +16,12 @@ constexpr double kPi = std::numbers::pi;
 constexpr double kHalfWidth = 0.050;
 constexpr double kHalfHeight = 0.045;
 constexpr int kLengths = 12;  // pieces of leather
-constexpr int kSides = 28;
+constexpr int kMostSides = 28;
+constexpr double kStitchFrom = 0.001;  // tolerance from which stitches and seams are too small
 constexpr double kSeamDepth = 0.0045;
 constexpr double kSeamReach = 0.009;
 constexpr double kStitchSpacing = 0.011;
-const vec3 kThread{0.50f, 0.40f, 0.26f};
+const vec3 kThread{0.34f, 0.27f, 0.17f};
 
 struct RimSurface {
   Outline middle;
@@ -72,6 +73,12 @@ std::vector<double> sample_places(double piece) {
   return places;
 }
 
+std::vector<double> even_places(double length, int count) {
+  std::vector<double> places;
+  for (int i = 0; i < count; ++i) places.push_back(length * i / count);
+  return places;
+}
+
 /// A single stitch: a small spindle that lies on the leather.
 void add_stitch(TriangleMesh& mesh, const dvec3& center, const dvec3& along, const dvec3& out) {
   const dvec3 side = glm::cross(out, along);
@@ -106,17 +113,27 @@ dvec2 rim_half_size() {
   return {kHalfWidth, kHalfHeight};
 }
 
-TriangleMesh build_rim(const Outline& middle, double height) {
+TriangleMesh build_rim(const Outline& middle, double height, const Detail& detail) {
   const RimSurface rim{middle, height};
-  const std::vector<double> places = sample_places(rim.piece());
+  const bool plain = detail.basket_m >= kStitchFrom;
+  const std::vector<double> places =
+      plain ? even_places(middle.length(), 48) : sample_places(rim.piece());
+  const int sides = sides_within(detail.basket_m, kHalfWidth, 6, kMostSides);
+  const int columns = static_cast<int>(places.size());
+  // One more line each way: a place on the leather has a first and a last one.
   TriangleMesh mesh;
-  add_grid(mesh, {static_cast<int>(places.size()), kSides, true, true}, [&](int i, int j) {
-    const double distance = places[static_cast<std::size_t>(i)];
-    const double across = 2.0 * kPi * j / kSides;
+  add_grid(mesh, {columns, sides}, [&](int i, int j) {
+    const double distance = places[static_cast<std::size_t>(i % columns)];
+    const double across = 2.0 * kPi * (j % sides) / sides;
+    mesh.places.emplace_back(i == columns ? middle.length() : distance,
+                             0.5 * (kHalfWidth + kHalfHeight) * 2.0 * kPi * j / sides);
     return Vertex{rim.at(distance, across), rim.normal(distance, across), rim.color(distance)};
   });
-  add_stitch_row(mesh, rim, kPi * 0.22);
-  add_stitch_row(mesh, rim, kPi * 0.78);
+  if (plain) return mesh;
+  mesh::TriangleMesh stitches;
+  add_stitch_row(stitches, rim, kPi * 0.22);
+  add_stitch_row(stitches, rim, kPi * 0.78);
+  mesh::append(mesh, stitches);
   return mesh;
 }
 

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -7,11 +8,10 @@
 namespace aerostat::model {
 namespace {
 
-constexpr int kCells = 6;
-constexpr int kRows = 14;
-constexpr double kTapeShare = 0.035;  // half the width of a seam, as a share of a gore
-constexpr double kBulge = 0.05;       // of a gore's width
-constexpr double kWaist = 0.10;       // how far the sides curve inwards, of the mouth's radius
+constexpr int kMostCells = 8;
+constexpr int kMostRows = 14;
+constexpr double kBulge = 0.05;  // of a gore's width
+constexpr double kWaist = 0.10;  // how far the sides curve inwards, of the mouth's radius
 constexpr double kStep = 1e-4;
 
 struct SkirtShape {
@@ -31,33 +31,38 @@ struct SkirtShape {
     return {radius * std::cos(angle), depth * (up - 1.0), -radius * std::sin(angle)};
   }
 
-  Vertex vertex(double gores_around, double up, const vec3& color) const {
+  /// A gore's side of the seam, where the bulge has a crease.
+  dvec3 normal(int gore, double share, double up) const {
     const auto surface = [this](double u, double v) { return at(u, v); };
-    return {at(gores_around, up), surface_normal(surface, gores_around, up, kStep), color};
+    const double beside = std::clamp(share, 2.0 * kStep, 1.0 - 2.0 * kStep);
+    return surface_normal(surface, gore + beside, up, kStep);
   }
 };
 
 }  // namespace
 
 mesh::TriangleMesh build_skirt(const EnvelopeShape& shape, const EnvelopePattern& pattern,
-                               double lower_radius, double depth) {
+                               double lower_radius, double depth, const Detail& detail) {
   const SkirtShape skirt{shape, lower_radius, depth};
+  const double tolerance = detail.envelope_m, top = shape.mouth_radius();
+  const int cells = steps_within(tolerance, 6.0 / shape.gores() * kBulge * top, kMostCells);
+  const int rows = steps_within(tolerance, kWaist * top, kMostRows);
   mesh::TriangleMesh mesh;
-  const vec3 cloth = pattern.skirt(), seam = cloth * 0.55f;
+  const vec3 cloth = pattern.skirt();
   for (int gore = 0; gore < shape.gores(); ++gore) {
-    const auto strip = [&](double from, double to, int cells, const vec3& color) {
-      add_grid(mesh, {cells, kRows}, [&](int i, int j) {
-        const double share = from + (to - from) * i / cells;
-        // Kept off the seam itself, where the bulge has a crease.
-        return skirt.vertex(gore + share, static_cast<double>(j) / kRows, color);
-      });
-    };
-    strip(2.0 * kStep, kTapeShare, 1, seam);
-    strip(kTapeShare, 1.0 - kTapeShare, kCells, cloth);
-    strip(1.0 - kTapeShare, 1.0 - 2.0 * kStep, 1, seam);
+    add_grid(mesh, {cells, rows}, [&](int i, int j) {
+      const double share = static_cast<double>(i) / cells, up = static_cast<double>(j) / rows;
+      mesh.places.emplace_back(gore + share, 0.5 + 0.5 * up);
+      const int owner = i == cells ? (gore + 1) % shape.gores() : gore;
+      const double around = owner + (i == cells ? 0.0 : share);
+      return Vertex{skirt.at(around, up), skirt.normal(gore, share, up), cloth};
+    });
   }
-  const dvec3 hem(0.0, -depth, 0.0);
-  add_torus(mesh, hem, lower_radius, 0.012, shape.gores() * 8, 8, seam);
+  mesh::TriangleMesh hem;
+  add_torus(hem, {0.0, -depth, 0.0}, lower_radius, 0.012,
+            sides_within(tolerance, lower_radius, shape.gores(), shape.gores() * 8),
+            sides_within(tolerance, 0.012, 3, 8), cloth * 0.55f);
+  mesh::append(mesh, hem);
   return mesh;
 }
 

@@ -12,13 +12,28 @@ namespace {
 using mesh::TriangleMesh;
 
 constexpr double kPi = std::numbers::pi;
-constexpr double kStakePitch = 0.050;
-constexpr double kWeaverHeight = 0.032;
-constexpr int kCellsPerStake = 4;
-constexpr int kCellsPerWeaver = 3;
-constexpr double kRound = 0.0055;  // half a weaver's thickness
-constexpr double kSway = 0.0050;   // how far it bends around a stake
-const vec3 kCane{0.42f, 0.205f, 0.066f};
+constexpr double kStakePitch = 0.046;
+constexpr double kWeaverHeight = 0.016;
+constexpr double kRound = 0.0030;     // half a weaver's thickness
+constexpr double kSway = 0.0042;      // how far it bends around a stake
+constexpr double kPlainFrom = 0.002;  // tolerance from which no relief is left
+constexpr double kSplice = 1.1;       // length of a willow rod
+constexpr float kMeanShade = 0.72f;
+const vec3 kHoney{0.52f, 0.315f, 0.135f};
+const vec3 kPale{0.62f, 0.44f, 0.23f};
+const vec3 kRusset{0.33f, 0.165f, 0.07f};
+
+/// Colour of the rod at a place of the wall: rods are sorted by no one.
+vec3 rod_color(int weaver, double distance) {
+  const auto row = static_cast<std::uint32_t>(weaver);
+  const double first = kSplice * hash_unit(row, 3u);
+  const auto rod = static_cast<std::uint32_t>(std::floor((distance + first) / kSplice));
+  const auto hue = static_cast<float>(hash_unit(row * 64u + rod, 17u));
+  const auto tint = static_cast<float>(0.80 + 0.34 * hash_unit(row * 64u + rod, 29u));
+  const vec3 color = hue < 0.5f ? glm::mix(kHoney, kPale, 1.6f * hue)
+                                : glm::mix(kHoney, kRusset, 1.3f * (hue - 0.5f));
+  return color * tint;
+}
 
 /// One face of the wall. `side` is 1 for the outer face, -1 for the inner one.
 struct Face {
@@ -53,36 +68,54 @@ struct Face {
 
   Vertex vertex(int weaver, double stake, double up) const {
     const double shown = relief(weaver, stake, up) / (kRound + kSway);
-    const auto row = static_cast<std::uint32_t>(weaver);
-    const auto cell = static_cast<std::uint32_t>(std::lround(stake)) % stakes;
-    const double tint = 0.72 + 0.30 * hash_unit(row, 7u) + 0.16 * hash_unit(row + 99u, cell);
-    const double shade = 0.22 + 0.78 * std::pow(std::clamp(shown, 0.0, 1.0), 0.6);
+    const double shade = 0.36 + 0.64 * std::pow(std::clamp(shown, 0.0, 1.0), 0.6);
     return {at(weaver, stake, up), normal(weaver, stake, up),
-            kCane * static_cast<float>(tint * shade)};
+            rod_color(weaver, stake / stakes * middle.length()) * static_cast<float>(shade)};
   }
 };
 
 /// The mesh's outside is where columns x rows points: an inner face runs the other way round.
-void add_face(TriangleMesh& mesh, const Face& face, int weavers) {
-  const int columns = face.stakes * kCellsPerStake;
+void add_face(TriangleMesh& mesh, const Face& face, int weavers, int per_stake) {
+  constexpr int kCellsPerWeaver = 2;
+  const int columns = face.stakes * per_stake;
   for (int weaver = 0; weaver < weavers; ++weaver) {
     add_grid(mesh, {columns, kCellsPerWeaver, true, false}, [&](int i, int j) {
       const int along = face.side > 0.0 ? i : (columns - i) % columns;
-      return face.vertex(weaver, static_cast<double>(along) / kCellsPerStake,
+      return face.vertex(weaver, static_cast<double>(along) / per_stake,
                          static_cast<double>(j) / kCellsPerWeaver);
     });
   }
 }
 
 /// The narrow level strip that joins both faces at the top or the bottom.
-void add_edge(TriangleMesh& mesh, const Face& outer, const Face& inner, int weaver, double up) {
-  const int columns = outer.stakes * kCellsPerStake;
+void add_edge(TriangleMesh& mesh, const Face& outer, const Face& inner, int weaver, double up,
+              int per_stake) {
   const bool top = up > 0.5;
-  add_grid(mesh, {columns, 1, true, false}, [&](int i, int j) {
-    const double stake = static_cast<double>(i) / kCellsPerStake;
+  add_grid(mesh, {outer.stakes * per_stake, 1, true, false}, [&](int i, int j) {
+    const double stake = static_cast<double>(i) / per_stake;
     const Face& face = (j == 0) == top ? outer : inner;
-    return Vertex{face.at(weaver, stake, up), dvec3(0.0, top ? 1.0 : -1.0, 0.0), kCane * 0.5f};
+    return Vertex{face.at(weaver, stake, up), dvec3(0.0, top ? 1.0 : -1.0, 0.0), kHoney * 0.5f};
   });
+}
+
+/// The wall as its four smooth sides, seen from where the weave is too fine to see.
+void add_plain_wall(TriangleMesh& mesh, const Outline& middle, double bottom, double top,
+                    double half_thickness) {
+  constexpr int kColumns = 48;
+  const double half = half_thickness + 0.5 * (kRound + kSway);
+  const auto strip = [&](double from_side, double from_y, double to_side, double to_y) {
+    add_grid(mesh, {kColumns, 1, true, false}, [&](int i, int j) {
+      const Outline::Point point = middle.at(middle.length() * i / kColumns);
+      const double side = j == 0 ? from_side : to_side, y = j == 0 ? from_y : to_y;
+      const dvec3 up(0.0, from_side > to_side ? 1.0 : -1.0, 0.0);
+      return Vertex{point.position + side * half * point.normal + dvec3(0.0, y, 0.0),
+                    from_side == to_side ? side * point.normal : up, kHoney * kMeanShade};
+    });
+  };
+  strip(1.0, bottom, 1.0, top);
+  strip(1.0, top, -1.0, top);
+  strip(-1.0, top, -1.0, bottom);
+  strip(-1.0, bottom, 1.0, bottom);
 }
 
 }  // namespace
@@ -92,35 +125,41 @@ double weave_relief() {
 }
 
 void add_woven_wall(TriangleMesh& mesh, const Outline& middle, double bottom, double top,
-                    double half_thickness) {
+                    double half_thickness, double tolerance_m) {
+  if (tolerance_m >= kPlainFrom) return add_plain_wall(mesh, middle, bottom, top, half_thickness);
+  const int per_stake = steps_within(tolerance_m, kSway, 2);
   const int weavers = std::max(1, static_cast<int>(std::lround((top - bottom) / kWeaverHeight)));
   const int stakes = 2 * static_cast<int>(std::lround(middle.length() / (2.0 * kStakePitch)));
   const double height = (top - bottom) / weavers;
   const Face outer{middle, bottom, height, half_thickness, 1.0, stakes};
   const Face inner{middle, bottom, height, half_thickness, -1.0, stakes};
-  add_face(mesh, outer, weavers);
-  add_face(mesh, inner, weavers);
-  add_edge(mesh, outer, inner, weavers - 1, 1.0);
-  add_edge(mesh, outer, inner, 0, 0.0);
+  add_face(mesh, outer, weavers, per_stake);
+  add_face(mesh, inner, weavers, per_stake);
+  add_edge(mesh, outer, inner, weavers - 1, 1.0, per_stake);
+  add_edge(mesh, outer, inner, 0, 0.0, per_stake);
 }
 
 void add_rope_band(TriangleMesh& mesh, const Outline& path, double offset, double height,
-                   double radius) {
+                   double radius, double tolerance_m) {
+  constexpr double kStrand = 0.16;  // relief, of the radius
   const double length = path.length();
+  const bool plain = tolerance_m >= kStrand * radius;
   const int turns = static_cast<int>(std::lround(length / (radius * 5.0)));
-  const int columns = turns * 6, sides = 8;
+  const int columns = plain ? 48 : turns * (tolerance_m > 0.0 ? 4 : 6);
+  const int sides = sides_within(tolerance_m, radius, 4, 8);
   const auto surface = [&](double u, double v) {
     const Outline::Point point = path.at(u * length);
     const double across = 2.0 * kPi * v;
-    const double strand = 1.0 + 0.16 * std::cos(2.0 * (across - kPi * turns * u));
+    const double strand = plain ? 1.0 : 1.0 + kStrand * std::cos(2.0 * (across - kPi * turns * u));
     const dvec3 spoke = point.normal * std::cos(across) + dvec3(0.0, std::sin(across), 0.0);
     return point.position + offset * point.normal + dvec3(0.0, height, 0.0) +
            radius * strand * spoke;
   };
   add_grid(mesh, {columns, sides, true, true}, [&](int i, int j) {
     const double u = static_cast<double>(i) / columns, v = static_cast<double>(j) / sides;
-    const double strand = 0.5 + 0.5 * std::cos(2.0 * (2.0 * kPi * v - kPi * turns * u));
-    const vec3 color = kCane * static_cast<float>(0.45 + 0.55 * strand);
+    const double strand =
+        plain ? 0.5 : 0.5 + 0.5 * std::cos(2.0 * (2.0 * kPi * v - kPi * turns * u));
+    const vec3 color = kRusset * static_cast<float>(0.7 + 0.6 * strand);
     return Vertex{surface(u, v), surface_normal(surface, u, v, 1e-5), color};
   });
 }

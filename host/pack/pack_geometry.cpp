@@ -39,6 +39,9 @@ void add_vertices(const mesh::TriangleMesh& mesh, Array<AeroVertex>& vertices) {
     copy(vertex.position, mesh.positions[i]);
     copy(vertex.normal, mesh.normals[i]);
     copy(vertex.color, mesh.colors.empty() ? vec3(1.0f) : mesh.colors[i]);
+    const vec2 place = mesh.places.empty() ? vec2(0.0f) : mesh.places[i];
+    vertex.place[0] = place.x;
+    vertex.place[1] = place.y;
   });
 }
 

@@ -9,6 +9,7 @@
 #include "core/error.hpp"
 #include "pack/copy.hpp"
 #include "pack/pack_air.hpp"
+#include "pack/pack_balloon.hpp"
 
 namespace aerostat::pack {
 namespace {
@@ -144,6 +145,7 @@ AeroScene pack_scene(const scene::Scene& scene) {
   packed.sky = pack_sky(scene);
   packed.ground = pack_ground(scene);
   packed.water = pack_water(scene.biome.water);
+  packed.balloon = pack_balloon(scene);
   static_assert(scene::kObjectCount == AERO_OBJECT_COUNT);
   for (std::size_t i = 0; i < scene::kObjectCount; ++i) {
     packed.materials[i] = pack_material(scene.materials[i]);

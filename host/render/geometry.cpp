@@ -95,7 +95,7 @@ std::shared_ptr<const HostGeometry> build_geometry(const scene::Scene& scene,
   auto geometry = std::make_shared<HostGeometry>();
   geometry->scene = scene;
   if (plants == Plants::as_they_stand && previous != nullptr) {
-    // Nothing but plants goes by the eye.
+    // Nothing but plants and the balloon's detail goes by the eye.
     geometry->scene.camera = old.scene.camera;
     geometry->scene.image = old.scene.image;
   }

@@ -22,9 +22,17 @@ std::shared_ptr<const Land> build_land(const scene::Scene& scene) {
   return land;
 }
 
+model::Detail balloon_detail(const scene::Scene& scene) {
+  return model::detail_for(scene.balloon, scene.camera.position, scene::pixel_size(scene));
+}
+
+bool same_balloon(const scene::Scene& a, const scene::Scene& b) {
+  return a.balloon == b.balloon && balloon_detail(a) == balloon_detail(b);
+}
+
 std::shared_ptr<const Objects> build_balloon(const scene::Scene& scene) {
   auto objects = std::make_shared<Objects>();
-  for (auto& part : model::balloon(scene.balloon)) {
+  for (auto& part : model::balloon(scene.balloon, balloon_detail(scene))) {
     objects->push_back({part.id, std::move(part.mesh)});
   }
   return objects;
@@ -49,7 +57,7 @@ World build(const scene::Scene& scene, const World* previous, const scene::Scene
         },
         [&] {
           if (!scene.balloon.enabled) return;
-          const bool same = known && scene.balloon == previous_scene->balloon;
+          const bool same = known && same_balloon(scene, *previous_scene);
           world.balloon = same ? previous->balloon : build_balloon(scene);
         });
   } catch (const std::bad_alloc&) {

@@ -10,6 +10,10 @@
 #define AERO_OBJECT_SKY 0
 #define AERO_OBJECT_TERRAIN 1
 #define AERO_OBJECT_WATER 2
+#define AERO_OBJECT_ENVELOPE 3
+#define AERO_OBJECT_SKIRT 4
+#define AERO_OBJECT_RIM 6
+#define AERO_OBJECT_FLOOR 9 /* the last of the balloon's that take light */
 #define AERO_OBJECT_PLANT 11
 #define AERO_OBJECT_COUNT 13
 
@@ -93,10 +97,22 @@ typedef struct AeroWater {
 
 AERO_ASSERT_LAYOUT(AeroWater, 48);
 
+/* Light in and about the balloon. What goes astray inside the envelope lights its inner side
+ * evenly: shares of the sun's irradiance and of the sky's mean one, and what the burners give, as
+ * irradiance / pi. The burners' light itself comes from a point. */
+typedef struct AeroBalloon {
+  aero_float glow_sun[3], glow_sky[3], glow_flame[3];
+  aero_float flame[3];       /* position */
+  aero_float flame_light[3]; /* irradiance / pi at a distance of 1 m */
+} AeroBalloon;
+
+AERO_ASSERT_LAYOUT(AeroBalloon, 60);
+
 typedef struct AeroScene {
   AeroSky sky;
   AeroGround ground;
   AeroWater water;
+  AeroBalloon balloon;
   AeroMaterial materials[AERO_OBJECT_COUNT];
   AeroPointLight lights[AERO_MAX_POINT_LIGHTS];
   aero_uint light_count;
@@ -104,6 +120,6 @@ typedef struct AeroScene {
   AeroAir air;
 } AeroScene;
 
-AERO_ASSERT_LAYOUT(AeroScene, 33836);
+AERO_ASSERT_LAYOUT(AeroScene, 33896);
 
 #endif

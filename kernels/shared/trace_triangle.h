@@ -20,13 +20,15 @@ typedef struct AeroFace {
 
 AERO_ASSERT_LAYOUT(AeroFace, 16);
 
-/* Attributes of a vertex: unit normal and linear albedo (or the water's depth in color[0]). */
+/* Attributes of a vertex: unit normal, linear albedo (or the water's depth in color[0]) and where
+ * on a surface with a look finer than its triangles it lies. */
 typedef struct AeroVertex {
   aero_float position[3];
   aero_float normal[3];
   aero_float color[3];
+  aero_float place[2];
 } AeroVertex;
 
-AERO_ASSERT_LAYOUT(AeroVertex, 36);
+AERO_ASSERT_LAYOUT(AeroVertex, 44);
 
 #endif

@@ -121,15 +121,51 @@ TEST(Balloon, HasNoDegenerateTriangleEvenFarOut) {
   }
 }
 
-TEST(Balloon, SolidPartsAreClosed) {
-  const std::vector<Part> parts = balloon(sample());
-  for (const ObjectId id : {ObjectId::basket, ObjectId::rim, ObjectId::frame, ObjectId::cables,
-                            ObjectId::floor, ObjectId::flame}) {
-    const test::Edges edges = test::count_edges(part(parts, id));
-    EXPECT_EQ(edges.open, 0u) << "part " << static_cast<int>(id);
-    EXPECT_EQ(edges.crowded, 0u) << "part " << static_cast<int>(id);
-    EXPECT_GT(test::volume(part(parts, id)), 0.0);
+TEST(Balloon, SolidPartsAreClosedAtEveryLevelOfDetail) {
+  for (const double tolerance : {0.0, 0.0005, 0.002, 0.0078125, 0.0625, 0.5, 16.0}) {
+    const std::vector<Part> parts = balloon(sample(), {tolerance, tolerance});
+    for (const ObjectId id : {ObjectId::basket, ObjectId::rim, ObjectId::frame, ObjectId::cables,
+                              ObjectId::floor, ObjectId::flame}) {
+      const test::Edges edges = test::count_edges(part(parts, id));
+      EXPECT_EQ(edges.open, 0u) << "part " << static_cast<int>(id) << " at " << tolerance;
+      EXPECT_EQ(edges.crowded, 0u) << "part " << static_cast<int>(id) << " at " << tolerance;
+      EXPECT_GT(test::volume(part(parts, id)), 0.0);
+      EXPECT_GT(test::worst_normal(part(parts, id)), 0.2) << static_cast<int>(id);
+    }
   }
+}
+
+TEST(Balloon, HasTheTrianglesThatItsSizeInThePictureAsksFor) {
+  const auto triangles = [](const dvec3& eye, double pixel_angle) {
+    std::size_t count = 0;
+    for (const Part& p : balloon(sample(), detail_for(sample(), eye, {pixel_angle, 0.0})))
+      count += p.mesh.triangles.size();
+    return count;
+  };
+  const double pixel = 1.15e-3;  // 720 lines over 45 degrees
+  EXPECT_GT(triangles({0.0, 1.6, 0.0}, pixel), 200000u);
+  EXPECT_LT(triangles({0.0, 5.0, 86.0}, pixel), 40000u);
+  EXPECT_LT(triangles({0.0, 5.0, 2000.0}, pixel), 10000u);
+}
+
+TEST(Detail, GoesWithThePixelInStepsOfTwo) {
+  const scene::Balloon b = sample();
+  const Detail far = detail_for(b, {0.0, 5.0, 86.0}, {1e-3, 0.0});
+  // 85 m from the basket and 76.6 from the envelope: an eighth of 85 and 77 mm.
+  EXPECT_DOUBLE_EQ(far.basket_m, 0x1p-7);
+  EXPECT_DOUBLE_EQ(far.envelope_m, 0x1p-7);
+  EXPECT_EQ(detail_for(b, {0.0, 5.0, 86.0}, {2e-3, 0.0}).envelope_m, 2.0 * far.envelope_m);
+  EXPECT_EQ(detail_for(b, {0.3, 5.0, 86.0}, {1e-3, 0.0}), far) << "a step changes nothing";
+  EXPECT_EQ(detail_for(b, basket_eye(b), {1e-3, 0.0}).basket_m, 0.0);
+  EXPECT_EQ(detail_for(b, {0.0, 5.0, 1e9}, {1e-3, 0.0}).basket_m, 16.0);
+  for (const double tolerance : {0.001, 0.02, 0.3}) {
+    const int sides = sides_within(tolerance, 1.0, 3, 1000);
+    EXPECT_LE(1.0 - std::cos(kPi / sides), tolerance);
+    EXPECT_GT(1.0 - std::cos(kPi / (sides - 1)), tolerance);
+  }
+  EXPECT_EQ(steps_within(0.01, 0.04, 100), 2);
+  EXPECT_EQ(steps_within(0.01, 0.0401, 100), 3);
+  EXPECT_EQ(steps_within(0.0, 0.04, 100), 100);
 }
 
 TEST(Balloon, ColorsAreClampedAndOneIsEnough) {

@@ -24,9 +24,9 @@ scene::Balloon painted(scene::Pattern pattern, int gores = 24) {
   return balloon;
 }
 
-mesh::TriangleMesh envelope_of(const scene::Balloon& balloon) {
+mesh::TriangleMesh envelope_of(const scene::Balloon& balloon, const Detail& detail = {}) {
   const EnvelopeShape shape(balloon.diameter_m, balloon.gores);
-  return build_envelope(shape, EnvelopePattern(balloon, shape.panels()));
+  return build_envelope(shape, EnvelopePattern(balloon, shape.panels()), detail);
 }
 
 constexpr scene::Pattern kPatterns[] = {scene::Pattern::stripes, scene::Pattern::chevrons,
@@ -83,7 +83,7 @@ TEST(EnvelopeShape, RepeatsFromGoreToGore) {
   const EnvelopeShape shape(18.8, 24);
   const double turn = kTwoPi / 24.0;
   for (double arc = shape.mouth_arc(); arc < shape.crown_arc(); arc += 1.7) {
-    const EnvelopeRow row{arc, 0.3, false};
+    const EnvelopeRow row{arc, 0.3};
     for (const double share : {0.02, 0.3, 0.5}) {
       const FabricPoint a = shape.fabric(0, share, row), b = shape.fabric(7, share, row);
       const double c = std::cos(7.0 * turn), s = std::sin(7.0 * turn);
@@ -102,7 +102,7 @@ TEST(EnvelopeShape, RepeatsFromGoreToGore) {
 TEST(EnvelopeShape, BulgesOutwardsBetweenTheTapesOnly) {
   const EnvelopeShape shape(20.0, 24);
   const auto radius = [&](double arc, double share) {
-    const dvec3 p = shape.fabric(3, share, {arc, 0.0, true}).position;
+    const dvec3 p = shape.fabric(3, share, {arc, 0.0}).position;
     return std::hypot(p.x, p.z);
   };
   const double equator = 20.0 * natural_shape().arc_below_equator(0.4999);
@@ -120,10 +120,10 @@ TEST(EnvelopeShape, NormalsMatchDifferences) {
   for (double arc = shape.mouth_arc() + 0.1; arc < shape.crown_arc() - 0.1; arc += 0.93) {
     for (const double share : {0.05, 0.37, 0.5, 0.9}) {
       const auto at = [&](double ds, double du) {
-        return shape.fabric(2, share + du, {arc + ds, 0.0, true}).position;
+        return shape.fabric(2, share + du, {arc + ds, 0.5}).position;
       };
       const dvec3 expected = glm::normalize(glm::cross(at(0, h) - at(0, -h), at(h, 0) - at(-h, 0)));
-      EXPECT_GT(glm::dot(expected, shape.fabric(2, share, {arc, 0.0, true}).normal), 0.99999);
+      EXPECT_GT(glm::dot(expected, shape.fabric(2, share, {arc, 0.5}).normal), 0.99999);
     }
   }
 }
@@ -139,14 +139,74 @@ TEST(EnvelopeShape, RefusesWhatCannotBeBuilt) {
 TEST(Envelope, IsOneSheetOpenAtTheMouthAlone) {
   for (const scene::Pattern pattern : kPatterns) {
     for (const int gores : {24, 13}) {
-      const mesh::TriangleMesh mesh = envelope_of(painted(pattern, gores));
-      const test::Edges edges = test::count_edges(mesh);
-      EXPECT_EQ(edges.crowded, 0u);
-      // The pattern may cut the mouth's edges, but nothing else is open.
-      EXPECT_GE(edges.open, static_cast<std::size_t>(gores) * 11);
-      EXPECT_LE(edges.open, static_cast<std::size_t>(gores) * 14);
-      for (const vec3& v : edges.open_vertices) EXPECT_NEAR(v.y, 0.0f, 0.02f);
+      for (const double tolerance : {0.0, 0.01, 0.1, 3.0}) {
+        const mesh::TriangleMesh mesh =
+            envelope_of(painted(pattern, gores), {tolerance, tolerance});
+        const test::Edges edges = test::count_edges(mesh);
+        EXPECT_EQ(edges.crowded, 0u);
+        // The pattern may cut the mouth's edges, but nothing else is open.
+        const std::size_t cells = tolerance == 0.0 ? 8 : 2;
+        EXPECT_GE(edges.open, static_cast<std::size_t>(gores) * cells);
+        EXPECT_LE(edges.open, static_cast<std::size_t>(gores) * 12);
+        for (const vec3& v : edges.open_vertices) EXPECT_NEAR(v.y, 0.0f, 0.02f);
+      }
     }
+  }
+}
+
+/// Distance of a point from the plane of the nearest of some triangles around it, upper bound.
+double off_mesh(const mesh::TriangleMesh& mesh, const dvec3& point) {
+  double nearest = 1e9;
+  for (const uvec3& t : mesh.triangles) {
+    const dvec3 a(mesh.positions[t.x]), u = dvec3(mesh.positions[t.y]) - a;
+    const dvec3 v = dvec3(mesh.positions[t.z]) - a, n = glm::normalize(glm::cross(u, v));
+    const double away = glm::dot(point - a, n);
+    const dvec3 on = point - away * n - a;
+    const double uu = glm::dot(u, u), uv = glm::dot(u, v), vv = glm::dot(v, v);
+    const double det = uu * vv - uv * uv;
+    const double s = (glm::dot(on, u) * vv - glm::dot(on, v) * uv) / det;
+    const double w = (glm::dot(on, v) * uu - glm::dot(on, u) * uv) / det;
+    if (s > -0.05 && w > -0.05 && s + w < 1.05) nearest = std::min(nearest, std::abs(away));
+  }
+  return nearest;
+}
+
+TEST(Envelope, FacetsStayWithinTheToleranceOfTheSurface) {
+  const scene::Balloon balloon = painted(scene::Pattern::stripes);
+  const EnvelopeShape shape(balloon.diameter_m, balloon.gores);
+  const double panel = (shape.disc_arc() - shape.mouth_arc()) / shape.panels();
+  for (const double tolerance : {0.0078125, 0.0625, 0.25}) {
+    const mesh::TriangleMesh mesh = envelope_of(balloon, {tolerance, tolerance});
+    double worst = 0.0;
+    for (int i = 0; i < 40; ++i) {
+      const double up = 0.3 + 0.49 * i, share = 0.05 + 0.9 * (i * 7 % 40) / 40.0;
+      const EnvelopeRow row{shape.mouth_arc() + panel * up, up - std::floor(up)};
+      worst = std::max(worst, off_mesh(mesh, shape.fabric(i % 24, share, row).position));
+    }
+    // Both ways of a cell add up, and the pieces of a cell are two triangles.
+    EXPECT_LT(worst, 2.0 * tolerance);
+    EXPECT_GT(worst, 0.1 * tolerance) << "finer than need be";
+  }
+}
+
+TEST(Envelope, PlacesCountGoresAndPanels) {
+  const scene::Balloon balloon = painted(scene::Pattern::spiral);
+  const EnvelopeShape shape(balloon.diameter_m, balloon.gores);
+  const mesh::TriangleMesh mesh = envelope_of(balloon);
+  ASSERT_EQ(mesh.places.size(), mesh.positions.size());
+  for (const uvec3& t : mesh.triangles) {
+    const vec2 a = mesh.places[t.x], b = mesh.places[t.y], c = mesh.places[t.z];
+    // No triangle goes across a tape or a seam.
+    const vec2 low = glm::min(glm::min(a, b), c), high = glm::max(glm::max(a, b), c);
+    ASSERT_LE(high.x - std::floor(low.x + 1e-4f), 1.0f + 1e-4f);
+    ASSERT_LE(high.y - std::floor(low.y + 1e-4f), 1.0f + 1e-4f);
+  }
+  const double turn = kTwoPi / balloon.gores;
+  for (std::size_t i = 0; i < mesh.positions.size(); i += 31) {
+    const vec3 p = mesh.positions[i];
+    if (std::hypot(p.x, p.z) < 0.5f) continue;
+    const double angle = shape.tape_angle(0) + turn * static_cast<double>(mesh.places[i].x);
+    EXPECT_NEAR(std::remainder(std::atan2(-p.z, p.x) - angle, kTwoPi), 0.0, 1e-3);
   }
 }
 
@@ -202,9 +262,10 @@ TEST(PhaseCut, PiecesFillTheTriangleAndKeepToTheirBands) {
   std::mt19937 random(7);
   std::uniform_real_distribution<double> phase(-3.0, 3.0);
   for (int round = 0; round < 500; ++round) {
-    std::array<CutVertex, 3> triangle{{{{0, 0, 0}, {0, 0, 1}, quantized_phase(phase(random))},
-                                       {{1, 0, 0}, {0, 0, 1}, quantized_phase(phase(random))},
-                                       {{0, 1, 0}, {0, 0, 1}, quantized_phase(phase(random))}}};
+    std::array<CutVertex, 3> triangle{
+        {{{0, 0, 0}, {0, 0, 1}, {0, 0}, quantized_phase(phase(random))},
+         {{1, 0, 0}, {0, 0, 1}, {0, 0}, quantized_phase(phase(random))},
+         {{0, 1, 0}, {0, 0, 1}, {0, 0}, quantized_phase(phase(random))}}};
     double filled = 0.0;
     for (const CutPiece& piece : cut_by_phase(triangle)) {
       ASSERT_GE(piece.corners.size(), 3u);

@@ -1,0 +1,62 @@
+#include "model/detail.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "model/envelope_shape.hpp"
+#include "model/rigging.hpp"
+
+namespace aerostat::model {
+namespace {
+
+constexpr double kPixelShare = 0.125;
+constexpr double kFinest = 0x1p-12;  // metres
+constexpr double kCoarsest = 16.0;
+constexpr double kBasketReach = 1.0;  // of the basket and its rig, from the axis
+constexpr double kEquator = 0.60;     // above the mouth, in diameters
+constexpr double kCrown = 0.91;
+constexpr double kWireRadius = 0.3;  // of a pixel
+constexpr double kThickest = 0.05;   // metres
+
+double level(double distance, const scene::PixelSize& pixel) {
+  const double tolerance = std::min(kPixelShare * pixel.metres(distance), kCoarsest);
+  return tolerance < kFinest ? 0.0 : std::exp2(std::floor(std::log2(tolerance)));
+}
+
+}  // namespace
+
+Detail detail_for(const scene::Balloon& balloon, const dvec3& eye, const scene::PixelSize& pixel) {
+  const dvec3 seen = eye - balloon.position;
+  const double radius = 0.5 * balloon.diameter_m, mouth = mouth_height(balloon.diameter_m);
+  const double level_reach = std::hypot(seen.x, seen.z);
+  const double outside = std::max(seen.y - mouth, 0.0) + std::max(-seen.y, 0.0);
+  const double basket = std::hypot(std::max(level_reach - kBasketReach, 0.0), outside);
+  const dvec3 middle(0.0, mouth + kEquator * balloon.diameter_m, 0.0);
+  // The ball around the equator stands for the envelope, but for its cone and its flat crown.
+  const double ball = std::abs(glm::distance(seen, middle) - radius);
+  const double below = glm::distance(seen, {0.0, mouth, 0.0}) - 0.35 * radius;
+  const double above = glm::distance(seen, {0.0, mouth + kCrown * balloon.diameter_m, 0.0});
+  const double envelope = std::max(std::min({ball, below, above}), 0.0);
+  return {level(envelope, pixel), level(basket, pixel)};
+}
+
+int sides_within(double tolerance_m, double radius, int least, int most) {
+  if (!(tolerance_m > 0.0)) return most;
+  if (tolerance_m >= radius) return least;
+  const double half = std::acos(1.0 - tolerance_m / radius);
+  return std::clamp(static_cast<int>(std::ceil(std::numbers::pi / half)), least, most);
+}
+
+int steps_within(double tolerance_m, double sagitta_m, int most) {
+  if (!(tolerance_m > 0.0)) return most;
+  // The rise of a chord goes with the square of its length.
+  const double steps = std::ceil(std::sqrt(sagitta_m / tolerance_m));
+  return std::clamp(static_cast<int>(std::min(steps, 1e6)), 1, most);
+}
+
+double seen_radius(double radius, const Detail& detail) {
+  return std::max(radius, std::min(kWireRadius * detail.basket_m / kPixelShare, kThickest));
+}
+
+}  // namespace aerostat::model

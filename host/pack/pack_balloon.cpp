@@ -1,0 +1,45 @@
+#include "pack/pack_balloon.hpp"
+
+#include <algorithm>
+#include <numbers>
+
+#include "model/balloon.hpp"
+#include "pack/copy.hpp"
+
+namespace aerostat::pack {
+namespace {
+
+/// Of both burners: some 40,000 candela, by the measure in which the sun's 128,000 lux are an
+/// irradiance of 5. That makes an envelope at dusk as bright as photographs of it tell.
+constexpr double kFlameIntensity = 1.6;
+const dvec3 kFlameColor{1.0, 0.72, 0.38};
+
+/// Mean albedo of the palette, by what the pattern shows of each.
+dvec3 mean_cloth(const scene::Scene& scene) {
+  dvec3 mean(0.0);
+  for (const vec3& color : scene.balloon.colors) mean += dvec3(glm::clamp(color, 0.0f, 1.0f));
+  mean /= std::max<double>(1.0, static_cast<double>(scene.balloon.colors.size()));
+  return mean * dvec3(scene.material(scene::ObjectId::envelope).albedo);
+}
+
+}  // namespace
+
+AeroBalloon pack_balloon(const scene::Scene& scene) {
+  AeroBalloon balloon{};
+  if (!scene.balloon.enabled) return balloon;
+  const scene::Material& cloth = scene.material(scene::ObjectId::envelope);
+  const dvec3 color = mean_cloth(scene);
+  const dvec3 reflected = glm::min(color * cloth.diffuse, dvec3(0.95));
+  const dvec3 kept = 1.0 / (1.0 - reflected);
+  const dvec3 share = color * cloth.translucency * kept;
+  copy(balloon.glow_sun, share * 0.25);
+  copy(balloon.glow_sky, share);
+  const dvec3 flame = kFlameColor * (kFlameIntensity / std::numbers::pi);
+  const double radius = 0.5 * scene.balloon.diameter_m;
+  copy(balloon.glow_flame, flame * reflected * kept / (radius * radius));
+  copy(balloon.flame, model::flame_middle(scene.balloon));
+  copy(balloon.flame_light, flame);
+  return balloon;
+}
+
+}  // namespace aerostat::pack
