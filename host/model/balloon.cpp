@@ -8,6 +8,7 @@
 #include "model/burner.hpp"
 #include "model/dimensions.hpp"
 #include "model/envelope.hpp"
+#include "model/fittings.hpp"
 #include "model/rigging.hpp"
 #include "model/rim.hpp"
 
@@ -58,14 +59,18 @@ std::vector<Part> balloon(const scene::Balloon& balloon, const Detail& detail) {
   const EnvelopePattern pattern(balloon, shape.panels());
   std::vector<Part> parts;
   parts.push_back({ObjectId::envelope, build_envelope(shape, pattern, detail)});
+  add_vents(parts.back().mesh, shape, pattern, detail);
   parts.push_back({ObjectId::skirt, hung_skirt(shape, pattern, detail)});
   for (Part& part : parts) raise(part.mesh, mouth_height(shape.diameter()));
   parts.push_back({ObjectId::basket, build_basket(detail)});
   parts.push_back({ObjectId::rim, build_rim(wall_outline(), kRimHeight, detail)});
+  mesh::append(parts.back().mesh, build_padding(detail));
   parts.push_back({ObjectId::frame, build_frame(detail)});
   parts.push_back({ObjectId::cables, build_cables(shape, detail)});
   parts.push_back({ObjectId::floor, build_floor()});
-  parts.push_back({ObjectId::flame, build_flame(detail)});
+  if (balloon.burner > 0.0) {
+    parts.push_back({ObjectId::flame, build_flame(balloon.burner, detail)});
+  }
   const Placement placement(balloon);
   for (Part& part : parts) placement.apply(part.mesh);
   return parts;

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "model/dimensions.hpp"
+#include "model/fittings.hpp"
 #include "model/shapes.hpp"
 #include "model/weave.hpp"
 
@@ -15,7 +16,7 @@ namespace {
 
 using mesh::TriangleMesh;
 
-const vec3 kPlywood{0.40f, 0.26f, 0.13f};
+const vec3 kPlywood{0.46f, 0.32f, 0.18f};
 const vec3 kRunnerWood{0.17f, 0.095f, 0.045f};
 const vec3 kRope{0.36f, 0.27f, 0.15f};
 
@@ -113,6 +114,7 @@ TriangleMesh build_basket(const Detail& detail) {
     for (const double shift : {-0.28, 0.28})
       add_handle(mesh, wall.at(side * quarter + shift), 0.80, tolerance);
   }
+  add_sandbags(mesh, detail);
   return mesh;
 }
 

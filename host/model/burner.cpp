@@ -20,6 +20,7 @@ constexpr double kCanRadius = 0.095;
 constexpr double kCoilRadius = 0.112;
 constexpr double kCoilTube = 0.0085;
 constexpr int kCoilTurns = 6;
+constexpr double kCylinderRadius = 0.120;
 constexpr double kFlameBottom = kCanBottom + 0.08;
 constexpr double kFlameHeight = 1.05;
 constexpr double kFlameRadius = 0.088;
@@ -68,9 +69,9 @@ void add_burner(TriangleMesh& mesh, double side, double tolerance_m) {
 }
 
 /// Height and radius of a flame, 0 <= t <= 1: a slim drop.
-dvec2 flame_profile(double t) {
+dvec2 flame_profile(double t, double height) {
   const double width = std::sqrt(t) * std::pow(1.0 - t, 0.9) * 2.05;
-  return {kFlameRadius * width, kFlameBottom + kFlameHeight * t};
+  return {kFlameRadius * width, kFlameBottom + height * t};
 }
 
 vec3 flame_color(double t) {
@@ -98,18 +99,24 @@ void add_burners(TriangleMesh& mesh, const Detail& detail) {
   for (const double side : {-1.0, 1.0}) add_burner(mesh, side, detail.basket_m);
 }
 
-void add_cylinder(TriangleMesh& mesh, const dvec3& foot, const Detail& detail) {
-  const double r = 0.120, top = kCylinderHeight;
+void add_jacket(TriangleMesh& mesh, const dvec3& foot, const Detail& detail) {
+  const double r = kCylinderRadius, top = kCylinderHeight;
   const int sides = sides_within(detail.basket_m, r, 8, 40);
-  // A jacket of padded cloth, held by straps, up to the shoulder.
-  const dvec2 body[] = {{0.0, 0.0},          {r - 0.02, 0.0},         {r, 0.025},
-                        {r, top - 0.20},     {r - 0.012, top - 0.16}, {r - 0.04, top - 0.11},
-                        {0.05, top - 0.085}, {0.0, top - 0.08}};
-  add_lathe(mesh, foot, body, sides, [](std::size_t i) { return i <= 3 ? kCover : kSteel; });
+  const dvec2 jacket[] = {{0.0, 0.0},       {r - 0.02, 0.0},          {r, 0.025},
+                          {r, top - 0.215}, {r - 0.010, top - 0.190}, {0.0, top - 0.190}};
+  add_lathe(mesh, foot, jacket, sides, [](std::size_t) { return kCover; });
   for (const double y : {0.18, 0.48}) {
     const dvec2 strap[] = {{0.0, y}, {r + 0.005, y}, {r + 0.005, y + 0.04}, {0.0, y + 0.04}};
     add_lathe(mesh, foot, strap, sides, [](std::size_t) { return kBlackRubber; });
   }
+}
+
+void add_cylinder(TriangleMesh& mesh, const dvec3& foot, const Detail& detail) {
+  const double r = kCylinderRadius, top = kCylinderHeight;
+  const int sides = sides_within(detail.basket_m, r, 8, 40);
+  const dvec2 dome[] = {{0.0, top - 0.20},      {r - 0.012, top - 0.20}, {r - 0.014, top - 0.165},
+                        {r - 0.04, top - 0.11}, {0.05, top - 0.085},     {0.0, top - 0.08}};
+  add_lathe(mesh, foot, dome, sides, [](std::size_t) { return kSteel; });
   // Guard ring, valve and its hand wheel.
   add_torus(mesh, foot + dvec3(0.0, top - 0.015, 0.0), 0.075, 0.010, sides,
             sides_within(detail.basket_m, 0.010, 4, 10), kSteel);
@@ -126,14 +133,15 @@ void add_cylinder(TriangleMesh& mesh, const dvec3& foot, const Detail& detail) {
           thin, kBrass);
 }
 
-TriangleMesh build_flame(const Detail& detail) {
+TriangleMesh build_flame(double burner, const Detail& detail) {
+  const double height = kFlameHeight * (0.4 + 0.6 * burner);
   const int rings = 4 * steps_within(detail.basket_m, kFlameRadius, 10);
   const int sides = sides_within(detail.basket_m, kFlameRadius, 6, 28);
   std::vector<dvec2> profile;
   for (int i = 0; i <= rings; ++i) {
     // Closer rings where the drop is round.
     const double share = static_cast<double>(i) / rings;
-    dvec2 point = flame_profile(share * share * (2.0 - share));
+    dvec2 point = flame_profile(share * share * (2.0 - share), height);
     if (i == 0 || i == rings) point.x = 0.0;
     profile.push_back(point);
   }

@@ -15,7 +15,7 @@ inline constexpr double kFrameHeight = 2.08;
 inline constexpr double kCylinderHeight = 0.80;
 inline constexpr dvec2 kFrameHalf{0.40, 0.46};
 inline constexpr dvec2 kCylinderPlace{0.41, 0.56};
-inline constexpr dvec3 kEye{0.0, 1.6, 0.40};
+inline constexpr dvec3 kEye{0.0, 1.62, 0.25};
 
 /// Middle of the wall: 1.2 m by 1.5 m over all.
 inline Outline wall_outline() {

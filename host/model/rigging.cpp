@@ -8,6 +8,7 @@
 
 #include "model/burner.hpp"
 #include "model/dimensions.hpp"
+#include "model/fittings.hpp"
 #include "model/shapes.hpp"
 
 namespace aerostat::model {
@@ -21,7 +22,7 @@ constexpr double kMouthRingRadius = 0.012;
 constexpr double kFrameTube = 0.019;
 constexpr double kSleeveRadius = 0.034;
 constexpr double kHoseRadius = 0.009;
-const vec3 kWireColor{0.23f, 0.235f, 0.245f};
+const vec3 kWireColor{0.30f, 0.305f, 0.315f};
 const std::array<dvec2, 4> kCorners{dvec2(1.0, -1.0), dvec2(-1.0, -1.0), dvec2(-1.0, 1.0),
                                     dvec2(1.0, 1.0)};  // counter-clockwise from above
 
@@ -42,8 +43,7 @@ struct Upright {
 
 /// A sleeve of cloth over padding, laced in at both ends, leaves the upright's upper end bare. The
 /// hose runs inside of it.
-void add_upright(TriangleMesh& mesh, const Upright& upright, double tolerance_m) {
-  add_rod(mesh, upright.foot, upright.head, 0.014, sides_within(tolerance_m, 0.014, 4, 12), kSteel);
+void add_sleeve(TriangleMesh& mesh, const Upright& upright, double tolerance_m) {
   struct Ring {
     double share, radius;
     vec3 color;
@@ -174,6 +174,7 @@ TriangleMesh build_cables(const EnvelopeShape& shape, const Detail& detail) {
   TriangleMesh mesh;
   for (const Wire& wire : flying_wires(shape)) add_wire(mesh, wire, detail);
   for (const Wire& wire : basket_wires()) add_wire(mesh, wire, detail);
+  add_valve_lines(mesh, shape, mouth_height(shape.diameter()), detail);
   const double ring = seen_radius(kMouthRingRadius, detail);
   add_torus(mesh, {0.0, mouth_height(shape.diameter()), 0.0}, shape.mouth_radius(), ring,
             sides_within(detail.basket_m, shape.mouth_radius(), shape.gores(), shape.gores() * 8),
@@ -181,10 +182,22 @@ TriangleMesh build_cables(const EnvelopeShape& shape, const Detail& detail) {
   return mesh;
 }
 
+TriangleMesh build_padding(const Detail& detail) {
+  TriangleMesh mesh;
+  for (const dvec2& sign : kCorners) {
+    add_sleeve(mesh, Upright(sign), detail.basket_m);
+    add_jacket(mesh, {sign.x * kCylinderPlace.x, 0.0, sign.y * kCylinderPlace.y}, detail);
+  }
+  add_pouches(mesh, detail);
+  return mesh;
+}
+
 TriangleMesh build_frame(const Detail& detail) {
   TriangleMesh mesh;
   for (const dvec2& sign : kCorners) {
-    add_upright(mesh, Upright(sign), detail.basket_m);
+    const Upright upright(sign);
+    add_rod(mesh, upright.foot, upright.head, 0.014, sides_within(detail.basket_m, 0.014, 4, 12),
+            kSteel);
     add_cylinder(mesh, {sign.x * kCylinderPlace.x, 0.0, sign.y * kCylinderPlace.y}, detail);
   }
   add_frame_tubes(mesh, detail.basket_m);

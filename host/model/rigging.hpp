@@ -27,10 +27,13 @@ std::vector<Wire> basket_wires();
 /// The largest radius at height y that stays clear of the wires.
 double clear_radius(const std::vector<Wire>& wires, double y);
 
-/// All wires, with the ring that they meet at the mouth.
+/// All wires, with the ring that they meet at the mouth, and the parachute's lines.
 mesh::TriangleMesh build_cables(const EnvelopeShape& shape, const Detail& detail = {});
 
-/// The burner's frame with its four padded uprights, the burners, the gas cylinders and the hoses.
+/// What is padded with cloth: the sleeves of the uprights, the cylinders' jackets, the pouches.
+mesh::TriangleMesh build_padding(const Detail& detail = {});
+
+/// The burner's frame with its four uprights, the burners, the gas cylinders and the hoses.
 mesh::TriangleMesh build_frame(const Detail& detail = {});
 
 }  // namespace aerostat::model

@@ -15,29 +15,43 @@ constexpr double kFlameIntensity = 1.6;
 const dvec3 kFlameColor{1.0, 0.72, 0.38};
 
 /// Mean albedo of the palette, by what the pattern shows of each.
-dvec3 mean_cloth(const scene::Scene& scene) {
+dvec3 mean_cloth(const scene::Scene& scene, const scene::Balloon& balloon) {
   dvec3 mean(0.0);
-  for (const vec3& color : scene.balloon.colors) mean += dvec3(glm::clamp(color, 0.0f, 1.0f));
-  mean /= std::max<double>(1.0, static_cast<double>(scene.balloon.colors.size()));
+  for (const vec3& color : balloon.colors) mean += dvec3(glm::clamp(color, 0.0f, 1.0f));
+  mean /= std::max<double>(1.0, static_cast<double>(balloon.colors.size()));
   return mean * dvec3(scene.material(scene::ObjectId::envelope).albedo);
+}
+
+/// The nearest to the eye: of several, the one whose cloth is seen best.
+const scene::Balloon* seen_best(const scene::Scene& scene) {
+  const scene::Balloon* best = scene.balloon.enabled ? &scene.balloon : nullptr;
+  const auto distance = [&scene](const scene::Balloon* balloon) {
+    return glm::distance(balloon->position, scene.camera.position);
+  };
+  for (const scene::Balloon& further : scene.balloons) {
+    if (!further.enabled) continue;
+    if (best == nullptr || distance(&further) < distance(best)) best = &further;
+  }
+  return best;
 }
 
 }  // namespace
 
 AeroBalloon pack_balloon(const scene::Scene& scene) {
   AeroBalloon balloon{};
-  if (!scene.balloon.enabled) return balloon;
+  const scene::Balloon* from = seen_best(scene);
+  if (from == nullptr) return balloon;
   const scene::Material& cloth = scene.material(scene::ObjectId::envelope);
-  const dvec3 color = mean_cloth(scene);
+  const dvec3 color = mean_cloth(scene, *from);
   const dvec3 reflected = glm::min(color * cloth.diffuse, dvec3(0.95));
   const dvec3 kept = 1.0 / (1.0 - reflected);
   const dvec3 share = color * cloth.translucency * kept;
   copy(balloon.glow_sun, share * 0.25);
   copy(balloon.glow_sky, share);
-  const dvec3 flame = kFlameColor * (kFlameIntensity / std::numbers::pi);
-  const double radius = 0.5 * scene.balloon.diameter_m;
+  const dvec3 flame = kFlameColor * (from->burner * kFlameIntensity / std::numbers::pi);
+  const double radius = 0.5 * from->diameter_m;
   copy(balloon.glow_flame, flame * reflected * kept / (radius * radius));
-  copy(balloon.flame, model::flame_middle(scene.balloon));
+  copy(balloon.flame, model::flame_middle(*from));
   copy(balloon.flame_light, flame);
   return balloon;
 }

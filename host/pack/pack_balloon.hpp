@@ -5,7 +5,8 @@
 
 namespace aerostat::pack {
 
-/// Light in and about the balloon of a resolved scene; all zero if there is none.
+/// Light in and about the balloon of a resolved scene that is nearest to its eye; all zero if there
+/// is none. The others share the even light, not the burners'.
 ///
 /// The envelope is taken as an integrating sphere: of what shines in through its cloth, evenly from
 /// the sky and over a disc from the sun (a quarter of the surface), the cloth sends `reflected`

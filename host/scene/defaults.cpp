@@ -1,5 +1,6 @@
 #include "scene/io.hpp"
 #include "scene/materials.hpp"
+#include "scene/palettes.hpp"
 #include "scene/sun_angles.hpp"
 
 namespace aerostat::scene {
@@ -35,7 +36,7 @@ void make_snow(Scene& scene) {
   ground.sparkle = 1.0;
   scene.balloon.position = {0.0, 420.0, 0.0};
   scene.balloon.pattern = Pattern::stripes;
-  scene.balloon.colors = {{0.62f, 0.03f, 0.03f}, {0.8f, 0.36f, 0.02f}, {0.82f, 0.66f, 0.06f}};
+  dress(scene.balloon, Palette::ember);
   scene.sun.direction = detail::direction_of({230.0, 15.0});
   scene.air.ground_albedo = {0.5f, 0.52f, 0.55f};
   scene.haze = {90000.0, 1300.0, 1.3, 0.72, vec3(0.96f)};
@@ -71,8 +72,7 @@ void make_tropical(Scene& scene) {
   scene.biome.water.enabled = true;
   scene.balloon.position = {0.0, 210.0, 300.0};
   scene.balloon.pattern = Pattern::chevrons;
-  scene.balloon.colors = {
-      {0.78f, 0.05f, 0.08f}, {0.85f, 0.6f, 0.04f}, {0.02f, 0.3f, 0.42f}, {0.8f, 0.78f, 0.7f}};
+  dress(scene.balloon, Palette::lagoon);
   scene.sun.direction = detail::direction_of({150.0, 23.0});
   scene.air.ground_albedo = {0.06f, 0.08f, 0.08f};
   scene.haze = {60000.0, 1000.0, 0.6, 0.76, vec3(0.99f)};
@@ -105,8 +105,7 @@ void make_sand(Scene& scene) {
   ground.ripple_m = 0.9;
   scene.balloon.position = {0.0, 150.0, 0.0};
   scene.balloon.pattern = Pattern::rainbow;
-  scene.balloon.colors = {{0.05f, 0.09f, 0.4f},  {0.03f, 0.38f, 0.5f},  {0.82f, 0.8f, 0.72f},
-                          {0.84f, 0.55f, 0.05f}, {0.75f, 0.16f, 0.03f}, {0.42f, 0.02f, 0.06f}};
+  dress(scene.balloon, Palette::spectrum);
   scene.sun.direction = detail::direction_of({80.0, 12.0});
   scene.air.ground_albedo = {0.42f, 0.28f, 0.16f};
   scene.haze = {50000.0, 1200.0, 0.3, 0.75, {0.97f, 0.94f, 0.88f}};

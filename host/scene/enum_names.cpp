@@ -57,6 +57,13 @@ std::span<const char* const> enum_names<Pattern>() {
 }
 
 template <>
+std::span<const char* const> enum_names<Palette>() {
+  static constexpr const char* kNames[] = {"ember",   "lagoon", "spectrum", "glacier",
+                                           "orchard", "plum",   "regatta",  "meadow"};
+  return kNames;
+}
+
+template <>
 std::span<const char* const> enum_names<Quality>() {
   static constexpr const char* kNames[] = {"draft", "standard", "final"};
   return kNames;

@@ -29,6 +29,8 @@ std::span<const char* const> enum_names<Filter>();
 template <>
 std::span<const char* const> enum_names<Pattern>();
 template <>
+std::span<const char* const> enum_names<Palette>();
+template <>
 std::span<const char* const> enum_names<Quality>();
 
 }  // namespace aerostat::scene::detail

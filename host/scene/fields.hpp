@@ -103,7 +103,9 @@ void fields(Archive& archive, Balloon& balloon) {
   archive("diameter_m", balloon.diameter_m);
   archive("heading_deg", balloon.heading_deg);
   archive("gores", balloon.gores);
+  archive("burner", balloon.burner);
   archive("pattern", balloon.pattern);
+  archive("palette", balloon.palette);
   archive("colors", balloon.colors);
 }
 
@@ -219,6 +221,7 @@ void fields(Archive& archive, Scene& scene) {
   archive("terrain", scene.terrain);
   archive("vegetation", scene.vegetation);
   archive("balloon", scene.balloon);
+  archive("balloons", scene.balloons);
   archive("camera", scene.camera);
   archive("sun", scene.sun);
   archive("lights", scene.lights);

@@ -119,6 +119,17 @@ void settle_sun(Json& document, const Pointer& pointer) {
   }
 }
 
+/// Another palette takes the place of colours.
+void settle_colors(Json& document, const Pointer& pointer) {
+  if (pointer.size() < 2 || pointer.back() != "palette") return;
+  Pointer balloon = pointer;
+  balloon.pop_back();
+  std::string path;
+  for (const std::string& token : balloon) path += "/" + token;
+  const Json::json_pointer place(path);
+  if (document.contains(place) && document[place].is_object()) document[place].erase("colors");
+}
+
 }  // namespace
 
 Pointer parse_pointer(const std::string& text) {
@@ -146,6 +157,7 @@ void apply_overrides(Json& document, const std::vector<Override>& overrides,
   for (const Override& change : overrides) {
     const Pointer pointer = parse_pointer(change.pointer);
     settle_sun(document, pointer);
+    settle_colors(document, pointer);
     const Json defaults_json = Json(to_json(defaults(biome_of(document), view_of(document))));
     reach(document, defaults_json, pointer, name) = override_value(change);
     expand_short_forms(document);

@@ -14,6 +14,7 @@
 #include "scene/io.hpp"
 #include "scene/json_text.hpp"
 #include "scene/overrides.hpp"
+#include "scene/palettes.hpp"
 #include "scene/schema.hpp"
 #include "scene/semantics.hpp"
 #include "scene/sun_angles.hpp"
@@ -112,6 +113,20 @@ void settle_sun(const Json& document, Sun& sun, const Sun& usual) {
   sun.direction = unit(sun.direction);
 }
 
+/// Colours follow from the palette where they are not given.
+void settle_colors(const Json& document, Scene& scene) {
+  const Json given = document.value("balloon", Json::object());
+  if (given.contains("palette") && !given.contains("colors")) {
+    dress(scene.balloon, scene.balloon.palette);
+  }
+  const Json further = document.value("balloons", Json::array());
+  for (std::size_t i = 0; i < scene.balloons.size(); ++i) {
+    Balloon& balloon = scene.balloons[i];
+    if (!further[i].contains("palette")) balloon.palette = palette_of_place(i);
+    if (!further[i].contains("colors")) balloon.colors = palette_colors(balloon.palette);
+  }
+}
+
 /// Ahead of the schema, since another version has another one.
 void check_version(const Json& document, const std::string& name) {
   if (!document.is_object()) detail::fail(name, {}, detail::describe(document), "an object");
@@ -165,6 +180,7 @@ Scene read_document(Json& document, const std::string& name) {
   Scene scene = usual;
   Reader reader(document);
   fields(reader, scene);
+  settle_colors(document, scene);
   check_semantics(document, scene, name);
   settle_sun(document, scene.sun, usual.sun);
   return scene;

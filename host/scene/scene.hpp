@@ -27,6 +27,8 @@ enum class Filter { box, tent, gaussian };
 /// How much work a picture may be: sets samples, soft shadows and ambient occlusion together.
 enum class Quality { draft, standard, final };
 enum class Pattern { stripes, chevrons, spiral, rainbow, checker };
+/// Fabrics that go together; palettes.hpp has their colours.
+enum class Palette { ember, lagoon, spectrum, glacier, orchard, plum, regatta, meadow };
 
 /// Octaves of Perlin noise. The first octave has wavelength Terrain::feature_m.
 struct Fractal {
@@ -129,12 +131,14 @@ struct Vegetation {
 struct Balloon {
   bool enabled = true;
   dvec3 position{0.0, 0.0, 0.0};  // centre of the basket's floor
-  HeightReference height_above = HeightReference::sea;
+  HeightReference height_above = HeightReference::ground;
   double diameter_m = 18.8;
   double heading_deg = 0.0;
   int gores = 24;
+  double burner = 1.0;  // how hard the burners fire, 0 = not at all
   Pattern pattern = Pattern::stripes;
-  std::vector<vec3> colors;  // at least one; the pattern repeats them
+  Palette palette = Palette::ember;
+  std::vector<vec3> colors;  // at least one; the pattern repeats them. The palette's unless given
 
   bool operator==(const Balloon&) const = default;
 };
@@ -269,6 +273,7 @@ struct Scene {
   Terrain terrain;
   Vegetation vegetation;
   Balloon balloon;
+  std::vector<Balloon> balloons;  // further ones
   Camera camera;
   Sun sun;
   std::vector<PointLight> lights;

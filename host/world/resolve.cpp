@@ -23,6 +23,12 @@ double reference_height(const scene::Scene& scene, const Surface& surface,
   return 0.0;
 }
 
+void settle_height(const Surface& surface, scene::Balloon& balloon) {
+  if (balloon.height_above != scene::HeightReference::ground) return;
+  balloon.position.y += surface.height(balloon.position.x, balloon.position.z);
+  balloon.height_above = scene::HeightReference::sea;
+}
+
 void look_from_basket(scene::Scene& scene) {
   scene::Camera& camera = scene.camera;
   const dvec3 eye = model::basket_eye(scene.balloon);
@@ -39,11 +45,8 @@ void look_from_basket(scene::Scene& scene) {
 
 void resolve(scene::Scene& scene) {
   const Surface surface(scene);
-  scene::Balloon& balloon = scene.balloon;
-  if (balloon.height_above == scene::HeightReference::ground) {
-    balloon.position.y += surface.height(balloon.position.x, balloon.position.z);
-    balloon.height_above = scene::HeightReference::sea;
-  }
+  settle_height(surface, scene.balloon);
+  for (scene::Balloon& further : scene.balloons) settle_height(surface, further);
   scene::Camera& camera = scene.camera;
   if (camera.position_given) {
     camera.position.y += reference_height(scene, surface, camera.height_above, camera.position);

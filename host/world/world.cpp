@@ -1,7 +1,9 @@
 #include "world/world.hpp"
 
+#include <algorithm>
 #include <new>
 
+#include <oneapi/tbb/parallel_for.h>
 #include <oneapi/tbb/parallel_invoke.h>
 
 #include "core/error.hpp"
@@ -22,18 +24,40 @@ std::shared_ptr<const Land> build_land(const scene::Scene& scene) {
   return land;
 }
 
-model::Detail balloon_detail(const scene::Scene& scene) {
-  return model::detail_for(scene.balloon, scene.camera.position, scene::pixel_size(scene));
+/// All balloons of a scene that are there.
+std::vector<const scene::Balloon*> balloons_of(const scene::Scene& scene) {
+  std::vector<const scene::Balloon*> balloons;
+  if (scene.balloon.enabled) balloons.push_back(&scene.balloon);
+  for (const scene::Balloon& further : scene.balloons) {
+    if (further.enabled) balloons.push_back(&further);
+  }
+  return balloons;
 }
 
-bool same_balloon(const scene::Scene& a, const scene::Scene& b) {
-  return a.balloon == b.balloon && balloon_detail(a) == balloon_detail(b);
+model::Detail balloon_detail(const scene::Scene& scene, const scene::Balloon& balloon) {
+  return model::detail_for(balloon, scene.camera.position, scene::pixel_size(scene));
 }
 
-std::shared_ptr<const Objects> build_balloon(const scene::Scene& scene) {
+bool same_balloons(const scene::Scene& a, const scene::Scene& b) {
+  const auto of_a = balloons_of(a), of_b = balloons_of(b);
+  return std::equal(of_a.begin(), of_a.end(), of_b.begin(), of_b.end(),
+                    [&](const scene::Balloon* one, const scene::Balloon* other) {
+                      return *one == *other && balloon_detail(a, *one) == balloon_detail(b, *other);
+                    });
+}
+
+std::shared_ptr<const Objects> build_balloons(const scene::Scene& scene) {
+  const auto balloons = balloons_of(scene);
+  if (balloons.empty()) return nullptr;
+  std::vector<Objects> built(balloons.size());
+  tbb::parallel_for(std::size_t{0}, balloons.size(), [&](std::size_t i) {
+    for (auto& part : model::balloon(*balloons[i], balloon_detail(scene, *balloons[i]))) {
+      built[i].push_back({part.id, std::move(part.mesh)});
+    }
+  });
   auto objects = std::make_shared<Objects>();
-  for (auto& part : model::balloon(scene.balloon, balloon_detail(scene))) {
-    objects->push_back({part.id, std::move(part.mesh)});
+  for (Objects& one : built) {
+    for (Object& part : one) objects->push_back(std::move(part));
   }
   return objects;
 }
@@ -56,9 +80,8 @@ World build(const scene::Scene& scene, const World* previous, const scene::Scene
           world.plants = grown ? previous->plants : build_plants(scene, *world.land->ground);
         },
         [&] {
-          if (!scene.balloon.enabled) return;
-          const bool same = known && same_balloon(scene, *previous_scene);
-          world.balloon = same ? previous->balloon : build_balloon(scene);
+          const bool same = known && same_balloons(scene, *previous_scene);
+          world.balloon = same ? previous->balloon : build_balloons(scene);
         });
   } catch (const std::bad_alloc&) {
     throw Error(ErrorKind::exhausted,

@@ -37,7 +37,7 @@ struct Plants {
 /// it does not touch.
 struct World {
   std::shared_ptr<const Land> land;
-  std::shared_ptr<const Objects> balloon;  // null if there is none
+  std::shared_ptr<const Objects> balloon;  // and all further ones; null if there is none
   std::shared_ptr<const Plants> plants;    // null if there are none
 };
 

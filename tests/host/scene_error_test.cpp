@@ -92,7 +92,8 @@ INSTANTIATE_TEST_SUITE_P(
              "flame, floor, frame, plant, rim, skirt, stone, terrain, water"},
         Case{R"("a/b~c\u001b": 5)",
              "/a~1b~0c\\u001b: found an unknown key, expected one of $schema, air, balloon, "
-             "biome, camera, fog, haze, image, lights, materials, quality, shading, sky, sun, "
+             "balloons, biome, camera, fog, haze, image, lights, materials, quality, shading, sky, "
+             "sun, "
              "terrain, "
              "vegetation, "
              "version"},

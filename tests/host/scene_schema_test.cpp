@@ -35,7 +35,7 @@ void walk(const json& rule, const json& root, const std::string& path,
       walk(child, root, path + "/" + key, visit);
     }
   }
-  if (resolved.contains("items") && resolved["items"]["type"] == "object") {
+  if (resolved.contains("items") && follow(resolved["items"], root)["type"] == "object") {
     walk(resolved["items"], root, path + "/0", visit);
   }
 }
@@ -43,6 +43,7 @@ void walk(const json& rule, const json& root, const std::string& path,
 Scene full_scene() {
   Scene scene = defaults(BiomeKind::snow, View::outside);
   scene.lights.emplace_back();
+  scene.balloons.push_back(scene.balloon);
   scene.image.exposure_given = true;
   return scene;
 }

@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "scene/io.hpp"
+#include "scene/palettes.hpp"
 
 namespace aerostat::scene {
 namespace {
@@ -93,6 +94,23 @@ TEST(SceneDefaults, EveryBiomeBringsItsOwn) {
   EXPECT_EQ(write_text(read("")), write_text(snow));
 }
 
+TEST(ScenePalettes, GiveTheColorsUnlessColorsAreGiven) {
+  EXPECT_EQ(read(R"("balloon": {"palette": "plum"})").balloon.colors,
+            palette_colors(Palette::plum));
+  const Scene both = read(R"("balloon": {"palette": "plum", "colors": [[0.1, 0.2, 0.3]]})");
+  ASSERT_EQ(both.balloon.colors.size(), 1u);
+  EXPECT_FLOAT_EQ(both.balloon.colors[0].y, 0.2f);
+  // A scene that was written out has both; another palette takes their place.
+  const std::string dumped = write_text(both);
+  EXPECT_EQ(read_text(dumped, "x.json").balloon.colors, both.balloon.colors);
+  EXPECT_EQ(read_text(dumped, "x.json", {{"/balloon/palette", "glacier"}}).balloon.colors,
+            palette_colors(Palette::glacier));
+  const Scene further = read(R"("balloons": [{}, {}, {"palette": "ember"}])");
+  EXPECT_NE(further.balloons[0].colors, further.balloons[1].colors);
+  EXPECT_EQ(further.balloons[2].colors, palette_colors(Palette::ember));
+  EXPECT_EQ(write_text(read_text(write_text(further), "x.json")), write_text(further));
+}
+
 TEST(SceneDefaults, ArePlausible) {
   for (const BiomeKind kind : {BiomeKind::snow, BiomeKind::tropical, BiomeKind::sand}) {
     const Scene scene = defaults(kind, View::outside);
@@ -149,8 +167,8 @@ TEST(SceneText, NumbersKeepTheirShortText) {
 
 TEST(SceneText, EveryFieldSurvivesTheRoundTrip) {
   Scene scene = defaults(BiomeKind::sand, View::basket);
-  scene.camera = {View::basket, {1.5, 2, 3},          {4, 5, 6},    true,
-                  true,         HeightReference::sea, {0, 1, 0.25}, 33};
+  scene.camera = {View::basket,         {1.5, 2, 3},  {4, 5, 6},       true, true,
+                  HeightReference::sea, {0, 1, 0.25}, Lens::thin_lens, 33};
   scene.terrain.center = {12.5, -7};
   scene.terrain.fractal = {FractalKind::fbm, 3, 1.7, 0.7, 0.9};
   scene.biome.ground.snow_slope_deg[1] = 61;

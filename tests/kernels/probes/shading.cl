@@ -93,3 +93,31 @@ __kernel void probe_clouds(__global const AeroScene* scene, __global const float
   store3_planes(behind_clouds(scene, white, &ray, LOAD(distances), 0.05f, (lane_float)0.5f),
                 arriving);
 }
+
+/* A line of half a width of 2 cm. */
+__kernel void probe_line(__global const float* distances, __global const float* pixels,
+                         __global float* covers) {
+  STORE(line_cover(LOAD(distances), 0.02f, LOAD(pixels)), covers);
+}
+
+__kernel void probe_flame(__global const AeroScene* scene, __global const float* positions,
+                          __global const float* normals, __global float* light) {
+  store3_planes(flame_on(&scene->balloon, load3(positions), load3(normals)), light);
+}
+
+/* White cloth that lets `through[0]` of the light through and throws the rest back, in the dark. */
+__kernel void probe_cloth(__global const AeroScene* scene, __global const float* through,
+                          __global const float* normals, __global const uint* inside,
+                          __global float* glow) {
+  const lane_float one = (lane_float)1.0f, none = (lane_float)0.0f;
+  Look look;
+  look.position = lane3(none, none, none);
+  look.normal = look.to_viewer = load3(normals);
+  look.albedo = lane3(one, one, one);
+  look.ambient = look.diffuse = 1.0f - (lane_float)through[0];
+  look.specular = look.translucency = look.softness = look.facing = none;
+  look.sunlit = one;
+  look.shininess = look.open = one;
+  const lane_int within = lane_as_int(LOAD(inside));
+  store3_planes(cloth_glow(scene, &look, within, (lane_float)through[0], none), glow);
+}

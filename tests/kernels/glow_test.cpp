@@ -1,0 +1,93 @@
+// Seams that are finer than pixels, and the burners' light, where the answer is known.
+#include <cmath>
+
+#include "shading_scene.hpp"
+
+namespace aerostat::test {
+namespace {
+
+class Glow : public LaneTest {
+ protected:
+  const Probe probe{"shading.cl", GetParam()};
+};
+
+/// Pixels side by side share a line out among them: nothing is lost, whatever their width.
+TEST_P(Glow, PixelsShareALineOut) {
+  constexpr std::size_t kPixels = 4096;
+  constexpr float kHalf = 0.02f;  // as the probe has it
+  for (const float pixel : {0.001f, 0.02f, 0.07f, 0.5f}) {
+    for (const float shift : {0.0f, 0.3f}) {
+      std::vector<float> distances(kPixels), pixels(kPixels, pixel);
+      for (std::size_t i = 0; i < kPixels; ++i) {
+        distances[i] = (static_cast<float>(i) - 2048.0f + shift) * pixel;
+      }
+      const auto covers = output<float>(kPixels);
+      probe.run("probe_line", kPixels, input(distances), input(pixels), covers);
+      double sum = 0.0;
+      for (const float cover : covers.read()) {
+        EXPECT_GE(cover, 0.0f);
+        EXPECT_LE(cover, 1.0f);
+        sum += static_cast<double>(cover) * static_cast<double>(pixel);
+      }
+      EXPECT_NEAR(sum, 2.0 * static_cast<double>(kHalf), 1e-4) << pixel;
+    }
+  }
+}
+
+TEST_P(Glow, BurnersFollowTheInverseSquareAndTheCosine) {
+  AeroScene scene = bare_scene();
+  set3(scene.balloon.flame, {1.0f, 4.0f, -2.0f});
+  set3(scene.balloon.flame_light, {3.0f, 2.0f, 1.0f});
+  std::vector<vec3> positions, normals;
+  std::vector<vec3> expected;
+  for (const float distance : {0.5f, 1.0f, 2.0f, 8.0f}) {
+    for (int degrees = 0; degrees <= 180; degrees += 15) {
+      const float angle = static_cast<float>(degrees) * kPi / 180.0f;
+      positions.push_back(vec3(1.0f, 4.0f - distance, -2.0f));
+      normals.push_back(vec3(std::sin(angle), std::cos(angle), 0.0f));
+      expected.push_back(vec3(3.0f, 2.0f, 1.0f) * std::max(std::cos(angle), 0.0f) /
+                         (distance * distance));
+    }
+  }
+  const std::size_t count = whole_packets(positions.size());
+  const auto light = output<float>(3 * count);
+  probe.run("probe_flame", count, uploaded(scene), input(planes(positions)), input(planes(normals)),
+            light);
+  const auto values = light.read();
+  for (std::size_t i = 0; i < expected.size(); ++i) {
+    EXPECT_LT(glm::distance(from_planes(values, i), expected[i]),
+              2e-5f * glm::length(expected[i]) + 1e-6f)
+        << i;
+  }
+}
+
+/// In an even light of 1 from all sides, cloth that absorbs nothing is as bright as what is around
+/// it, from without and from within: nothing tells it from the air.
+TEST_P(Glow, ClothThatAbsorbsNothingVanishesInEvenLight) {
+  AeroScene scene = bare_scene();
+  set3(scene.sky.sun_irradiance, vec3(1.0f));
+  set_ambient(scene, vec3(1.0f), vec3(1.0f));
+  constexpr float kThrough = 0.3f;
+  // What gets in stays until it leaves: transmitted / (1 - reflected) = 1.
+  set3(scene.balloon.glow_sky, vec3(kThrough / (1.0f - (1.0f - kThrough))));
+  std::vector<vec3> normals;
+  for (int degrees = 0; degrees <= 180; degrees += 10)
+    normals.push_back(tilted(static_cast<float>(degrees)));
+  const std::size_t count = whole_packets(normals.size());
+  std::vector<std::uint32_t> inside(count, 0u);
+  for (std::size_t i = 0; i < count; i += 2) inside[i] = ~0u;
+  const auto glow = output<float>(3 * count);
+  probe.run("probe_cloth", count, uploaded(scene), input(std::vector<float>{kThrough}),
+            input(planes(normals)), input(inside), glow);
+  const auto values = glow.read();
+  for (std::size_t i = 0; i < normals.size(); ++i) {
+    // Without, Phong's ambient light adds what the front throws back.
+    const float front = inside[i] != 0u ? 0.0f : 1.0f - kThrough;
+    EXPECT_NEAR(from_planes(values, i).x + front, 1.0f, 1e-5f) << i;
+  }
+}
+
+AEROSTAT_AT_EVERY_WIDTH(Glow);
+
+}  // namespace
+}  // namespace aerostat::test
