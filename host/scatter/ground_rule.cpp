@@ -102,7 +102,9 @@ GroundMix GroundRule::mix(const vec3& p, float slope_cos, const GroundNoise& noi
   const float swept = 0.9f * noise.broad + 0.22f * noise.fine - 0.2f * noise.rough;
   GroundMix mix;
   mix.rock = frayed_step(-rock_cos_[0], -rock_cos_[1], -slope_cos, fray);
-  mix.beach = beach(p.y, fray);
+  const float shore = beach(p.y, fray);
+  mix.beach = shore * smooth_step(0.9f, 0.95f, slope_cos + 0.02f * fray);
+  mix.rock = std::max(mix.rock, shore - mix.beach);
   mix.snow = frayed_step(line - half_zone, line + half_zone, p.y, 1.5f * fray) *
              frayed_step(snow_cos_[1], snow_cos_[0], slope_cos, swept);
   mix.forest = forest(p, slope_cos, noise);

@@ -26,6 +26,15 @@ Choice choose_palm(const Nature& nature, const Site& site, Random& random) {
   return choice;
 }
 
+/// Trees of a kind stand together: yellower and brighter here, bluer and darker there, and now and
+/// then a pale crown. As kernels/device/canopy.clh paints the woods.
+vec3 kind_tint(const GroundNoise& noise, Random& random) {
+  const float warm = 0.7f * noise.broad + 0.35f * noise.fine;
+  const vec3 hue(1.0f + 0.8f * warm, 1.0f + 0.35f * warm, 1.0f - 0.5f * warm);
+  const float pale = random.chance(0.03) ? 1.5f : 1.0f;
+  return hue * (pale * (1.0f + 0.3f * noise.broad));
+}
+
 Layer woods(const Nature& nature) {
   const double canopy = nature.scene.biome.ground.canopy_m;
   Layer layer;
@@ -44,7 +53,7 @@ Layer woods(const Nature& nature) {
     choice.model = any_variant(Species::broadleaf, random);
     choice.scale = size_between(nature, random, 0.6, 1.3) * static_cast<float>(canopy / kCrown);
     choice.lean = any_lean(random, 0.07);
-    choice.tint = any_tint(random, 0.22, 0.2) * (1.0f + 0.15f * site.noise.broad);
+    choice.tint = any_tint(random, 0.22, 0.2) * kind_tint(site.noise, random);
     return choice;
   };
   return layer;

@@ -13,7 +13,7 @@ void make_snow(Scene& scene) {
   terrain.warp_m = 2000.0;
   terrain.warp_feature_m = 9000.0;
   terrain.sharpness = 1.15;
-  terrain.grading = 10.0;
+  terrain.grading = 20.0;
   Ground& ground = scene.biome.ground;
   ground.cover_a = {0.045f, 0.065f, 0.04f};
   ground.cover_b = {0.12f, 0.115f, 0.07f};
@@ -52,7 +52,7 @@ void make_tropical(Scene& scene) {
   terrain.feature_m = 4000.0;
   terrain.warp_m = 700.0;
   terrain.warp_feature_m = 3500.0;
-  terrain.grading = 10.0;
+  terrain.grading = 20.0;
   Ground& ground = scene.biome.ground;
   ground.cover_a = {0.04f, 0.105f, 0.022f};
   ground.cover_b = {0.105f, 0.17f, 0.04f};
@@ -88,7 +88,7 @@ void make_sand(Scene& scene) {
   terrain.feature_m = 4500.0;
   terrain.warp_m = 300.0;
   terrain.warp_feature_m = 1800.0;
-  terrain.grading = 12.0;
+  terrain.grading = 20.0;
   terrain.dunes = {250.0, 460.0, 75.0};
   Ground& ground = scene.biome.ground;
   ground.cover_a = {0.47f, 0.29f, 0.15f};
@@ -100,7 +100,7 @@ void make_sand(Scene& scene) {
   ground.pattern_m = 160.0;
   ground.strata_m = 55.0;
   ground.softness = 0.45;
-  ground.sparkle = 0.4;
+  ground.sparkle = 0.15;
   ground.relief = 0.07;
   ground.ripple_m = 0.9;
   scene.balloon.position = {0.0, 150.0, 0.0};

@@ -87,8 +87,10 @@ void DuneSet::evaluate(const Points& points, DuneBlock& out) const {
     const float up = t / (1.0f - face);
     const float down = (t - (1.0f - face)) / face;
     // A crest sharper than the samples are dense would turn into a row of teeth.
-    const float rounding = std::min(kReposeTangent * points.spacing[i], 0.5f * height) + 1e-3f;
-    const float share = band_share(0.5f * wavelength_m_, points.spacing[i]);
+    const float rounding =
+        std::min(1.5f * kReposeTangent * points.spacing[i], 0.5f * height) + 1e-3f;
+    // So would a slip face of hardly more than one cell.
+    const float share = band_share(0.35f * wavelength_m_, points.spacing[i]);
     out.height[i] = share * smooth_min(height * windward(up), height * slip_face(down), rounding) +
                     (1.0f - share) * 0.45f * height;
     const bool lee = down > 0.0f;
@@ -153,8 +155,8 @@ void DuneSea::add_hills(const Points& points, Block& height) const {
   const auto half = 0.5f * static_cast<float>(terrain_.size_m);
   for (int i = 0; i < points.count; ++i) {
     const float distance = std::sqrt(points.x[i] * points.x[i] + points.z[i] * points.z[i]);
-    const float far = ramp(0.35f * half, 0.6f * half, distance);
-    const float lift = 1.6f * (hills[i] - 0.31f) - 0.35f * (1.0f - far) + 0.12f * (rock[i] - 0.4f);
+    const float far = ramp(0.2f * half, 0.42f * half, distance);
+    const float lift = 1.6f * (hills[i] - 0.2f) - 0.5f * (1.0f - far) + 0.14f * (rock[i] - 0.4f);
     if (lift <= 0.0f) continue;
     const float scree = 0.4f * ramp(0.0f, 0.2f, lift);
     const float cliff = 0.4f * ramp(0.15f, 0.19f, lift);

@@ -11,7 +11,8 @@ namespace aerostat::terrain {
 class Relief;
 
 /// The ground as a function: one height for every point of the plane. Copies share their data, and
-/// every call is safe from any thread. The sea is not part of it: heights go on under water.
+/// every call is safe from any thread. The sea is not part of it: heights go on under water. Nor is
+/// the scree of terrain_mesh.hpp, which raises the ground at the feet of walls.
 class HeightField {
  public:
   /// Prepares the relief (some tenths of a second for carved kinds), or takes the last one that was

@@ -177,7 +177,9 @@ void Island::heights(const Points& points, Block& height) const {
       height[i] = sea_bed(-inland[i], 1.2f * widest + 1.6f * plain[i], bumps[i]);
       continue;
     }
-    const float beach = smooth_min(0.07f * inland[i], 2.5f + 0.008f * inland[i], 2.0f);
+    // Broad, gentle beaches before flat land, short, steep ones at headlands.
+    const float rise = mix(0.17f, 0.045f, ramp(0.0f, 0.8f, plain[i] / widest));
+    const float beach = smooth_min(rise * inland[i], 2.5f + 0.008f * inland[i], 2.0f);
     height[i] = beach + (std::max(height[i], 0.0f) + 1.5f * std::max(bumps[i], 0.0f)) *
                             ramp(8.0f, 60.0f, inland[i]);
   }

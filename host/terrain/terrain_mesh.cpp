@@ -6,9 +6,12 @@
 #include <tbb/parallel_for.h>
 
 #include "core/error.hpp"
+#include "terrain/scree.hpp"
 
 namespace aerostat::terrain {
 namespace {
+
+constexpr float kScreeShare = 0.26f;  // of a wall's height that lies under its own stones
 
 /// The vertices of a graded grid and a ring of further samples around them, from which the normals
 /// at the rim are made.
@@ -18,17 +21,20 @@ class Samples {
       : stride_(terrain.cells + 3), center_(terrain.center), field_(field) {
     const std::vector<double> axis = graded_axis(terrain.cells, terrain.size_m, terrain.grading);
     const double rim = axis[1] - axis[0];
-    line_.push_back(static_cast<float>(axis.front() - rim));
-    for (const double value : axis) line_.push_back(static_cast<float>(value));
-    line_.push_back(static_cast<float>(axis.back() + rim));
-    heights_.resize(static_cast<std::size_t>(stride_) * static_cast<std::size_t>(stride_));
+    ground_.lines.push_back(static_cast<float>(axis.front() - rim));
+    for (const double value : axis) ground_.lines.push_back(static_cast<float>(value));
+    ground_.lines.push_back(static_cast<float>(axis.back() + rim));
+    ground_.values.resize(static_cast<std::size_t>(stride_) * static_cast<std::size_t>(stride_));
     tbb::parallel_for(0, stride_, [this](int row) { sample_row(row); });
+    // Dunes slump by themselves.
+    if (terrain.kind != scene::TerrainKind::dunes)
+      lay_scree(ground_, kScreeShare * static_cast<float>(terrain.erosion));
   }
 
   /// i, j count from -1, the ring, to cells + 1.
   float height(int i, int j) const {
-    return heights_[static_cast<std::size_t>(j + 1) * static_cast<std::size_t>(stride_) +
-                    static_cast<std::size_t>(i + 1)];
+    return ground_.values[static_cast<std::size_t>(j + 1) * static_cast<std::size_t>(stride_) +
+                          static_cast<std::size_t>(i + 1)];
   }
 
   std::vector<float> x() const { return lines(center_.x); }
@@ -42,22 +48,22 @@ class Samples {
  private:
   /// Slope at line k of the parabola through three heights: second order on unequal cells too.
   float slope(int k, float before, float here, float after) const {
-    const float a = line_[k + 1] - line_[k];
-    const float b = line_[k + 2] - line_[k + 1];
+    const float a = ground_.lines[k + 1] - ground_.lines[k];
+    const float b = ground_.lines[k + 2] - ground_.lines[k + 1];
     return ((after - here) * a * a + (here - before) * b * b) / (a * b * (a + b));
   }
 
   /// The lines without the ring, in world coordinates.
   std::vector<float> lines(double center) const {
     std::vector<float> moved;
-    for (std::size_t k = 1; k + 1 < line_.size(); ++k)
-      moved.push_back(static_cast<float>(line_[k] + center));
+    for (std::size_t k = 1; k + 1 < ground_.lines.size(); ++k)
+      moved.push_back(static_cast<float>(ground_.lines[k] + center));
     return moved;
   }
 
   float spacing(int line) const {
     const int k = std::clamp(line, 1, stride_ - 2);
-    return 0.5f * (line_[k + 1] - line_[k - 1]);
+    return 0.5f * (ground_.lines[k + 1] - ground_.lines[k - 1]);
   }
 
   void sample_row(int row) {
@@ -66,21 +72,20 @@ class Samples {
     for (int begin = 0; begin < stride_; begin += kBlockSize) {
       points.count = std::min(kBlockSize, stride_ - begin);
       for (int k = 0; k < points.count; ++k) {
-        points.x[k] = line_[begin + k];
-        points.z[k] = line_[row];
+        points.x[k] = ground_.lines[begin + k];
+        points.z[k] = ground_.lines[row];
         points.spacing[k] = std::max(spacing(begin + k), spacing(row));
       }
       field_.heights(points, height);
       std::copy_n(height.begin(), points.count,
-                  heights_.begin() + static_cast<std::ptrdiff_t>(row) * stride_ + begin);
+                  ground_.values.begin() + static_cast<std::ptrdiff_t>(row) * stride_ + begin);
     }
   }
 
   int stride_;
   dvec2 center_;
   const HeightField& field_;
-  std::vector<float> line_;
-  std::vector<float> heights_;
+  GradedHeights ground_;
 };
 
 }  // namespace

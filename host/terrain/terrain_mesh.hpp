@@ -15,6 +15,7 @@ namespace aerostat::terrain {
 std::vector<double> graded_axis(int cells, double size_m, double grading);
 
 /// The ground of a scene, cells x cells of them. Detail too fine for the local cells is left out;
+/// scree lies at the feet of walls;
 /// normals are central differences over neighbouring vertices. Runs on all cores; the bits do not
 /// depend on how many. Throws Error{bad_data} if cells < 1, size_m <= 0 or grading < 1.
 mesh::GridMesh terrain_mesh(const scene::Terrain& terrain);

@@ -1,3 +1,4 @@
+aerostat_test(scree_test LABEL unit LINKS aerostat::terrain)
 aerostat_test(gullies_test LABEL unit LINKS aerostat::terrain)
 aerostat_test(noise_test LABEL unit LINKS aerostat::terrain)
 aerostat_test(drainage_test LABEL unit LINKS aerostat::terrain TBB::tbb)
