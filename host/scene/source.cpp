@@ -127,6 +127,10 @@ struct SceneSource::State {
     Scene usual = defaults(scene.biome.kind, scene.camera.view);
     set_quality(usual, scene.quality);
     usual_values = shown(usual);
+    // These choose what the other defaults are; their own are these.
+    usual_values["biome"]["kind"] = "snow";
+    usual_values["camera"]["view"] = "outside";
+    usual_values["quality"] = "standard";
     values = shown(scene);
     if (!document.contains("sun")) return;
     for (const auto& [key, value] : document["sun"].items()) values["sun"][key] = value;
@@ -184,9 +188,6 @@ std::string SceneSource::text() const {
   // Always said: it makes the rest readable.
   usual.erase("version");
   usual["biome"].erase("kind");
-  // These choose what the defaults are.
-  usual["camera"]["view"] = "outside";
-  usual["quality"] = "standard";
   left["biome"]["kind"] = state_->values["biome"]["kind"];
   // One angle of two stays: read back, it must not come from a direction.
   const bool both = left.contains("sun") && left["sun"].contains("azimuth_deg") &&

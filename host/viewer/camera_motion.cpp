@@ -43,7 +43,7 @@ dvec3 level_right(const dvec3& sight) {
 
 Pose orbit(const Pose& pose, double right_rad, double down_rad) {
   const dvec3 sight = pose.target - pose.position;
-  return {pose.target - turned(sight, right_rad, -down_rad), pose.target};
+  return {pose.target - turned(sight, -right_rad, -down_rad), pose.target};
 }
 
 Pose look(const Pose& pose, double right_rad, double down_rad) {

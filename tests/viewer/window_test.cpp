@@ -1,0 +1,236 @@
+// The window at work on small scenes: rapid changes, latencies, errors, export, closing.
+#include <QAbstractButton>
+#include <QClipboard>
+#include <QElapsedTimer>
+#include <QSettings>
+#include <QStandardPaths>
+#include <QTemporaryDir>
+#include <QtTest>
+
+#include "viewer/export_dialog.hpp"
+#include "viewer/main_window.hpp"
+#include "viewer/message_bar.hpp"
+#include "viewer/panels.hpp"
+#include "viewer/picture_view.hpp"
+
+namespace aerostat::viewer {
+namespace {
+
+constexpr int kPatience_ms = 60000;
+/// Bounds for machines that are busy with something else; what is measured is printed.
+constexpr qint64 kFirstLook_ms = 3000;
+constexpr qint64 kCancel_ms = 2000;
+
+scene::SceneSource small_scene(const char* biome = "sand") {
+  return scene::SceneSource().with({{"/biome/kind", biome},
+                                    {"/terrain/cells", "96"},
+                                    {"/vegetation/enabled", "false"},
+                                    {"/image/width", "160"},
+                                    {"/image/height", "90"}});
+}
+
+}  // namespace
+
+class WindowTest : public QObject {
+  Q_OBJECT
+
+ private Q_SLOTS:
+  void initTestCase();
+  void init();
+  void cleanup() { window_.reset(); }
+  void shows_the_scene_to_the_end();
+  void a_change_is_seen_soon();
+  void two_hundred_changes_leave_the_last();
+  void the_mouse_moves_the_camera();
+  void a_click_puts_the_balloon();
+  void a_device_that_is_none_offers_another();
+  void copies_the_picture();
+  void exports_and_cancels();
+  void closes_while_it_renders();
+
+ private:
+  bool wait_until_done();
+
+  std::unique_ptr<MainWindow> window_;
+  QTemporaryDir folder_;
+};
+
+void WindowTest::initTestCase() {
+  QStandardPaths::setTestModeEnabled(true);
+  QCoreApplication::setOrganizationName("aerostat");
+  QCoreApplication::setApplicationName("aerostat-viewer-test");
+  QSettings().clear();
+}
+
+void WindowTest::init() {
+  window_ = std::make_unique<MainWindow>();
+  window_->document().start(small_scene(), {});
+  window_->show();
+}
+
+bool WindowTest::wait_until_done() {
+  return QTest::qWaitFor(
+      [this] {
+        const auto& shown = window_->shown();
+        return shown && shown->look.complete && shown->request == window_->request();
+      },
+      kPatience_ms);
+}
+
+void WindowTest::shows_the_scene_to_the_end() {
+  QVERIFY(wait_until_done());
+  QCOMPARE(window_->shown()->image.size(), QSize(160, 90));
+  QCOMPARE(window_->shown()->look.samples, 4);
+  QCOMPARE(window_->view().image(), window_->shown()->image);
+  QVERIFY(window_->messages().message().isEmpty());
+  // Not one colour all over.
+  const QImage& image = window_->shown()->image;
+  QVERIFY(image.pixel(80, 2) != image.pixel(80, 85));
+}
+
+void WindowTest::a_change_is_seen_soon() {
+  QVERIFY(wait_until_done());
+  QElapsedTimer watch;
+  for (const char* view : {"first", "second", "third"}) {
+    watch.start();
+    window_->camera().look_by(0.05, 0.0);
+    const auto request = window_->request();
+    QVERIFY(QTest::qWaitFor([&] { return window_->shown()->request == request; }, kPatience_ms));
+    qInfo("%s look after a turn of the view: %lld ms", view, watch.elapsed());
+    QVERIFY(watch.elapsed() < kFirstLook_ms);
+  }
+}
+
+void WindowTest::two_hundred_changes_leave_the_last() {
+  QVERIFY(wait_until_done());
+  QElapsedTimer watch, turn;
+  watch.start();
+  qint64 slowest = 0;
+  for (int i = 0; i < 200; ++i) {
+    turn.start();
+    window_->camera().look_by(0.002 * (i % 7 - 3), 0.0);
+    window_->document().set("seed", "/terrain/seed", QString::number(i / 20 + 1));
+    QCoreApplication::processEvents();
+    slowest = std::max(slowest, turn.elapsed());
+    QTest::qWait(std::max<int>(0, 25 * (i + 1) - static_cast<int>(watch.elapsed())));
+  }
+  qInfo("200 changes in %lld ms; the window was busy with one for %lld ms at most", watch.elapsed(),
+        slowest);
+  QVERIFY(wait_until_done());
+  const auto& seen = window_->shown()->look.scene;
+  QCOMPARE(seen.terrain.seed, 10u);
+  QCOMPARE(seen.camera.target.x, window_->document().scene().camera.target.x);
+}
+
+void WindowTest::the_mouse_moves_the_camera() {
+  QVERIFY(wait_until_done());
+  QWidget* view = window_->view().viewport();
+  const auto before = *window_->camera().pose();
+  const QPoint middle = view->rect().center();
+  QTest::mousePress(view, Qt::LeftButton, {}, middle);
+  QTest::mouseMove(view, middle + QPoint(40, 0));
+  QMouseEvent move(QEvent::MouseMove, middle + QPoint(40, 0), view->mapToGlobal(middle),
+                   Qt::NoButton, Qt::LeftButton, {});
+  QCoreApplication::sendEvent(view, &move);
+  QTest::mouseRelease(view, Qt::LeftButton, {}, middle + QPoint(40, 0));
+  const auto turned = *window_->camera().pose();
+  QVERIFY(glm::distance(turned.position, before.position) > 1.0);
+  QVERIFY(glm::distance(turned.target, before.target) < 0.1);
+  QCOMPARE(window_->camera().kind(), ViewKind::free);
+  QTest::keyPress(&window_->view(), Qt::Key_W);
+  QTest::qWait(200);
+  QTest::keyRelease(&window_->view(), Qt::Key_W);
+  QVERIFY(glm::distance(window_->camera().pose()->position, turned.position) > 0.5);
+  QVERIFY(wait_until_done());
+}
+
+void WindowTest::a_click_puts_the_balloon() {
+  QVERIFY(wait_until_done());
+  const auto eye = *window_->camera().pose();
+  window_->camera().put_balloon({0.2, 0.9});
+  QVERIFY(window_->document().scene().balloon.position.z != 0.0);
+  QVERIFY(wait_until_done());
+  QVERIFY(glm::distance(window_->camera().pose()->position, eye.position) < 0.1);
+  // Double-click on it: it comes to the middle of the picture.
+  const auto& film = window_->shown()->look.film;
+  std::size_t hit = 0;
+  while (hit < film.object_id.size() && film.object_id[hit] != 3u) ++hit;
+  if (hit == film.object_id.size()) return;  // out of sight
+  const QPointF place((static_cast<double>(hit % 160) + 0.5) / 160,
+                      (static_cast<double>(hit / 160) + 0.5) / 90);
+  window_->camera().aim_at(place);
+  QVERIFY(wait_until_done());
+  QCOMPARE(window_->shown()->look.film.object_id[45 * 160 + 80], 3u);
+}
+
+void WindowTest::a_device_that_is_none_offers_another() {
+  QVERIFY(wait_until_done());
+  MainWindow lost(QStringLiteral("no-such-device"));
+  lost.show();
+  QVERIFY(QTest::qWaitFor([&] { return !lost.messages().message().isEmpty(); }, kPatience_ms));
+  QVERIFY(lost.messages().message().contains("no-such-device"));
+  QAbstractButton* automatic = nullptr;
+  for (auto* button : lost.messages().findChildren<QAbstractButton*>()) {
+    if (button->text().contains("Automatic")) automatic = button;
+  }
+  QVERIFY(automatic != nullptr);
+  lost.document().start(small_scene(), {});
+  automatic->click();
+  QVERIFY(QTest::qWaitFor([&] { return lost.shown() != nullptr; }, kPatience_ms));
+}
+
+void WindowTest::copies_the_picture() {
+  QVERIFY(wait_until_done());
+  for (auto* action : window_->findChildren<QAction*>()) {
+    if (action->shortcut() == QKeySequence("Ctrl+Shift+C")) action->trigger();
+  }
+  QCOMPARE(QGuiApplication::clipboard()->image().size(), QSize(160, 90));
+}
+
+void WindowTest::exports_and_cancels() {
+  ExportDialog dialog(window_->document(), {});
+  dialog.set_quality("draft");
+  dialog.set_path(folder_.filePath("picture.png"));
+  QSignalSpy ended(&dialog, &ExportDialog::ended);
+  dialog.begin();
+  QVERIFY(ended.wait(kPatience_ms));
+  QVERIFY2(ended.at(0).at(0).toBool(), qPrintable(dialog.message()));
+  QCOMPARE(QImage(folder_.filePath("picture.png")).size(), QSize(160, 90));
+
+  window_->document().change("size", {{"/image/width", "4000"}, {"/image/height", "3000"}});
+  ExportDialog large(window_->document(), {});
+  large.set_quality("final");
+  large.set_path(folder_.filePath("never.exr"));
+  QSignalSpy cancelled(&large, &ExportDialog::ended);
+  large.begin();
+  QTest::qWait(500);
+  QVERIFY(large.is_busy());
+  QElapsedTimer watch;
+  watch.start();
+  large.reject();
+  QVERIFY(cancelled.wait(kPatience_ms));
+  qInfo("an export was cancelled after %lld ms", watch.elapsed());
+  QVERIFY(watch.elapsed() < kCancel_ms);
+  QVERIFY(!QFile::exists(folder_.filePath("never.exr")));
+}
+
+void WindowTest::closes_while_it_renders() {
+  window_->document().start(
+      small_scene("snow").with({{"/image/width", "2000"}, {"/image/height", "2000"}}), {});
+  QVERIFY(QTest::qWaitFor([&] { return window_->shown() != nullptr; }, kPatience_ms));
+  window_->camera().look_by(0.1, 0.0);
+  QTest::qWait(300);
+  // Or it would ask what becomes of the change.
+  window_->document().undo_stack().setClean();
+  QElapsedTimer watch;
+  watch.start();
+  QVERIFY(window_->close());
+  window_.reset();
+  qInfo("closed while rendering after %lld ms", watch.elapsed());
+  QVERIFY(watch.elapsed() < kCancel_ms);
+}
+
+}  // namespace aerostat::viewer
+
+QTEST_MAIN(aerostat::viewer::WindowTest)
+#include "window_test.moc"
