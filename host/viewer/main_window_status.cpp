@@ -34,6 +34,7 @@ void MainWindow::build_status() {
   device_label_ = new QLabel;
   work_label_ = new QLabel;
   place_label_ = new QLabel;
+  for (QLabel* label : {place_label_, device_label_}) label->setContentsMargins(8, 0, 8, 0);
   statusBar()->addWidget(work_label_, 1);
   statusBar()->addPermanentWidget(place_label_);
   statusBar()->addPermanentWidget(device_label_);
