@@ -4,6 +4,7 @@
 #include <QLocale>
 #include <QTranslator>
 
+#include "scene/installed.hpp"
 #include "viewer/main_window.hpp"
 
 namespace {
@@ -27,6 +28,11 @@ void load_translations(QApplication& application) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  // A version is told without a display, too.
+  for (int i = 1; i < argc; ++i) {
+    const QByteArrayView word(argv[i]);
+    if (word == "--version" || word == "-v") qputenv("QT_QPA_PLATFORM", "offscreen");
+  }
   QApplication application(argc, argv);
   QApplication::setApplicationName(QStringLiteral("aerostat-viewer"));
   QApplication::setOrganizationName(QStringLiteral("aerostat"));
@@ -52,6 +58,9 @@ int main(int argc, char** argv) {
   aerostat::viewer::MainWindow window(parser.value(device));
   window.show();
   const QStringList scenes = parser.positionalArguments();
-  if (!scenes.isEmpty()) window.open(scenes.front());
+  if (!scenes.isEmpty()) {
+    const auto found = aerostat::scene::find_scene(scenes.front().toStdString());
+    window.open(QString::fromStdString(found.string()));
+  }
   return QApplication::exec();
 }

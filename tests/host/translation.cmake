@@ -1,0 +1,1 @@
+aerostat_test(translation_test LABEL unit LINKS aerostat::core)
