@@ -8,6 +8,7 @@ set(AEROSTAT_ZSH_COMPLETIONS "${CMAKE_INSTALL_DATADIR}/zsh/site-functions" CACHE
 # Beside the folder of the programs, where host/scene/installed.cpp looks for them.
 install(DIRECTORY scenes/ DESTINATION "${CMAKE_INSTALL_DATADIR}/aerostat/scenes"
         FILES_MATCHING PATTERN "*.json")
+install(DIRECTORY docs/manual DESTINATION "${CMAKE_INSTALL_DOCDIR}")
 
 function(aerostat_install_extras program)
   install(FILES "packaging/man/${program}.1" DESTINATION "${CMAKE_INSTALL_MANDIR}/man1")

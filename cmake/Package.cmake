@@ -1,7 +1,7 @@
 # `cmake --workflow --preset package` makes build/package/aerostat_VERSION_ARCHITECTURE.deb.
 set(CPACK_PACKAGE_NAME aerostat)
 set(CPACK_PACKAGE_VENDOR "aerostat")
-set(CPACK_PACKAGE_CONTACT "The maintainers of aerostat <maintainers@users.noreply.github.com>")
+set(CPACK_PACKAGE_CONTACT "The maintainers of aerostat <maintainers@aerostat.example>")
 set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "ray-traced pictures of a hot-air balloon before mountains")
 set(CPACK_PACKAGE_DESCRIPTION "Aerostat renders mountain landscapes in a snowy, a tropical or a sandy
 biome, with a hot-air balloon seen from outside or from its basket. It traces
@@ -14,6 +14,7 @@ set(CPACK_GENERATOR DEB)
 set(CPACK_PRE_BUILD_SCRIPTS "${CMAKE_SOURCE_DIR}/cmake/PackageStage.cmake")
 
 set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
+set(CPACK_DEBIAN_PACKAGE_RELEASE 1)
 set(CPACK_DEBIAN_PACKAGE_SECTION graphics)
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON) # the libraries; OpenCL's loader is among them
 set(CPACK_DEBIAN_PACKAGE_DEPENDS "pocl-opencl-icd | opencl-icd") # a device

@@ -6,9 +6,15 @@ file(READ "${CPACK_AEROSTAT_SOURCE_DIR}/LICENSE" licence)
 file(WRITE "${docs}/copyright" "${licence}")
 configure_file("${CPACK_AEROSTAT_SOURCE_DIR}/CHANGELOG.md" "${docs}/changelog" COPYONLY)
 
+string(TIMESTAMP date "%a, %d %b %Y %H:%M:%S +0000" UTC)
+file(WRITE "${docs}/changelog.Debian"
+     "aerostat (${CPACK_PACKAGE_VERSION}-${CPACK_DEBIAN_PACKAGE_RELEASE}) unstable; urgency=low\n\n"
+     "  * What is new is told in changelog.gz.\n\n"
+     " -- ${CPACK_PACKAGE_CONTACT}  ${date}\n")
+
 file(GLOB pages "${root}/${CPACK_AEROSTAT_MAN_DIR}/man1/*.1")
-foreach(file ${pages} "${docs}/changelog")
+foreach(file ${pages} "${docs}/changelog" "${docs}/changelog.Debian")
   execute_process(COMMAND gzip -9nf "${file}" COMMAND_ERROR_IS_FATAL ANY)
 endforeach()
-file(CHMOD "${docs}/copyright" "${docs}/changelog.gz"
+file(CHMOD "${docs}/copyright" "${docs}/changelog.gz" "${docs}/changelog.Debian.gz"
      PERMISSIONS OWNER_READ OWNER_WRITE GROUP_READ WORLD_READ)

@@ -1,0 +1,110 @@
+// The reader of scenes takes any bytes: it gives a scene that can be written and read again, or an
+// error that says where. AEROSTAT_FUZZ_COUNT, _SECONDS and _SEED make it go on for longer.
+
+#include <algorithm>
+#include <chrono>
+#include <cstdio>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <optional>
+
+#include <gtest/gtest.h>
+
+#include "core/error.hpp"
+#include "mutate.hpp"
+#include "scene/io.hpp"
+
+namespace aerostat::test {
+namespace {
+
+std::optional<std::uint64_t> variable(const char* name) {
+  const char* value = std::getenv(name);
+  return value == nullptr ? std::nullopt : std::optional(std::strtoull(value, nullptr, 10));
+}
+
+/// The scenes that come with it, and all that there is to say in one.
+std::vector<std::string> corpus() {
+  std::vector<std::filesystem::path> paths;
+  for (const auto& entry : std::filesystem::directory_iterator(AEROSTAT_SOURCE_DIR "/scenes")) {
+    const std::string name = entry.path().filename().string();
+    if (name.find(".schema.") == std::string::npos) paths.push_back(entry.path());
+  }
+  std::sort(paths.begin(), paths.end());
+  std::vector<std::string> texts{
+      R"({"version": 1, "sun": {"date": "2024-06-21", "time": "06:30+02:00", "latitude_deg": 46.5,
+          "longitude_deg": 7.7}, "lights": [{"position": [1, 2, 3]}], "quality": "final"})"};
+  for (const auto& path : paths) {
+    std::ifstream file(path);
+    const std::string text(std::istreambuf_iterator<char>(file), {});
+    texts.push_back(text);
+    texts.push_back(scene::write_text(scene::read_text(text, path.string())));
+  }
+  return texts;
+}
+
+/// Nothing if the reader did as it should.
+std::string fault_of(const std::string& text, const std::vector<std::string>& changes) {
+  bool is_read = false;
+  std::string written;
+  try {
+    std::vector<scene::Override> overrides;
+    for (const std::string& change : changes) overrides.push_back(scene::parse_override(change));
+    written = scene::write_text(scene::read_text(text, "fuzz.json", overrides));
+    is_read = true;
+    const std::string again = scene::write_text(scene::read_text(written, "fuzz.json"));
+    return again == written ? "" : "it reads as another scene than it was written";
+  } catch (const Error& error) {
+    if (is_read) return std::string("what was written is refused: ") + error.what();
+    const bool is_set = error.kind() == ErrorKind::usage && !changes.empty();
+    if (error.kind() != ErrorKind::bad_data && !is_set) return error.what();
+    const std::string message = error.what();
+    const bool says_where = message.find("fuzz.json") != std::string::npos ||
+                            message.find("--set") != std::string::npos;
+    return says_where ? "" : "a message without a place: " + message;
+  } catch (const std::exception& error) {
+    return std::string("not an error of aerostat's own: ") + error.what();
+  }
+}
+
+bool is_scene(const std::string& text) {
+  try {
+    scene::read_text(text, "fuzz.json");
+    return true;
+  } catch (const Error&) {
+    return false;
+  }
+}
+
+TEST(SceneFuzz, AnyBytesAreReadOrRefusedInWords) {
+  const auto seed = static_cast<std::uint32_t>(variable("AEROSTAT_FUZZ_SEED").value_or(1));
+  const auto seconds = variable("AEROSTAT_FUZZ_SECONDS");
+  const std::uint64_t count = variable("AEROSTAT_FUZZ_COUNT").value_or(seconds ? ~0ull : 4000);
+  const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(seconds.value_or(0));
+  Mutator mutator(corpus(), seed);
+  std::uint64_t done = 0, good = 0;
+  for (; done < count && (!seconds || std::chrono::steady_clock::now() < end); ++done) {
+    const std::string text = mutator.next();
+    std::vector<std::string> changes;
+    if (done % 4 == 3) changes.push_back(mutator.next_override());
+    // Kept for the case that it ends the process.
+    if (seconds) std::ofstream("scene-fuzz-last.json", std::ios::binary) << text;
+    const std::string fault = fault_of(text, changes);
+    if (fault.empty()) {
+      good += is_scene(text) ? 1 : 0;
+      continue;
+    }
+    std::ofstream("scene-fuzz-fault.json", std::ios::binary) << text;
+    FAIL() << fault << "\nseed " << seed << ", number " << done << ", kept in scene-fuzz-fault.json"
+           << (changes.empty() ? "" : ", --set " + changes[0]) << "\n"
+           << text.substr(0, 2000);
+  }
+  std::printf("%llu texts, %llu of them scenes (seed %u)\n", static_cast<unsigned long long>(done),
+              static_cast<unsigned long long>(good), seed);
+  EXPECT_GT(good, done / 100) << "the changes leave too little to read";
+  EXPECT_LT(good, done) << "no text was damaged";
+}
+
+}  // namespace
+}  // namespace aerostat::test
