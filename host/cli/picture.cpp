@@ -26,7 +26,7 @@ WarningsAbove::~WarningsAbove() {
 
 render::Options session_options_of(const DeviceOptions& options) {
   return {opencl::select_devices(opencl::effective_selector(options.selector)), options.lanes,
-          options.memory_limit_bytes, 0};
+          options.memory_limit_bytes, 0, true};
 }
 
 std::string names_of(const std::vector<opencl::Device>& devices) {

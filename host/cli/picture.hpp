@@ -28,8 +28,8 @@ class WarningsAbove {
   LogSink former_;
 };
 
-/// Finds the devices: those of the options, or else of the environment. Throws as
-/// opencl::select_devices does.
+/// For pictures of one view each. Finds the devices: those of the options, or else of the
+/// environment. Throws as opencl::select_devices does.
 render::Options session_options_of(const DeviceOptions& options);
 
 /// Each name once, with how many devices bear it.

@@ -96,8 +96,12 @@ void Session::State::await_programs() {
 
 void Session::State::build(const scene::Scene& scene, Plants plants) {
   const auto old = geometry;
+  const auto where =
+      options.plants_in_sight_alone ? scatter::Where::in_sight : scatter::Where::everywhere;
   geometry = background.run(
-      [scene, old, plants] { return build_geometry(scene, old.get(), Meshes::release, plants); },
+      [scene, old, plants, where] {
+        return build_geometry(scene, old.get(), Meshes::release, plants, where);
+      },
       stop, [this] { report(Stage::world, 0.0); });
   stats.worlds_built = geometry->worlds_built;
   stats.trees_built = geometry->trees_built;

@@ -6,6 +6,7 @@
 #include "plant/random.hpp"
 #include "scatter/ground_rule.hpp"
 #include "scatter/scatter.hpp"
+#include "scatter/sight.hpp"
 #include "scatter/surface.hpp"
 
 namespace aerostat::scatter {
@@ -49,6 +50,8 @@ struct Place {
   dvec2 center;       // reaches count from here
   std::span<const KeepOut> keep_out;
   std::uint32_t seed;
+  const Sight* sight;  // squares where nothing matters stay empty; null: everything matters
+  double tallest_m;    // no plant is taller
 };
 
 /// The layer's instances, in the order of its squares. Their models are indices into `models`,

@@ -2,8 +2,10 @@
 #include <cmath>
 #include <numbers>
 
+#include <fmt/format.h>
 #include <tbb/parallel_for.h>
 
+#include "core/error.hpp"
 #include "scatter/layer.hpp"
 
 namespace aerostat::scatter {
@@ -70,6 +72,10 @@ class Planter {
   }
 
   void add_candidate(std::int64_t i, std::int64_t j, std::vector<Candidate>& candidates) const {
+    const auto middle = [&](std::int64_t cell) {
+      return (static_cast<double>(cell) + 0.5) * layer_.spacing_m;
+    };
+    if (place_.sight != nullptr && !place_.sight->matters(middle(i), middle(j))) return;
     plant::Random random = square_random(place_.seed, layer_.id, i, j);
     const auto stray = [&](std::int64_t cell) {
       return (static_cast<double>(cell) + 0.5 + kJitter * (random.unit() - 0.5)) * layer_.spacing_m;
@@ -93,8 +99,13 @@ class Planter {
     const Site& site = candidate.site;
     if (!(candidate.fate < static_cast<double>(layer_.chance(site)))) return;
     const Choice choice = layer_.choose(site, candidate.random);
-    const double reach =
-        0.35 * plant::model_height(choice.model) * static_cast<double>(choice.scale);
+    const double height = plant::model_height(choice.model) * static_cast<double>(choice.scale);
+    if (height > place_.tallest_m) {
+      throw Error(ErrorKind::internal,
+                  fmt::format("a {} of {:.1f} m grows where {:.1f} m were expected at most",
+                              plant::species_name(choice.model.species), height, place_.tallest_m));
+    }
+    const double reach = 0.35 * height;
     const dvec2 foot(site.position.x, site.position.z);
     for (const KeepOut& out : place_.keep_out) {
       if (glm::distance(foot, out.center) < out.radius_m + reach) return;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "scatter/biome_layers.hpp"
 
@@ -33,6 +34,25 @@ std::vector<KeepOut> kept_out(const scene::Scene& scene, const Surface& surface)
   return circles;
 }
 
+/// No plant is taller: more than the layers let any grow.
+double tallest_of(const std::vector<plant::ModelKey>& models, const scene::Scene& scene) {
+  double tallest = 0.0;
+  for (const plant::ModelKey& model : models) {
+    tallest = std::max(tallest, plant::model_height(model));
+  }
+  // Where the canopy is wider than that of these models, all is larger.
+  constexpr double kCanopyM = 5.8;
+  const double wide = std::max(1.0, scene.biome.ground.canopy_m / kCanopyM);
+  return 1.5 * tallest * wide * scene.vegetation.size;
+}
+
+/// As seen from the middle of a square: no plant is broader than tall.
+Extent extent_of(const std::vector<Layer>& layers, double tallest_m) {
+  double spacing = 0.0;
+  for (const Layer& layer : layers) spacing = std::max(spacing, layer.spacing_m);
+  return {0.64 * spacing + 0.5 * tallest_m, tallest_m};
+}
+
 /// Leaves out the models that no instance uses.
 void drop_unused(Growth& growth) {
   std::vector<std::uint32_t> renumbered(growth.models.size(), 0);
@@ -57,7 +77,7 @@ Axes axes_of(const Instance& instance) {
   return {right * instance.scale, up * instance.scale, glm::cross(right, up) * instance.scale};
 }
 
-Growth scatter(const scene::Scene& scene, const mesh::GridMesh& ground) {
+Growth scatter(const scene::Scene& scene, const mesh::GridMesh& ground, Where where) {
   Growth growth;
   const scene::Vegetation& vegetation = scene.vegetation;
   if (!vegetation.enabled || !(vegetation.density > 0.0)) return growth;
@@ -66,9 +86,21 @@ Growth scatter(const scene::Scene& scene, const mesh::GridMesh& ground) {
   const GroundRule rule(scene.biome.ground, scene.terrain.seed, kFootprintM);
   const std::vector<KeepOut> circles = kept_out(scene, surface);
   const Nature nature{scene, surface, rule};
-  const Place place{surface, rule,           sea_level(nature), scene::middle_of_view(scene.camera),
-                    circles, vegetation.seed};
-  for (const Layer& layer : biome_layers(nature)) {
+  const std::vector<Layer> layers = biome_layers(nature);
+  const double tallest_m = tallest_of(growth.models, scene);
+  std::optional<Sight> sight;
+  if (where == Where::in_sight) {
+    sight.emplace(scene, ground, vegetation.reach_m, extent_of(layers, tallest_m));
+  }
+  const Place place{surface,
+                    rule,
+                    sea_level(nature),
+                    scene::middle_of_view(scene.camera),
+                    circles,
+                    vegetation.seed,
+                    sight ? &*sight : nullptr,
+                    tallest_m};
+  for (const Layer& layer : layers) {
     const auto placed = place_layer(layer, place, growth.models);
     growth.instances.insert(growth.instances.end(), placed.begin(), placed.end());
   }

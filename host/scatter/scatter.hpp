@@ -40,13 +40,18 @@ struct Growth {
   std::vector<Instance> instances;
 };
 
+/// All of what is in reach, or only where a picture of the scene can show it or the shade that it
+/// gives: less work by far, and the same picture.
+enum class Where { everywhere, in_sight };
+
 /// All that grows in a resolved scene, upon `ground`, which must be its terrain_mesh. What grows
 /// where follows the biome and the ground's own rules; the woods have the density of the trees
 /// painted on the ground and thin out over the outer half of /vegetation/reach_m from the camera,
 /// where the painted ones take over. The balloon and the camera are kept free. The same place grows
 /// the same plants wherever the camera is. Runs on all cores; the bits do not depend on how many.
 /// Empty if the vegetation is disabled.
-Growth scatter(const scene::Scene& scene, const mesh::GridMesh& ground);
+Growth scatter(const scene::Scene& scene, const mesh::GridMesh& ground,
+               Where where = Where::everywhere);
 
 /// The level that suffices from `eye`: near where the plant is more than 120 pixels high, far where
 /// it is less than 30.

@@ -2,6 +2,8 @@
 
 #include <oneapi/tbb/parallel_for.h>
 
+#include "scatter/sight.hpp"
+
 namespace aerostat::world {
 namespace {
 
@@ -46,9 +48,9 @@ void place(const mesh::TriangleMesh& model, const scatter::Instance& instance,
 
 }  // namespace
 
-std::shared_ptr<const Plants> build_plants(const scene::Scene& scene,
-                                           const mesh::GridMesh& ground) {
-  scatter::Growth growth = scatter::scatter(scene, ground);
+std::shared_ptr<const Plants> build_plants(const scene::Scene& scene, const mesh::GridMesh& ground,
+                                           scatter::Where where) {
+  scatter::Growth growth = scatter::scatter(scene, ground, where);
   if (growth.instances.empty()) return nullptr;
   auto plants = std::make_shared<Plants>();
   choose_details(scene, growth.models, growth.instances);
@@ -71,7 +73,8 @@ std::shared_ptr<const Plants> build_plants(const scene::Scene& scene,
   return plants;
 }
 
-bool same_plants(const scene::Scene& a, const scene::Scene& b) {
+bool same_plants(const scene::Scene& a, const scene::Scene& b, scatter::Where where) {
+  if (where == scatter::Where::in_sight && !scatter::same_sight(a, b)) return false;
   return a.vegetation == b.vegetation && a.biome == b.biome &&
          a.camera.position == b.camera.position &&
          scene::middle_of_view(a.camera) == scene::middle_of_view(b.camera) &&

@@ -68,7 +68,8 @@ bool same_land(const scene::Scene& a, const scene::Scene& b) {
   return a.terrain == b.terrain && a.biome.water == b.biome.water;
 }
 
-World build(const scene::Scene& scene, const World* previous, const scene::Scene* previous_scene) {
+World build(const scene::Scene& scene, const World* previous, const scene::Scene* previous_scene,
+            scatter::Where where) {
   const bool known = previous != nullptr && previous_scene != nullptr;
   World world;
   try {
@@ -76,8 +77,8 @@ World build(const scene::Scene& scene, const World* previous, const scene::Scene
         [&] {
           const bool same = known && same_land(scene, *previous_scene);
           world.land = same ? previous->land : build_land(scene);
-          const bool grown = same && same_plants(scene, *previous_scene);
-          world.plants = grown ? previous->plants : build_plants(scene, *world.land->ground);
+          const bool grown = same && same_plants(scene, *previous_scene, where);
+          world.plants = grown ? previous->plants : build_plants(scene, *world.land->ground, where);
         },
         [&] {
           const bool same = known && same_balloons(scene, *previous_scene);

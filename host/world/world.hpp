@@ -44,10 +44,12 @@ struct World {
 /// Whether two scenes stand on the same land and sea.
 bool same_land(const scene::Scene& a, const scene::Scene& b);
 
-/// Builds the world of a resolved scene. Parts of `previous` are kept if `previous_scene` asked
-/// for the same ones. Runs on all cores. Throws Error{exhausted} if memory does not suffice.
+/// Builds the world of a resolved scene, with plants everywhere or in sight. Parts of `previous`
+/// are kept if `previous_scene` asked for the same ones in the same places. Runs on all cores.
+/// Throws Error{exhausted} if memory does not suffice.
 World build(const scene::Scene& scene, const World* previous = nullptr,
-            const scene::Scene* previous_scene = nullptr);
+            const scene::Scene* previous_scene = nullptr,
+            scatter::Where where = scatter::Where::everywhere);
 
 /// Whether plants are among what is written out as triangles.
 enum class Grown { left_out, included };

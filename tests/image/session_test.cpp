@@ -133,6 +133,34 @@ TEST(Plants, MayStayAsTheyStand) {
   EXPECT_TRUE(same_bits(exact, Session(options()).render(scene)));
 }
 
+/// The scene's own view, and others to all sides.
+scene::Scene seen_from_aside(const std::string& name, int k) {
+  auto scene = planted_scene(name, {192, 108, 1, 256});
+  scene.vegetation.reach_m = 3000.0;
+  if (k == 0) return scene;
+  scene::Camera& camera = scene.camera;
+  const double angle = 1.7 * k;
+  const dvec3 ahead(std::cos(angle), k == 3 ? -2.0 : -0.15, std::sin(angle));
+  camera.target = camera.position + 100.0 * ahead;
+  camera.up = {0.3 * k, 1.0, 0.2};
+  scene.sun.direction = glm::normalize(dvec3(std::sin(angle), 0.25, -std::cos(angle)));
+  return scene;
+}
+
+TEST(Plants, OutOfSightAreNoLoss) {
+  render::Options in_sight = options();
+  in_sight.plants_in_sight_alone = true;
+  Session all(options()), some(in_sight);
+  for (const char* name : {"snow-basket", "tropical-basket"}) {
+    for (int k = 0; k < 4; ++k) {
+      const auto scene = seen_from_aside(name, k);
+      const auto expected = all.render(scene);
+      EXPECT_TRUE(same_bits(expected, some.render(scene))) << name << " " << k;
+      EXPECT_LT(some.stats().tree.leaves, all.stats().tree.leaves);
+    }
+  }
+}
+
 TEST_F(Reuse, AMovedSunBuildsNothing) {
   scene_.sun.direction = glm::normalize(dvec3(-0.6, 0.5, 0.3));
   EXPECT_EQ(built_by(scene_), kNothing);

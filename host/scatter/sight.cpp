@@ -1,0 +1,212 @@
+#include "scatter/sight.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <tbb/parallel_for.h>
+
+namespace aerostat::scatter {
+namespace {
+
+constexpr double kLeastTile_m = 32.0;
+// Directions of the sun's disc, and of what rounding makes of them.
+constexpr double kSunSpread_rad = 0.006;
+// Pixels around the picture into which filters reach, and more.
+constexpr double kAround = 4.0;
+// How many tiles away the ground must be higher to hide something, whose tile is widened by what
+// stands in it, on all ways to it: that many tiles and the way's own cover the bundle of ways.
+constexpr int kWidth = 2, kSunWidth = 3;
+// Occlusion that is looked for farther than this is looked for everywhere.
+constexpr double kMostOcclusion_m = 2000.0;
+
+double cross(const dvec2& a, const dvec2& b) {
+  return a.x * b.y - a.y * b.x;
+}
+
+/// Works out for each tile whether it matters.
+class Survey {
+ public:
+  Survey(const scene::Scene& scene, const mesh::GridMesh& ground, const TileMap& map,
+         const Extent& extent)
+      : scene_(scene),
+        map_(map),
+        extent_(extent),
+        view_(plan_view(scene.camera, scene.image)),
+        tiles_(height_tiles(map, ground)),
+        barrier_(least_around(map, tiles_.lowest, kWidth)),
+        sun_barrier_(least_around(map, tiles_.lowest, kSunWidth)) {}
+
+  std::vector<char> run() const {
+    const std::vector<char> seen = tiles_seen();
+    std::vector<char> matters = seen;
+    if (scene_.sky.ambient_occlusion) {
+      matters = any_around(map_, seen, tiles_across(scene_.sky.occlusion_m));
+    }
+    if (!scene_.sun.shadows) return matters;
+    const std::vector<char> lit = any_around(map_, seen, kSunWidth);
+    each_tile([&](int column, int row) {
+      char& one = matters[map_.at(column, row)];
+      if (one == 0) one = may_shade(column, row, lit) ? 1 : 0;
+    });
+    return matters;
+  }
+
+ private:
+  int tiles_across(double metres) const {
+    return static_cast<int>(std::ceil((metres + extent_.aside_m) / map_.tile_m)) + 1;
+  }
+
+  template <class F>
+  void each_tile(const F& f) const {
+    tbb::parallel_for(0, map_.side, [&](int row) {
+      for (int column = 0; column < map_.side; ++column) f(column, row);
+    });
+  }
+
+  std::vector<char> tiles_seen() const {
+    std::vector<char> seen(map_.count(), 0);
+    each_tile(
+        [&](int column, int row) { seen[map_.at(column, row)] = is_seen(column, row) ? 1 : 0; });
+    return seen;
+  }
+
+  bool is_seen(int column, int row) const {
+    const dvec2 middle = map_.middle(column, row);
+    if (holds_balloon(middle)) return true;
+    const dvec3& eye = scene_.camera.position;
+    const double half = 0.5 * map_.tile_m + extent_.aside_m;
+    if (view_ && !view_->touches(middle - dvec2(eye.x, eye.z), half)) return false;
+    return !is_hidden(middle, top_of(column, row));
+  }
+
+  bool holds_balloon(const dvec2& middle) const {
+    return holds(scene_.balloon, middle) ||
+           std::any_of(scene_.balloons.begin(), scene_.balloons.end(),
+                       [&](const scene::Balloon& further) { return holds(further, middle); });
+  }
+
+  bool holds(const scene::Balloon& balloon, const dvec2& middle) const {
+    if (!balloon.enabled) return false;
+    const dvec2 away = glm::abs(middle - dvec2(balloon.position.x, balloon.position.z));
+    return std::max(away.x, away.y) < balloon.diameter_m + extent_.aside_m + map_.tile_m;
+  }
+
+  /// Nothing in the tile is higher: ground, water or plants.
+  double top_of(int column, int row) const {
+    const scene::Water& water = scene_.biome.water;
+    const auto ground = static_cast<double>(tiles_.highest[map_.at(column, row)]);
+    return (water.enabled ? std::max(ground, water.level_m) : ground) + extent_.above_m + 1.0;
+  }
+
+  /// Whether ground stands before all of a tile.
+  bool is_hidden(const dvec2& middle, double top) const {
+    const dvec3& eye = scene_.camera.position;
+    const dvec2 from(eye.x, eye.z);
+    const int steps = static_cast<int>(glm::distance(from, middle) / map_.tile_m);
+    for (int k = 1; k < steps; ++k) {
+      const double share = static_cast<double>(k) / steps;
+      const dvec2 at = glm::mix(from, middle, share);
+      const int column = map_.column(at.x), row = map_.row(at.y);
+      if (!map_.holds(column, row)) continue;
+      const auto ground = static_cast<double>(barrier_[map_.at(column, row)]);
+      if (ground > std::lerp(eye.y, top, share)) return true;
+    }
+    return false;
+  }
+
+  /// Whether the shadow of what stands in the tile may fall on something that is seen, before it
+  /// has fallen on the ground.
+  bool may_shade(int column, int row, const std::vector<char>& seen) const {
+    const dvec3 sun = glm::normalize(scene_.sun.direction);
+    const double level = std::hypot(sun.x, sun.z);
+    const dvec2 step = level > 0.0 ? dvec2(sun.x, sun.z) * (-map_.tile_m / level) : dvec2(0.0);
+    const double drop = std::tan(std::asin(sun.y) - kSunSpread_rad) * map_.tile_m;
+    dvec2 at = map_.middle(column, row);
+    double height = top_of(column, row);
+    // The sun's disc makes the bundle wider on its way: a tile in so many.
+    const int most = static_cast<int>(0.5 / kSunSpread_rad * std::max(level, 0.02));
+    for (int k = 0; k < most; ++k, at += step, height -= drop) {
+      const int i = map_.column(at.x), j = map_.row(at.y);
+      if (!map_.holds(i, j) || seen[map_.at(i, j)] != 0) return true;
+      if (height < static_cast<double>(sun_barrier_[map_.at(i, j)])) return false;
+      if (level <= 0.0) return false;
+    }
+    return true;
+  }
+
+  const scene::Scene& scene_;
+  const TileMap& map_;
+  Extent extent_;
+  std::optional<PlanView> view_;
+  HeightTiles tiles_;
+  std::vector<float> barrier_, sun_barrier_;
+};
+
+/// Whether light may come from anywhere, or rays start anywhere but at the eye.
+bool knows_no_bounds(const scene::Scene& scene) {
+  const scene::Lens lens = scene.camera.lens;
+  if (lens != scene::Lens::pinhole && lens != scene::Lens::panorama) return true;
+  const bool lamps = std::any_of(scene.lights.begin(), scene.lights.end(),
+                                 [](const scene::PointLight& light) { return light.shadows; });
+  return lamps || (scene.sky.ambient_occlusion && scene.sky.occlusion_m > kMostOcclusion_m);
+}
+
+}  // namespace
+
+bool PlanView::touches(const dvec2& middle, double half) const {
+  // Beyond a border if the corner that is farthest inside is.
+  const auto beyond = [&](const dvec2& border, double side) {
+    return side * cross(border, middle) + half * (std::abs(border.x) + std::abs(border.y)) < 0.0;
+  };
+  return !beyond(left, 1.0) && !beyond(right, -1.0);
+}
+
+std::optional<PlanView> plan_view(const scene::Camera& camera, const scene::Image& image) {
+  if (camera.lens != scene::Lens::pinhole) return std::nullopt;
+  const dvec3 ahead = glm::normalize(camera.target - camera.position);
+  const dvec3 aside = glm::normalize(glm::cross(ahead, camera.up));
+  const dvec3 up = glm::cross(aside, ahead);
+  const double tall =
+      std::tan(0.5 * glm::radians(camera.fov_y_deg)) * (1.0 + kAround / image.height);
+  const double wide = tall * (image.width + kAround) / image.height;
+  // The view of someone who sees straight up or down has no sides.
+  if (std::abs(aside.y) <= wide * std::abs(ahead.y) && std::abs(up.y) <= tall * std::abs(ahead.y)) {
+    return std::nullopt;
+  }
+  dvec2 corners[4];
+  for (int k = 0; k < 4; ++k) {
+    const dvec3 d = ahead + aside * (k % 2 == 0 ? -wide : wide) + up * (k / 2 == 0 ? -tall : tall);
+    corners[k] = {d.x, d.z};
+  }
+  PlanView view{corners[0], corners[0]};
+  for (const dvec2& corner : corners) {
+    if (cross(view.left, corner) < 0.0) view.left = corner;
+    if (cross(view.right, corner) > 0.0) view.right = corner;
+  }
+  view.left = glm::normalize(view.left);
+  view.right = glm::normalize(view.right);
+  return view;
+}
+
+Sight::Sight(const scene::Scene& scene, const mesh::GridMesh& ground, double reach_m,
+             const Extent& extent) {
+  if (knows_no_bounds(scene)) return;
+  const dvec3& eye = scene.camera.position;
+  map_.tile_m = std::max({kLeastTile_m, extent.aside_m, reach_m / 256.0});
+  map_.side = 2 * static_cast<int>(std::ceil(reach_m / map_.tile_m)) + 1;
+  map_.corner = dvec2(eye.x, eye.z) - 0.5 * map_.tile_m * map_.side;
+  matters_ = Survey(scene, ground, map_, extent).run();
+}
+
+bool same_sight(const scene::Scene& a, const scene::Scene& b) {
+  const auto same_lights = [&] { return knows_no_bounds(a) == knows_no_bounds(b); };
+  return a.camera.position == b.camera.position && a.camera.target == b.camera.target &&
+         a.camera.up == b.camera.up && a.camera.lens == b.camera.lens &&
+         a.camera.fov_y_deg == b.camera.fov_y_deg && a.image.width == b.image.width &&
+         a.image.height == b.image.height && a.balloon == b.balloon && a.balloons == b.balloons &&
+         a.sun.direction == b.sun.direction && a.sun.shadows == b.sun.shadows &&
+         a.sky.ambient_occlusion == b.sky.ambient_occlusion &&
+         a.sky.occlusion_m == b.sky.occlusion_m && a.biome.water == b.biome.water && same_lights();
+}
+
+}  // namespace aerostat::scatter
