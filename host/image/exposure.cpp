@@ -1,6 +1,10 @@
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
+#include <vector>
+
+#include <tbb/parallel_for.h>
 
 #include "image/write.hpp"
 
@@ -25,12 +29,13 @@ double luminance(const vec3& c) {
 
 /// The logarithms, to the base of 2, of all luminance there is.
 std::vector<double> stops_of(const Film& film) {
-  std::vector<double> stops;
-  stops.reserve(film.radiance.size());
-  for (const vec3& radiance : film.radiance) {
-    const double light = luminance(radiance);
-    if (light > 1e-9 && std::isfinite(light)) stops.push_back(std::log2(light));
-  }
+  constexpr double kNone = -std::numeric_limits<double>::infinity();
+  std::vector<double> stops(film.radiance.size());
+  tbb::parallel_for(std::size_t{0}, stops.size(), [&](std::size_t i) {
+    const double light = luminance(film.radiance[i]);
+    stops[i] = light > 1e-9 && std::isfinite(light) ? std::log2(light) : kNone;
+  });
+  std::erase(stops, kNone);
   return stops;
 }
 

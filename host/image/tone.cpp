@@ -1,6 +1,7 @@
 #include "image/tone.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace aerostat::image {
@@ -28,13 +29,19 @@ Curve solve() {
 }
 
 // Of column x and row y of the 8x8 Bayer matrix: 0..63, by interleaving the bits of x ^ y and y.
-unsigned bayer(unsigned x, unsigned y) {
+constexpr unsigned bayer(unsigned x, unsigned y) {
   const unsigned mixed = x ^ y;
   unsigned rank = 0;
   for (unsigned bit = 0; bit < 3; ++bit) {
     rank = (rank << 2) | (((mixed >> bit) & 1u) << 1) | ((y >> bit) & 1u);
   }
   return rank;
+}
+
+constexpr std::array<double, 64> bayer_thresholds() {
+  std::array<double, 64> thresholds{};
+  for (unsigned i = 0; i < 64; ++i) thresholds[i] = (bayer(i % 8, i / 8) + 0.5) / 64.0;
+  return thresholds;
 }
 
 }  // namespace
@@ -62,9 +69,9 @@ double linear_from_srgb(double encoded) {
 }
 
 std::uint8_t quantise(double encoded, int x, int y) {
-  const double threshold =
-      (bayer(static_cast<unsigned>(x) & 7u, static_cast<unsigned>(y) & 7u) + 0.5) / 64.0;
-  return static_cast<std::uint8_t>(std::clamp(encoded, 0.0, 1.0) * 255.0 + threshold);
+  static constexpr auto kThresholds = bayer_thresholds();
+  const auto place = (static_cast<unsigned>(y) & 7u) * 8u + (static_cast<unsigned>(x) & 7u);
+  return static_cast<std::uint8_t>(std::clamp(encoded, 0.0, 1.0) * 255.0 + kThresholds[place]);
 }
 
 }  // namespace aerostat::image

@@ -150,6 +150,23 @@ void RawBuffer::read(void* data, std::uint64_t offset, std::uint64_t bytes) cons
           [&] { queue_.enqueueReadBuffer(handle_, CL_TRUE, offset, bytes, data); });
 }
 
+void RawBuffer::look_at(std::uint64_t offset, std::uint64_t bytes,
+                        const std::function<void(const void*)>& look) const {
+  check_range(offset, bytes);
+  if (bytes == 0) return look(nullptr);
+  const auto doing = fmt::format("looking at {} on the device", what_);
+  void* const data = guarded(doing.c_str(), [&] {
+    return queue_.enqueueMapBuffer(handle_, CL_TRUE, CL_MAP_READ, offset, bytes);
+  });
+  struct Unmapping {
+    const cl::CommandQueue& queue;
+    const cl::Buffer& buffer;
+    void* data;
+    ~Unmapping() { ::clEnqueueUnmapMemObject(queue(), buffer(), data, 0, nullptr, nullptr); }
+  } const unmapping{queue_, handle_, data};
+  look(data);
+}
+
 void require_range(std::size_t first, std::size_t count, std::size_t size) {
   if (first > size || count > size - first) {
     throw Error(ErrorKind::internal,

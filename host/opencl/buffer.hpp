@@ -66,6 +66,10 @@ class RawBuffer {
   /// Blocking copies. Throw Error{internal} if the range is not inside the buffer.
   void write(const void* data, std::uint64_t offset, std::uint64_t bytes);
   void read(void* data, std::uint64_t offset, std::uint64_t bytes) const;
+  /// Calls `look` with the bytes where the host can see them, which a device that works in the
+  /// host's memory need not copy. They are gone when it returns.
+  void look_at(std::uint64_t offset, std::uint64_t bytes,
+               const std::function<void(const void*)>& look) const;
 
  private:
   void allocate(const Context& context, std::uint64_t bytes, cl_mem_flags flags,
@@ -122,6 +126,17 @@ class Buffer {
   void read(std::span<T> values, std::size_t first = 0) const {
     check(first, values.size());
     raw_.read(values.data(), std::uint64_t{first} * sizeof(T), values.size_bytes());
+  }
+
+  /// Calls `look` with `count` elements from `first` on, which are gone when it returns; waits for
+  /// the kernels before it. Cheaper than reading them where they need no copy.
+  void look_at(std::size_t first, std::size_t count,
+               const std::function<void(std::span<const T>)>& look) const {
+    check(first, count);
+    raw_.look_at(std::uint64_t{first} * sizeof(T), std::uint64_t{count} * sizeof(T),
+                 [&](const void* data) {
+                   look({static_cast<const T*>(data), count});
+                 });
   }
 
   std::vector<T> read() const {

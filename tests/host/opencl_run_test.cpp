@@ -150,6 +150,17 @@ TEST(Buffers, WriteReadAndStartAsZero) {
   EXPECT_EQ(moved.read().back(), 8);
 }
 
+TEST(Buffers, MayBeLookedAtWhereTheyAre) {
+  const std::vector<int> numbers = {3, 1, 4, 1, 5, 9};
+  const opencl::Buffer<int> buffer(context(), {}, numbers, "the numbers");
+  std::vector<int> seen;
+  buffer.look_at(1, 3, [&](std::span<const int> part) { seen.assign(part.begin(), part.end()); });
+  EXPECT_EQ(seen, (std::vector<int>{1, 4, 1}));
+  buffer.look_at(6, 0, [&](std::span<const int> part) { seen.assign(part.begin(), part.end()); });
+  EXPECT_TRUE(seen.empty());
+  EXPECT_THROW(buffer.look_at(4, 3, [](auto) {}), Error);
+}
+
 TEST(Buffers, MayBeEmpty) {
   const MemoryBudget budget;
   const Buffer<float> none(context(), budget, std::span<const float>(), "nothing");
