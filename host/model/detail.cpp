@@ -16,7 +16,7 @@ constexpr double kCoarsest = 16.0;
 constexpr double kBasketReach = 1.0;  // of the basket and its rig, from the axis
 constexpr double kEquator = 0.60;     // above the mouth, in diameters
 constexpr double kCrown = 0.91;
-constexpr double kWireRadius = 0.45;  // of a pixel
+constexpr double kWireRadius = 0.25;  // of a pixel
 constexpr double kThickest = 0.05;    // metres
 
 double level(double distance, const scene::PixelSize& pixel) {

@@ -28,7 +28,7 @@ int sides_within(double tolerance_m, double radius, int least, int most);
 /// `sagitta_m` within `tolerance_m`.
 int steps_within(double tolerance_m, double sagitta_m, int most);
 
-/// The radius of a wire that is seen: no thinner than half to nine tenths of a pixel, lest the
+/// The radius of a wire that is seen: no thinner than a quarter to half of a pixel, lest the
 /// samples of a picture meet it here and miss it there, and yet at most 5 cm.
 double seen_radius(double radius, const Detail& detail);
 

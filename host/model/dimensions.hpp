@@ -23,7 +23,7 @@ inline Outline wall_outline() {
 }
 
 inline const vec3 kLeather{0.088f, 0.047f, 0.028f};  // brown suede
-inline const vec3 kCover{0.022f, 0.030f, 0.052f};    // dark blue cloth over padding
+inline const vec3 kCover{0.115f, 0.095f, 0.075f};    // taupe cloth over padding
 inline const vec3 kSteel{0.42f, 0.43f, 0.45f};
 inline const vec3 kBlackRubber{0.02f, 0.02f, 0.022f};
 

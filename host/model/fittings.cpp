@@ -15,11 +15,12 @@ using mesh::TriangleMesh;
 
 constexpr double kPi = std::numbers::pi;
 constexpr double kVentFrom = 11.3, kVentTo = 15.7;  // panels up
-constexpr double kVentHalf = 0.0042;                // half its width, in diameters
+constexpr double kVentHalf = 0.0022;                // half its width, in diameters
 constexpr double kVentGap = 0.012;                  // metres from the fabric
 constexpr double kThinnestVent = 0.03;              // tolerance beyond which there is none
 const vec3 kLineRed{0.45f, 0.02f, 0.02f};
 const vec3 kCanvas{0.40f, 0.34f, 0.23f};
+const vec3 kPouch{0.20f, 0.165f, 0.105f};
 
 void add_vent(TriangleMesh& mesh, const EnvelopeShape& shape, int gore, const vec3& color,
               double gap) {
@@ -40,12 +41,38 @@ void add_vent(TriangleMesh& mesh, const EnvelopeShape& shape, int gore, const ve
   }
 }
 
+/// A stuffed thing with rounded edges: a ball whose directions are drawn towards a box's.
+void add_pillow(TriangleMesh& mesh, const dvec3& center, const dvec3& half, const vec3& color) {
+  constexpr int kAround = 28, kUp = 14;
+  const auto drawn = [](double x) { return std::copysign(std::pow(std::abs(x), 0.45), x); };
+  const auto surface = [&](double u, double v) {
+    const double around = 2.0 * kPi * u, up = kPi * (v - 0.5);
+    return center + half * dvec3(drawn(std::cos(up)) * drawn(std::cos(around)), drawn(std::sin(up)),
+                                 -drawn(std::cos(up)) * drawn(std::sin(around)));
+  };
+  // The poles are small holes' rims drawn together: their rows end just beside them.
+  add_grid(mesh, {kAround, kUp, true, false}, [&](int i, int j) {
+    const double u = (i + 0.5) / kAround, v = 0.004 + 0.992 * j / kUp;
+    return Vertex{surface(u, v), surface_normal(surface, u, v, 1e-3), color};
+  });
+  for (const double v : {0.004, 0.996}) {
+    const bool top = v > 0.5;
+    const dvec3 up(0.0, top ? 1.0 : -1.0, 0.0);
+    const std::uint32_t hub = add_vertex(mesh, {center + half * up, up, color});
+    for (int i = 0; i < kAround; ++i)
+      add_vertex(mesh, {surface((i + 0.5) / kAround, v), up, color});
+    for (std::uint32_t i = 0; i < kAround; ++i) {
+      const std::uint32_t a = hub + 1 + i, b = hub + 1 + (i + 1) % kAround;
+      top ? mesh.triangles.emplace_back(hub, a, b) : mesh.triangles.emplace_back(hub, b, a);
+    }
+  }
+}
+
+/// Canvas with a flap over its upper third.
 void add_pouch(TriangleMesh& mesh, const dvec3& center, const dvec3& half) {
-  add_box(mesh, center, half, kCover);
-  // A flap over its upper third.
-  const dvec3 flap(0.0, 0.36 * half.y, 0.0);
-  add_box(mesh, center + flap, dvec3(half.x + 0.004, 0.64 * half.y + 0.004, half.z + 0.004),
-          kCover * 0.75f);
+  add_pillow(mesh, center, half, kPouch);
+  add_pillow(mesh, center + dvec3(0.0, 0.45 * half.y, 0.0),
+             dvec3(half.x + 0.005, 0.58 * half.y, half.z + 0.005), kPouch * 0.72f);
 }
 
 }  // namespace
@@ -55,7 +82,7 @@ void add_vents(TriangleMesh& mesh, const EnvelopeShape& shape, const EnvelopePat
   if (detail.envelope_m > kThinnestVent) return;
   const int first = shape.gores() / 8;
   for (const int gore : {first, first + shape.gores() / 2}) {
-    add_vent(mesh, shape, gore, pattern.tape() * 0.6f, kVentGap + 1.5 * detail.envelope_m);
+    add_vent(mesh, shape, gore, pattern.tape(), kVentGap + 1.5 * detail.envelope_m);
   }
 }
 
@@ -104,7 +131,7 @@ void add_pouches(TriangleMesh& mesh, const Detail& detail) {
   const Outline wall = wall_outline();
   const double inside = kWallHalfThickness + weave_relief();
   add_pouch(mesh, {wall.half.x - inside - 0.032, 0.86, -0.12}, {0.030, 0.105, 0.15});
-  add_pouch(mesh, {-0.13, 0.93, -wall.half.y + inside + 0.026}, {0.11, 0.075, 0.024});
+  add_pouch(mesh, {0.22, 0.885, -wall.half.y + inside + 0.026}, {0.095, 0.085, 0.026});
 }
 
 }  // namespace aerostat::model

@@ -20,9 +20,9 @@ constexpr double kFlyingWireRadius = 0.0030;
 constexpr double kBasketWireRadius = 0.0032;
 constexpr double kMouthRingRadius = 0.012;
 constexpr double kFrameTube = 0.019;
-constexpr double kSleeveRadius = 0.034;
+constexpr double kSleeveRadius = 0.031;
 constexpr double kHoseRadius = 0.009;
-const vec3 kWireColor{0.30f, 0.305f, 0.315f};
+const vec3 kWireColor{0.20f, 0.205f, 0.215f};
 const std::array<dvec2, 4> kCorners{dvec2(1.0, -1.0), dvec2(-1.0, -1.0), dvec2(-1.0, 1.0),
                                     dvec2(1.0, 1.0)};  // counter-clockwise from above
 
@@ -41,31 +41,70 @@ struct Upright {
   dvec3 at(double share) const { return glm::mix(foot, head, share); }
 };
 
-/// A sleeve of cloth over padding, laced in at both ends, leaves the upright's upper end bare. The
-/// hose runs inside of it.
+/// A quilted sleeve of cloth over padding, laced in at both ends; it leaves the upright's upper end
+/// bare, and the hose runs inside of it.
+struct Sleeve {
+  static constexpr double kTo = 0.93, kLaced = 0.035, kQuilts = 5.0;
+  Upright upright;
+
+  double length() const { return glm::distance(upright.foot, upright.head); }
+
+  /// 0 at a quilting seam, 1 in between.
+  static double puff(double share) {
+    return std::abs(std::sin(std::numbers::pi * kQuilts * share / kTo));
+  }
+
+  double radius(double share) const {
+    const double end = std::clamp(std::min(share, kTo - share) / kLaced, 0.0, 1.0);
+    const double full = 0.66 + 0.34 * std::sin(0.5 * std::numbers::pi * end);
+    return kSleeveRadius * full * (0.90 + 0.10 * std::pow(puff(share), 0.35));
+  }
+
+  /// `u` is a turn around, `v` a share of the upright.
+  dvec3 at(double u, double v) const {
+    const dvec3 axis = glm::normalize(upright.head - upright.foot);
+    const dvec3 side = glm::normalize(glm::cross(axis, dvec3(0.0, 0.0, 1.0)));
+    const double angle = 2.0 * std::numbers::pi * u;
+    return upright.at(v) +
+           radius(v) * (side * std::cos(angle) + glm::cross(axis, side) * std::sin(angle));
+  }
+};
+
+/// Closes a sleeve's end by a disc.
+void add_sleeve_end(TriangleMesh& mesh, const Sleeve& sleeve, double share, int sides) {
+  const dvec3 axis = glm::normalize(sleeve.upright.head - sleeve.upright.foot);
+  const bool top = share > 0.0;
+  const dvec3 out = top ? axis : -axis;
+  const vec3 color = kCover * 0.4f;
+  const std::uint32_t hub = add_vertex(mesh, {sleeve.upright.at(share), out, color});
+  for (int i = 0; i < sides; ++i) {
+    add_vertex(mesh, {sleeve.at(static_cast<double>(i) / sides, share), out, color});
+  }
+  const auto count = static_cast<std::uint32_t>(sides);
+  for (std::uint32_t i = 0; i < count; ++i) {
+    const std::uint32_t a = hub + 1 + i, b = hub + 1 + (i + 1) % count;
+    top ? mesh.triangles.emplace_back(hub, a, b) : mesh.triangles.emplace_back(hub, b, a);
+  }
+}
+
+/// Places are metres along the sleeve and around it.
 void add_sleeve(TriangleMesh& mesh, const Upright& upright, double tolerance_m) {
-  struct Ring {
-    double share, radius;
-    vec3 color;
-  };
-  const double r = kSleeveRadius;
-  const std::array<Ring, 12> rings{{{0.0, 0.72 * r, kCover * 0.6f},
-                                    {0.030, 0.72 * r, kCover * 0.6f},
-                                    {0.045, 0.90 * r, kCover},
-                                    {0.070, 0.98 * r, kCover},
-                                    {0.110, r, kCover},
-                                    {0.480, 1.02 * r, kCover},
-                                    {0.840, r, kCover},
-                                    {0.875, 0.97 * r, kCover},
-                                    {0.895, 0.88 * r, kCover},
-                                    {0.908, 0.70 * r, kCover * 0.6f},
-                                    {0.930, 0.70 * r, kCover * 0.6f},
-                                    {0.932, 0.50 * r, kCover * 0.4f}}};
-  std::vector<dvec3> path;
-  for (const Ring& ring : rings) path.push_back(upright.at(ring.share));
-  add_tube(mesh, {path, sides_within(tolerance_m, r, 5, 24),
-                  [&](std::size_t i) { return rings[i].radius; },
-                  [&](std::size_t i) { return rings[i].color; }});
+  const Sleeve sleeve{upright};
+  const auto surface = [&](double u, double v) { return sleeve.at(u, v); };
+  const int sides = sides_within(tolerance_m, kSleeveRadius, 5, 24);
+  const int rows = tolerance_m >= 0.004 ? 4 : 90;
+  TriangleMesh cloth;
+  add_grid(cloth, {sides, rows}, [&](int i, int j) {
+    const double u = static_cast<double>(i % sides) / sides, v = Sleeve::kTo * j / rows;
+    cloth.places.emplace_back(sleeve.length() * v,
+                              2.0 * std::numbers::pi * kSleeveRadius * i / sides);
+    const auto shade = static_cast<float>(0.62 + 0.38 * std::sqrt(Sleeve::puff(v)));
+    return Vertex{sleeve.at(u, v), surface_normal(surface, u, v, 2e-3), kCover * shade};
+  });
+  add_sleeve_end(cloth, sleeve, 0.0, sides);
+  add_sleeve_end(cloth, sleeve, Sleeve::kTo, sides);
+  cloth.places.resize(cloth.positions.size(), vec2(0.0f));
+  mesh::append(mesh, cloth);
 }
 
 void add_frame_tubes(TriangleMesh& mesh, double tolerance_m) {

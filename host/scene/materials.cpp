@@ -50,7 +50,7 @@ std::array<Material, kObjectCount> default_materials(BiomeKind biome) {
   at(ObjectId::basket) = surface(vec3(1.0f), 0.05, 18.0);       // willow
   at(ObjectId::rim) = surface(vec3(1.0f), 0.03, 9.0);           // padded suede
   at(ObjectId::frame) = surface(vec3(1.0f), 0.55, 90.0);        // steel
-  at(ObjectId::cables) = surface(vec3(1.0f), 0.35, 60.0);       // steel rope
+  at(ObjectId::cables) = surface(vec3(1.0f), 0.12, 40.0);       // steel rope
   at(ObjectId::floor) = surface(vec3(1.0f), 0.04, 16.0);        // plywood
   at(ObjectId::flame) = flame();
   at(ObjectId::plant) = surface(vec3(1.0f), 0.02, 12.0, 0.25);  // light shines through leaves
