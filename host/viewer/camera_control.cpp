@@ -143,6 +143,13 @@ void CameraControl::look_by(double right, double down) {
 }
 
 void CameraControl::dolly_by(double factor) {
+  const scene::Camera& camera = document_.scene().camera;
+  if (camera.lens == scene::Lens::orthographic) {
+    // Parallel rays show the same from everywhere on their way.
+    const QString height = QString::number(std::clamp(camera.view_height_m * factor, 0.1, 1e5));
+    document_.set(tr("Move Closer or Away"), QStringLiteral("/camera/view_height_m"), height);
+    return;
+  }
   const auto now = pose();
   if (now) move_to(tr("Move Closer or Away"), dolly(*now, factor), false);
 }
@@ -161,12 +168,12 @@ std::optional<dvec3> CameraControl::point_at(const QPointF& place) const {
   const int x = std::clamp(static_cast<int>(place.x() * film.width), 0, film.width - 1);
   const int y = std::clamp(static_cast<int>(place.y() * film.height), 0, film.height - 1);
   const double aspect = static_cast<double>(seen.image.width) / seen.image.height;
-  const dvec3 direction = direction_at(seen.camera, aspect, place.x(), place.y());
+  const Sight sight = sight_at(seen.camera, aspect, place.x(), place.y());
   const auto index = static_cast<std::size_t>(y) * static_cast<std::size_t>(film.width) +
                      static_cast<std::size_t>(x);
   const double distance = static_cast<double>(film.distance_m.at(index));
   if (!std::isfinite(distance)) return std::nullopt;
-  return seen.camera.position + direction * distance;
+  return sight.origin + sight.direction * distance;
 }
 
 void CameraControl::aim_at(const QPointF& place) {
@@ -175,8 +182,8 @@ void CameraControl::aim_at(const QPointF& place) {
   document_.end_gesture();
   const scene::Scene& seen = shown_->look.scene;
   const double aspect = static_cast<double>(seen.image.width) / seen.image.height;
-  const dvec3 far = seen.camera.position +
-                    kSkyDistance_m * direction_at(seen.camera, aspect, place.x(), place.y());
+  const Sight sight = sight_at(seen.camera, aspect, place.x(), place.y());
+  const dvec3 far = sight.origin + kSkyDistance_m * sight.direction;
   move_to(tr("Aim"), {now->position, point_at(place).value_or(far)}, true);
   document_.end_gesture();
 }

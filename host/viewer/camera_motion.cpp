@@ -74,13 +74,22 @@ double flight_speed(double height_m) {
   return std::clamp(0.6 * height_m, 8.0, 1500.0);
 }
 
-dvec3 direction_at(const scene::Camera& camera, double aspect, double x, double y) {
+Sight sight_at(const scene::Camera& camera, double aspect, double x, double y) {
   const dvec3 forward = glm::normalize(camera.target - camera.position);
   const dvec3 right = glm::normalize(glm::cross(forward, camera.up));
   const dvec3 up = glm::cross(right, forward);
-  const double tangent = std::tan(camera.fov_y_deg * (std::numbers::pi / 360.0));
-  return glm::normalize(forward + right * ((2.0 * x - 1.0) * tangent * aspect) +
-                        up * ((1.0 - 2.0 * y) * tangent));
+  const double across = 2.0 * x - 1.0, above = 1.0 - 2.0 * y;
+  if (camera.lens == scene::Lens::panorama) {
+    const double azimuth = polar_of(forward).azimuth + across * std::numbers::pi;
+    return {camera.position, vector_of({1.0, azimuth, above * 0.5 * std::numbers::pi})};
+  }
+  if (camera.lens == scene::Lens::orthographic) {
+    const double half = 0.5 * camera.view_height_m;
+    return {camera.position + right * (across * half * aspect) + up * (above * half), forward};
+  }
+  const double half = std::tan(camera.fov_y_deg * (std::numbers::pi / 360.0));
+  return {camera.position,
+          glm::normalize(forward + right * (across * half * aspect) + up * (above * half))};
 }
 
 }  // namespace aerostat::viewer

@@ -44,8 +44,14 @@ Pose above_ground(const Pose& pose, const HeightAt& height);
 /// Metres per second that suit a flight at this height above ground.
 double flight_speed(double height_m);
 
-/// The unit direction seen at a point of the picture, (0, 0) its left upper, (1, 1) its right lower
-/// corner.
-dvec3 direction_at(const scene::Camera& camera, double aspect, double x, double y);
+/// A ray of the picture; distances of a film count along it.
+struct Sight {
+  dvec3 origin{0.0};
+  dvec3 direction{0.0, 0.0, -1.0};  // unit
+};
+
+/// What is seen at a point of the picture, (0, 0) its left upper, (1, 1) its right lower corner; a
+/// thin lens through its middle.
+Sight sight_at(const scene::Camera& camera, double aspect, double x, double y);
 
 }  // namespace aerostat::viewer

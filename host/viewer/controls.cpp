@@ -24,6 +24,8 @@ constexpr Control kControls[] = {
      Panel::land, nullptr, "", 0.2, 0.8, 2},
     {"/terrain/sharpness", QT_TRANSLATE_NOOP("Controls", "Sharpness"), Editor::number, Panel::land,
      nullptr, "", 0.4, 3, 2},
+    {"/terrain/erosion", QT_TRANSLATE_NOOP("Controls", "Erosion"), Editor::number, Panel::land,
+     nullptr, "", 0, 1, 2},
     {"/terrain/cells", QT_TRANSLATE_NOOP("Controls", "Cells a side"), Editor::integer, Panel::land,
      nullptr, "", 64, 4096, 0, true},
     {"/biome/ground/snow_line_m", QT_TRANSLATE_NOOP("Controls", "Snow line"), Editor::number,
@@ -44,6 +46,10 @@ constexpr Control kControls[] = {
      Panel::light},
     {"/sky/cloud_cover", QT_TRANSLATE_NOOP("Controls", "High cloud"), Editor::number, Panel::light,
      QT_TRANSLATE_NOOP("Controls", "Air"), "", 0, 1, 2},
+    {"/sky/cumulus/cover", QT_TRANSLATE_NOOP("Controls", "Heaped clouds"), Editor::number,
+     Panel::light, nullptr, "", 0, 1, 2},
+    {"/sky/cumulus/base_m", QT_TRANSLATE_NOOP("Controls", "Base of the clouds"), Editor::number,
+     Panel::light, nullptr, kMetres, 200, 5000},
     {"/haze/visibility_m", QT_TRANSLATE_NOOP("Controls", "Visibility"), Editor::number,
      Panel::light, nullptr, kMetres, 1000, 300000, 0, true},
     {"/fog/enabled", QT_TRANSLATE_NOOP("Controls", "Valley fog"), Editor::toggle, Panel::light},
@@ -66,13 +72,23 @@ constexpr Control kControls[] = {
      Panel::balloon, nullptr, kDegrees, -180, 180, 0},
     {"/balloon/diameter_m", QT_TRANSLATE_NOOP("Controls", "Diameter"), Editor::number,
      Panel::balloon, nullptr, kMetres, 10, 40, 1},
+    {"/balloon/burner", QT_TRANSLATE_NOOP("Controls", "Burner"), Editor::number, Panel::balloon,
+     nullptr, "", 0, 1, 2},
     {"/balloon/gores", QT_TRANSLATE_NOOP("Controls", "Gores"), Editor::integer, Panel::balloon,
      QT_TRANSLATE_NOOP("Controls", "Envelope"), "", 8, 48},
     {"/balloon/pattern", QT_TRANSLATE_NOOP("Controls", "Pattern"), Editor::choice, Panel::balloon},
+    {"/balloon/palette", QT_TRANSLATE_NOOP("Controls", "Palette"), Editor::choice, Panel::balloon},
     {"/balloon/colors", QT_TRANSLATE_NOOP("Controls", "Colours"), Editor::colors, Panel::balloon},
 
     {"/camera/fov_y_deg", QT_TRANSLATE_NOOP("Controls", "Angle of view"), Editor::number,
      Panel::view, nullptr, kDegrees, 8, 110, 1},
+    {"/camera/lens", QT_TRANSLATE_NOOP("Controls", "Lens"), Editor::choice, Panel::view},
+    {"/camera/f_number", QT_TRANSLATE_NOOP("Controls", "F-number"), Editor::number, Panel::view,
+     nullptr, "", 0.5, 22, 1, true},
+    {"/camera/focus_m", QT_TRANSLATE_NOOP("Controls", "Sharp at"), Editor::number, Panel::view,
+     nullptr, kMetres, 1, 5000, 1, true},
+    {"/camera/view_height_m", QT_TRANSLATE_NOOP("Controls", "Height of parallel view"),
+     Editor::number, Panel::view, nullptr, kMetres, 10, 5000, 0, true},
 
     {"/shading", QT_TRANSLATE_NOOP("Controls", "Shading"), Editor::choice, Panel::picture,
      QT_TRANSLATE_NOOP("Controls", "Picture")},
@@ -90,6 +106,12 @@ constexpr Control kControls[] = {
 
 /// Words of enumerations, for the translators.
 [[maybe_unused]] constexpr const char* kWords[] = {
+    QT_TRANSLATE_NOOP("Words", "pinhole"),  QT_TRANSLATE_NOOP("Words", "thin_lens"),
+    QT_TRANSLATE_NOOP("Words", "panorama"), QT_TRANSLATE_NOOP("Words", "orthographic"),
+    QT_TRANSLATE_NOOP("Words", "ember"),    QT_TRANSLATE_NOOP("Words", "lagoon"),
+    QT_TRANSLATE_NOOP("Words", "spectrum"), QT_TRANSLATE_NOOP("Words", "glacier"),
+    QT_TRANSLATE_NOOP("Words", "orchard"),  QT_TRANSLATE_NOOP("Words", "plum"),
+    QT_TRANSLATE_NOOP("Words", "regatta"),  QT_TRANSLATE_NOOP("Words", "meadow"),
     QT_TRANSLATE_NOOP("Words", "snow"),     QT_TRANSLATE_NOOP("Words", "tropical"),
     QT_TRANSLATE_NOOP("Words", "sand"),     QT_TRANSLATE_NOOP("Words", "sea"),
     QT_TRANSLATE_NOOP("Words", "ground"),   QT_TRANSLATE_NOOP("Words", "balloon"),
@@ -128,6 +150,7 @@ QString description_of(const Control& control) {
 
 QString word_text(const QString& word) {
   QString text = QCoreApplication::translate("Words", word.toUtf8().constData());
+  text.replace(QLatin1Char('_'), QLatin1Char(' '));
   if (!text.isEmpty()) text[0] = text[0].toUpper();
   return text;
 }

@@ -41,7 +41,7 @@ void MainWindow::add_file_menu() {
   add_action(menu, tr("Copy as Command &Line"), QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_L),
              [this] { copy_command(); });
   menu->addSeparator();
-  add_action(menu, tr("&Quit"), QKeySequence::Quit, [this] { close(); });
+  add_action(menu, tr("&Quit"), QKeySequence(Qt::CTRL | Qt::Key_Q), [this] { close(); });
 }
 
 void MainWindow::add_edit_menu() {

@@ -94,9 +94,17 @@ void CameraMotionTest::ground_lifts_the_eye() {
 void CameraMotionTest::directions_of_a_picture() {
   scene::Camera camera;
   camera.fov_y_deg = 90.0;
-  QVERIFY(near(direction_at(camera, 2.0, 0.5, 0.5), {0.0, 0.0, -1.0}));
-  QVERIFY(near(direction_at(camera, 2.0, 0.5, 0.0), glm::normalize(dvec3(0.0, 1.0, -1.0))));
-  QVERIFY(near(direction_at(camera, 2.0, 1.0, 0.5), glm::normalize(dvec3(2.0, 0.0, -1.0))));
+  const auto direction = [&](double x, double y) { return sight_at(camera, 2.0, x, y).direction; };
+  QVERIFY(near(direction(0.5, 0.5), {0.0, 0.0, -1.0}));
+  QVERIFY(near(direction(0.5, 0.0), glm::normalize(dvec3(0.0, 1.0, -1.0))));
+  QVERIFY(near(direction(1.0, 0.5), glm::normalize(dvec3(2.0, 0.0, -1.0))));
+  camera.lens = scene::Lens::panorama;
+  QVERIFY(near(direction(0.5, 0.0), {0.0, 1.0, 0.0}));
+  QVERIFY(near(direction(0.75, 0.5), {1.0, 0.0, 0.0}));
+  camera.lens = scene::Lens::orthographic;
+  camera.view_height_m = 10.0;
+  QVERIFY(near(direction(1.0, 0.0), {0.0, 0.0, -1.0}));
+  QVERIFY(near(sight_at(camera, 2.0, 1.0, 0.0).origin, {10.0, 5.0, 0.0}));
 }
 
 }  // namespace aerostat::viewer
