@@ -72,9 +72,9 @@ void ExportDialog::build() {
   size->addWidget(height_);
   size->addStretch(1);
   auto* form = new QFormLayout;
-  form->addRow(tr("&File"), file);
-  form->addRow(tr("&Quality"), quality_);
-  form->addRow(tr("&Size"), size);
+  form->addRow(tr("File"), file);
+  form->addRow(tr("Quality"), quality_);
+  form->addRow(tr("Size"), size);
   auto* hint =
       new QLabel(tr("A name that ends in .exr keeps the light as it is, with distances, "
                     "normals and objects in layers; any other gives a PNG."));

@@ -53,7 +53,6 @@ Panels::Panels(Document& document, CameraControl& camera, QWidget* parent)
   add_view(picture);
   add_rows(picture, Panel::view);
   add_rows(picture, Panel::picture);
-  add_sizes(picture);
   add_device(picture);
   connect(&document, &Document::changed, this, &Panels::refresh);
   refresh();
@@ -80,6 +79,7 @@ void Panels::add_rows(QFormLayout* form, Panel panel) {
     ControlRow* row = ControlRow::make(control, document_, this);
     form->addRow(row->label(), row->editor());
     rows_.push_back(row);
+    if (QLatin1String(control.pointer) == QLatin1String("/image/height")) add_sizes(form);
   }
 }
 
