@@ -30,6 +30,7 @@ __kernel void trace_shadow_rays(const AeroLaunch launch, __global const AeroScen
       work[i].to_sun = shadow_sun(&scene->sky, &task.frame, &packet);
     }
     find_visible_lights(scene, &world, work);
+    find_mirrored_land(scene, &world, &task, first, work);
   }
   for (uint i = 0u; i < count; ++i) visible[first + i] = work[i].visible;
 }

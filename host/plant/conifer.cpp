@@ -20,12 +20,14 @@ struct Conifer {
   vec3 green;       // of outer needles
 };
 constexpr Conifer kConifers[] = {
-    {17.0, 2.9, 0.05, 0.85, 0.30, 0.16, {0.038f, 0.056f, 0.026f}},
-    {14.0, 2.0, 0.05, 0.95, 0.42, 0.14, {0.033f, 0.053f, 0.030f}},
-    {21.0, 3.3, 0.16, 0.80, 0.38, 0.32, {0.042f, 0.055f, 0.024f}},
+    {17.0, 2.9, 0.05, 0.85, 0.30, 0.16, {0.047f, 0.068f, 0.031f}},
+    {14.0, 2.0, 0.05, 0.95, 0.42, 0.14, {0.041f, 0.064f, 0.036f}},
+    {21.0, 3.3, 0.16, 0.80, 0.38, 0.32, {0.053f, 0.068f, 0.029f}},
 };
 const vec3 kBark{0.100f, 0.084f, 0.070f};
 const vec3 kSnow{0.80f, 0.82f, 0.85f};
+
+constexpr float kBlend = 0.17f;  // of snow into far needles; snow covers less than these
 
 struct Level {
   int branches;
@@ -73,6 +75,10 @@ class ConiferBuilder {
     dvec3 tangent(double s) const { return glm::normalize(at(s + 0.02) - at(s - 0.02)); }
   };
 
+  /// Where a tree is a few pixels, needles and snow are blended: each sample must not find the one
+  /// or the other.
+  bool seen_whole() const { return level_.twigs == 0; }
+
   double crown_foot() const { return tree_.bare * tree_.height_m; }
 
   /// Radius of the crown at share t of its height.
@@ -111,7 +117,8 @@ class ConiferBuilder {
   }
 
   void add_needles(const Branch& branch) {
-    const vec3 green = random_.varied(tree_.green, 0.22, 0.16);
+    vec3 green = random_.varied(tree_.green, 0.22, 0.16);
+    if (seen_whole() && snowy_) green = glm::mix(green, kSnow, kBlend);
     add_sheet(branch, level_.twigs > 4 ? green * 0.55f : green);
     if (level_.twigs > 4) add_axis(branch, green);
     const double crowding = level_.twigs > 4 ? 0.35 + 0.55 * branch.length : 1.0;
@@ -186,7 +193,8 @@ class ConiferBuilder {
   }
 
   void add_snow_leaf(const dvec3& base, const dvec3& tip, const dvec3& wide) {
-    add_leaf(mesh_, {base, tip, wide, 0.5, 0.55, kSnow, 1.0},
+    const vec3 color = seen_whole() ? glm::mix(kSnow, tree_.green, 2.4f * kBlend) : kSnow;
+    add_leaf(mesh_, {base, tip, wide, 0.5, 0.55, color, 1.0},
              [this](const dvec3& p) { return snow_shade(p); });
   }
 

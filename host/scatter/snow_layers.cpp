@@ -18,7 +18,7 @@ Choice choose_spruce(const Nature& nature, const Site& site, Random& random, dou
   const scene::Ground& ground = nature.scene.biome.ground;
   const GroundMix mix = nature.rule.mix(site.position, site.normal.y, site.noise);
   const float up = site.position.y / std::max(static_cast<float>(ground.forest_top_m), 1.0f);
-  const float laden = mix.snow * (0.35f + 0.45f * ramp(0.2f, 0.9f, up) + 0.3f * site.noise.fine);
+  const float laden = mix.snow * (0.45f + 0.45f * ramp(0.2f, 0.9f, up) + 0.3f * site.noise.fine);
   Choice choice;
   choice.model.species =
       random.chance(static_cast<double>(laden)) ? Species::snowy_spruce : Species::spruce;
@@ -29,7 +29,7 @@ Choice choose_spruce(const Nature& nature, const Site& site, Random& random, dou
   choice.scale = size_between(nature, random, from, to) * stunted *
                  static_cast<float>(ground.canopy_m / kCrown);
   choice.lean = any_lean(random, 0.04);
-  choice.tint = any_tint(random, 0.14, 0.1 + 0.1 * static_cast<double>(site.noise.broad));
+  choice.tint = any_tint(random, 0.22, 0.1 + 0.1 * static_cast<double>(site.noise.broad));
   return choice;
 }
 

@@ -70,6 +70,7 @@ void make_tropical(Scene& scene) {
   ground.forest_share = 0.85;
   ground.canopy_m = 9.0;
   scene.biome.water.enabled = true;
+  scene.biome.water.wave_slope = 0.11;
   scene.balloon.position = {0.0, 210.0, 300.0};
   scene.balloon.pattern = Pattern::chevrons;
   dress(scene.balloon, Palette::lagoon);

@@ -53,7 +53,7 @@ std::array<Material, kObjectCount> default_materials(BiomeKind biome) {
   at(ObjectId::cables) = surface(vec3(1.0f), 0.12, 40.0);       // steel rope
   at(ObjectId::floor) = surface(vec3(1.0f), 0.04, 16.0);        // plywood
   at(ObjectId::flame) = flame();
-  at(ObjectId::plant) = surface(vec3(1.0f), 0.02, 12.0, 0.25);  // light shines through leaves
+  at(ObjectId::plant) = surface(vec3(1.0f), 0.02, 12.0, 0.35);  // light shines through leaves
   at(ObjectId::stone) = surface(vec3(1.0f), 0.02, 12.0);
   return materials;
 }

@@ -73,7 +73,9 @@ __kernel void probe_waves(__global const AeroScene* scene, __global const float*
                           __global const float* footprints, __global float* normals,
                           __global float* roughness) {
   lane_float rough;
-  store3_planes(wave_normal(&scene->water, load3(positions), LOAD(footprints), &rough), normals);
+  store3_planes(
+      wave_normal(&scene->water, scene->ground.wind, load3(positions), LOAD(footprints), &rough),
+      normals);
   STORE(rough, roughness);
 }
 
