@@ -171,6 +171,42 @@
             <source>Filter</source>
             <translation>Фильтр</translation>
         </message>
+        <message>
+            <source>Erosion</source>
+            <translation>Эрозия</translation>
+        </message>
+        <message>
+            <source>Heaped clouds</source>
+            <translation>Кучевые облака</translation>
+        </message>
+        <message>
+            <source>Base of the clouds</source>
+            <translation>Основание облаков</translation>
+        </message>
+        <message>
+            <source>Burner</source>
+            <translation>Горелка</translation>
+        </message>
+        <message>
+            <source>Palette</source>
+            <translation>Палитра</translation>
+        </message>
+        <message>
+            <source>Lens</source>
+            <translation>Объектив</translation>
+        </message>
+        <message>
+            <source>F-number</source>
+            <translation>Диафрагма</translation>
+        </message>
+        <message>
+            <source>Sharp at</source>
+            <translation>Резкость на</translation>
+        </message>
+        <message>
+            <source>Height of parallel view</source>
+            <translation>Высота параллельного вида</translation>
+        </message>
     </context>
     <context>
         <name>Presets</name>
@@ -923,6 +959,54 @@
             <source>gaussian</source>
             <translation>гауссов</translation>
         </message>
+        <message>
+            <source>pinhole</source>
+            <translation>точечный</translation>
+        </message>
+        <message>
+            <source>thin_lens</source>
+            <translation>тонкая линза</translation>
+        </message>
+        <message>
+            <source>panorama</source>
+            <translation>панорама</translation>
+        </message>
+        <message>
+            <source>orthographic</source>
+            <translation>параллельная проекция</translation>
+        </message>
+        <message>
+            <source>ember</source>
+            <translation>угли</translation>
+        </message>
+        <message>
+            <source>lagoon</source>
+            <translation>лагуна</translation>
+        </message>
+        <message>
+            <source>spectrum</source>
+            <translation>спектр</translation>
+        </message>
+        <message>
+            <source>glacier</source>
+            <translation>ледник</translation>
+        </message>
+        <message>
+            <source>orchard</source>
+            <translation>сад</translation>
+        </message>
+        <message>
+            <source>plum</source>
+            <translation>слива</translation>
+        </message>
+        <message>
+            <source>regatta</source>
+            <translation>регата</translation>
+        </message>
+        <message>
+            <source>meadow</source>
+            <translation>луг</translation>
+        </message>
     </context>
     <context>
         <name>aerostat::viewer::CameraControl</name>
@@ -1085,6 +1169,18 @@
         <message>
             <source>Cancelling…</source>
             <translation>Отмена…</translation>
+        </message>
+        <message>
+            <source>File</source>
+            <translation>Файл</translation>
+        </message>
+        <message>
+            <source>Quality</source>
+            <translation>Качество</translation>
+        </message>
+        <message>
+            <source>Size</source>
+            <translation>Размер</translation>
         </message>
     </context>
     <context>
