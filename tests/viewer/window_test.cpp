@@ -1,7 +1,10 @@
 // The window at work on small scenes: rapid changes, latencies, errors, export, closing.
 #include <QAbstractButton>
 #include <QClipboard>
+#include <QDropEvent>
 #include <QElapsedTimer>
+#include <QMessageBox>
+#include <QMimeData>
 #include <QSettings>
 #include <QStandardPaths>
 #include <QTemporaryDir>
@@ -46,6 +49,8 @@ class WindowTest : public QObject {
   void a_device_that_is_none_offers_another();
   void copies_the_picture();
   void exports_and_cancels();
+  void asks_before_changes_are_lost();
+  void opens_what_is_dropped();
   void closes_while_it_renders();
 
  private:
@@ -212,6 +217,37 @@ void WindowTest::exports_and_cancels() {
   qInfo("an export was cancelled after %lld ms", watch.elapsed());
   QVERIFY(watch.elapsed() < kCancel_ms);
   QVERIFY(!QFile::exists(folder_.filePath("never.exr")));
+}
+
+void WindowTest::asks_before_changes_are_lost() {
+  QVERIFY(window_->document().set("seed", "/terrain/seed", "5"));
+  QVERIFY(window_->isWindowModified());
+  const auto answer_with = [](QMessageBox::StandardButton button) {
+    QTimer::singleShot(200, [button] {
+      auto* box = qobject_cast<QMessageBox*>(QApplication::activeModalWidget());
+      if (box != nullptr) box->button(button)->click();
+    });
+  };
+  answer_with(QMessageBox::Cancel);
+  QVERIFY(!window_->close());
+  QVERIFY(window_->isVisible());
+  answer_with(QMessageBox::Discard);
+  QVERIFY(window_->close());
+}
+
+void WindowTest::opens_what_is_dropped() {
+  const QString path = QStringLiteral(AEROSTAT_SOURCE_DIR "/scenes/tropical.json");
+  QMimeData data;
+  data.setUrls({QUrl::fromLocalFile(path)});
+  QDragEnterEvent enter(QPoint(9, 9), Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
+  QCoreApplication::sendEvent(window_.get(), &enter);
+  QVERIFY(enter.isAccepted());
+  QDropEvent drop(QPointF(9, 9), Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
+  QCoreApplication::sendEvent(window_.get(), &drop);
+  QCOMPARE(window_->document().path(), path);
+  QCOMPARE(window_->document().scene().biome.kind, scene::BiomeKind::tropical);
+  QVERIFY(window_->windowTitle().contains("tropical.json"));
+  QVERIFY(QSettings().value("recent").toStringList().contains(path));
 }
 
 void WindowTest::closes_while_it_renders() {
