@@ -19,7 +19,8 @@
 namespace aerostat::viewer {
 namespace {
 
-constexpr int kPatience_ms = 60000;
+/// Kernels may have to be compiled first.
+constexpr int kPatience_ms = 180000;
 /// Bounds for machines that are busy with something else; what is measured is printed.
 constexpr qint64 kFirstLook_ms = 3000;
 constexpr qint64 kCancel_ms = 2000;
