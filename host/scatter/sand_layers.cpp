@@ -38,6 +38,11 @@ Layer floor_layer(const Nature& nature, std::uint32_t id, double spacing_m, doub
   return layer;
 }
 
+/// Dry growth takes the colour of straw and dust: dark shrubs would be dots on bright sand.
+vec3 dusty_tint(Random& random) {
+  return any_tint(random, 0.2, 0.15) * vec3(1.75f, 1.45f, 1.05f);
+}
+
 Layer scrub(const Nature& nature) {
   Layer layer = floor_layer(nature, 21, 6.0, 3000.0, 0.55f, 0.0f);
   layer.choose = [nature](const Site&, Random& random) {
@@ -46,7 +51,7 @@ Layer scrub(const Nature& nature) {
     choice.scale = size_between(nature, random, 0.45, 1.35);
     choice.upright = 0.7f;
     choice.lean = any_lean(random, 0.08);
-    choice.tint = any_tint(random, 0.2, 0.15);
+    choice.tint = dusty_tint(random);
     return choice;
   };
   return layer;
@@ -60,7 +65,7 @@ Layer grass(const Nature& nature) {
     choice.scale = size_between(nature, random, 0.5, 1.4);
     choice.upright = 0.4f;
     choice.lean = any_lean(random, 0.15);
-    choice.tint = any_tint(random, 0.2, 0.15);
+    choice.tint = dusty_tint(random);
     return choice;
   };
   return layer;

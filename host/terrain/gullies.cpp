@@ -35,16 +35,44 @@ AEROSTAT_INLINE void wave_of(float turn, float& cosine, float& sine) {
   const float s = 8.0f * turn * (1.0f - 2.0f * std::fabs(turn));
   sine = s * (0.775f + 0.225f * std::fabs(s));
   float quarter = turn + 0.25f;
-  quarter -= quarter > 0.5f ? 1.0f : 0.0f;
+  quarter -= static_cast<float>(static_cast<std::int32_t>(quarter + 8.5f) - 8);
   const float c = 8.0f * quarter * (1.0f - 2.0f * std::fabs(quarter));
   cosine = c * (0.775f + 0.225f * std::fabs(c));
+}
+
+/// A point in a square of the lattice, and the direction across its wave.
+struct Square {
+  std::uint32_t seed;
+  std::int32_t ix, iz;
+  float u, v, side_x, side_z;
+};
+
+/// Adds the wave around the random point of the square i, j further on.
+template <int i, int j>
+AEROSTAT_INLINE void add_wave(const Square& at, float& cosines, float& sines) {
+  const std::uint32_t hash = lattice_hash(at.seed, at.ix + i, at.iz + j);
+  const float px = static_cast<float>(static_cast<std::int32_t>(hash >> 20)) * (0.6f / 4096.0f) +
+                   (0.2f + static_cast<float>(i));
+  const float pz =
+      static_cast<float>(static_cast<std::int32_t>((hash >> 8) & 4095u)) * (0.6f / 4096.0f) +
+      (0.2f + static_cast<float>(j));
+  const float du = at.u - px, dv = at.v - pz;
+  const float inside = 1.21f - (du * du + dv * dv);
+  const float near = 0.5f * (inside + std::fabs(inside));  // 0 beyond the reach, without a branch
+  const float turn = du * at.side_x + dv * at.side_z;
+  float cosine, sine;
+  wave_of(turn - static_cast<float>(static_cast<std::int32_t>(turn + 8.5f) - 8), cosine, sine);
+  const float weight = near * near * near;
+  cosines += weight * cosine;
+  sines += weight * sine;
 }
 
 AEROSTAT_INLINE void wave_loop(const Wave& wave, const Points& points, const Block& side_x,
                                const Block& side_z, Waves& out) {
   const Wave w = wave;
+  const int count = points.count;
   Waves sum;
-  for (int k = 0; k < points.count; ++k) {
+  for (int k = 0; k < count; ++k) {
     const float x = points.x[k] * w.scale + w.shift;
     const float z = points.z[k] * w.scale - w.shift;
     auto ix = static_cast<std::int32_t>(x);
@@ -53,26 +81,17 @@ AEROSTAT_INLINE void wave_loop(const Wave& wave, const Points& points, const Blo
     iz -= static_cast<std::int32_t>(static_cast<float>(iz) > z);
     const float u = x - static_cast<float>(ix), v = z - static_cast<float>(iz);
     float cosines = 0.0f, sines = 0.0f;
-#pragma GCC unroll 9
-    for (int n = 0; n < 9; ++n) {
-      const int i = n % 3 - 1, j = n / 3 - 1;
-      const std::uint32_t hash = lattice_hash(w.seed, ix + i, iz + j);
-      const float px =
-          static_cast<float>(static_cast<std::int32_t>(hash >> 20)) * (0.6f / 4096.0f) +
-          (0.2f + static_cast<float>(i));
-      const float pz =
-          static_cast<float>(static_cast<std::int32_t>((hash >> 8) & 4095u)) * (0.6f / 4096.0f) +
-          (0.2f + static_cast<float>(j));
-      const float du = u - px, dv = v - pz;
-      const float near = std::max(1.21f - (du * du + dv * dv), 0.0f);
-      const float turn = du * side_x[k] + dv * side_z[k];
-      float cosine, sine;
-      const float rest = turn - static_cast<float>(static_cast<std::int32_t>(turn + 8.5f) - 8);
-      wave_of(rest, cosine, sine);
-      const float weight = near * near * near;
-      cosines += weight * cosine;
-      sines += weight * sine;
-    }
+    // Written out: compilers vectorise no loop within this one.
+    const Square at{w.seed, ix, iz, u, v, side_x[k], side_z[k]};
+    add_wave<-1, -1>(at, cosines, sines);
+    add_wave<0, -1>(at, cosines, sines);
+    add_wave<1, -1>(at, cosines, sines);
+    add_wave<-1, 0>(at, cosines, sines);
+    add_wave<0, 0>(at, cosines, sines);
+    add_wave<1, 0>(at, cosines, sines);
+    add_wave<-1, 1>(at, cosines, sines);
+    add_wave<0, 1>(at, cosines, sines);
+    add_wave<1, 1>(at, cosines, sines);
     sum.cosine[k] = cosines;
     sum.sine[k] = sines;
   }
