@@ -12,7 +12,9 @@ __kernel void shade_hits(const AeroLaunch launch, __global const AeroScene* scen
   const uint block = (uint)get_global_id(0);
   if (block >= launch.tile.block_count) return;
   const AeroLaunch task = launch;
-  const PixelPacket packet = pixel_packet(&task.tile, block);
+  PixelPacket packet = pixel_packet(&task.tile, block);
+  leave_settled(film, task.frame.width, &packet);
+  if (!lane_any(packet.active)) return;
   const Ray ray = generate_rays(&task.frame, &packet);
   const Hit hit = hits[block];
   const lane_int met = lane_mask(hit.triangle != NO_TRIANGLE);
@@ -59,6 +61,15 @@ __kernel void shade_hits(const AeroLaunch launch, __global const AeroScene* scen
 __kernel void clear_film(__global AeroFilmPixel* film, const uint pixels) {
   const uint i = (uint)get_global_id(0);
   if (i >= pixels) return;
-  AeroFilmPixel empty = {{0.0f, 0.0f, 0.0f}, 0.0f, INFINITY, {0.0f, 0.0f, 0.0f}, AERO_OBJECT_SKY};
+  AeroFilmPixel empty = {
+      {0.0f, 0.0f, 0.0f}, 0.0f, INFINITY, {0.0f, 0.0f, 0.0f}, AERO_OBJECT_SKY, 0u, 0u, 0.0f, 0.0f};
   film[i] = empty;
+}
+
+/* Settles the pixels that have samples enough. */
+__kernel void settle_film(__global AeroFilmPixel* film, const AeroSettling settling) {
+  const uint i = (uint)get_global_id(0);
+  const AeroSettling asked = settling;
+  if (i >= asked.width * asked.height) return;
+  if (is_settled(film, i, &asked)) film[i].settled = 1u;
 }

@@ -1,12 +1,12 @@
-#include "camera.clh"
+#include "film.clh"
 #include "traverse.clh"
 
-/* Eye rays of a tile: the closest hits of block into hits[block]. Every
- * BUNDLE-th work-item traces that many blocks together. */
+/* Eye rays of a tile's pixels that are not settled: the closest hits of block into hits[block].
+ * Every BUNDLE-th work-item traces that many blocks together. */
 __kernel void trace_camera_rays(const AeroLaunch launch, __global const AeroBvhNode* nodes,
                                 __global const AeroTriangle* triangles,
                                 __global const AeroInstance* instances, __global const float* grid,
-                                __global Hit* hits) {
+                                __global const AeroFilmPixel* film, __global Hit* hits) {
   const uint first = (uint)get_global_id(0);
   if (first % BUNDLE != 0u || first >= launch.tile.block_count) return;
   const World world = make_world(nodes, triangles, instances, grid);
@@ -15,7 +15,8 @@ __kernel void trace_camera_rays(const AeroLaunch launch, __global const AeroBvhN
   TracedPacket packets[BUNDLE];
   for (uint i = 0u; i < BUNDLE; ++i) {
     /* Blocks beyond the tile's last lie below it: their lanes are off. */
-    const PixelPacket packet = pixel_packet(&tile, first + i);
+    PixelPacket packet = pixel_packet(&tile, first + i);
+    leave_settled(film, frame.width, &packet);
     const Ray ray = generate_rays(&frame, &packet);
     start_packet(packets + i, &ray);
   }

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "opencl/device.hpp"
+#include "render/look.hpp"
 
 namespace aerostat::cli {
 
@@ -45,9 +46,9 @@ void warn_of_nan(const image::Film& film) {
   warn(fmt::format("{} pixels came out as no number and were set to black", film.nan_pixels));
 }
 
-image::Pixels develop(const image::Film& film, const scene::Image& image) {
-  const double ev = image.exposure_given ? image.exposure_ev : image::automatic_exposure_ev(film);
-  return image::develop(film, ev);
+image::Pixels develop(const image::Film& film, const scene::Image& image,
+                      const std::optional<render::Crop>& crop) {
+  return image::develop(film, render::look_of(image, film, crop));
 }
 
 }  // namespace aerostat::cli

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -37,7 +38,8 @@ std::string names_of(const std::vector<opencl::Device>& devices);
 
 void warn_of_nan(const image::Film& film);
 
-/// By the exposure that the scene gives, or else by what the film shows.
-image::Pixels develop(const image::Film& film, const scene::Image& image);
+/// As render::look_of says.
+image::Pixels develop(const image::Film& film, const scene::Image& image,
+                      const std::optional<render::Crop>& crop = {});
 
 }  // namespace aerostat::cli

@@ -44,9 +44,10 @@ void require_encodable(const RenderOptions& options, const scene::Image& image,
 }
 
 std::vector<std::uint8_t> encode(const image::Film& film, PictureFormat format,
-                                 const scene::Image& image) {
+                                 const scene::Image& image,
+                                 const std::optional<render::Crop>& crop) {
   if (format == PictureFormat::exr) return image::encode_exr(film);
-  return image::encode_png(develop(film, image));
+  return image::encode_png(develop(film, image, crop));
 }
 
 std::string summary(const fs::path& output, const image::Film& film, int spp,
@@ -84,7 +85,7 @@ int render(const RenderOptions& options) {
   bar.clear();
   warn_of_nan(film);
   phase.restart();
-  const auto bytes = encode(film, format, scene.image);
+  const auto bytes = encode(film, format, scene.image, options.crop);
   seconds.encoding = phase.restart();
   if (interrupt.token().stop_requested()) throw Error(ErrorKind::interrupted, "interrupted");
   image::write_file(output, bytes);

@@ -21,6 +21,9 @@ constexpr double kDarkShare = 0.2, kBrightShare = 0.95;
 constexpr double kLightsShare = 0.99, kLights = 2.0;
 // But the whole is darkened for its sake by so many stops at most: a glitter on the sea may clip.
 constexpr double kMostHeldBack = 2.0;
+// Where the lights leave room, the whole goes this share of it up, for whites that are white, but
+// of so many stops at most: a dull view has none.
+constexpr double kRaisedShare = 0.3, kMostRoom = 1.5;
 
 double luminance(const vec3& c) {
   return 0.2126 * static_cast<double>(c.x) + 0.7152 * static_cast<double>(c.y) +
@@ -55,7 +58,9 @@ double automatic_exposure_ev(const Film& film) {
   const double middle =
       from == to ? *from : std::accumulate(from, to, 0.0) / static_cast<double>(to - from);
   const double wanted = std::log2(kGrey) - middle;
-  return std::clamp(std::log2(kLights) - *lights, wanted - kMostHeldBack, wanted);
+  const double room = std::log2(kLights) - *lights - wanted;
+  if (room > 0.0) return wanted + kRaisedShare * std::min(room, kMostRoom);
+  return wanted + std::max(room, -kMostHeldBack);
 }
 
 }  // namespace aerostat::image

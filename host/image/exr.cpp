@@ -90,6 +90,7 @@ void require_layers(const Film& film) {
   require_layer(film.distance_m.size(), pixels, true);
   require_layer(film.normal_ws.size(), pixels, true);
   require_layer(film.object_id.size(), pixels, true);
+  require_layer(film.samples.size(), pixels, true);
 }
 
 Layers layers_of(const Film& film) {
@@ -100,6 +101,9 @@ Layers layers_of(const Film& film) {
   if (!film.normal_ws.empty()) layers.add_vector("N.X", "N.Y", "N.Z", film.normal_ws);
   if (!film.object_id.empty()) {
     layers.add("id", Imf::UINT, film.object_id.data(), sizeof(std::uint32_t));
+  }
+  if (!film.samples.empty()) {
+    layers.add("samples", Imf::UINT, film.samples.data(), sizeof(std::uint32_t));
   }
   return layers;
 }

@@ -17,6 +17,8 @@ struct Film {
   std::vector<float> distance_m;         // along the ray, nearest sample; +inf for sky
   std::vector<vec3> normal_ws;           // world space, unit; 0 for sky
   std::vector<std::uint32_t> object_id;  // scene::ObjectId; 0 for sky
+  std::vector<std::uint32_t> samples;    // that each pixel has taken
+  vec3 daylight{1.0f};           // radiance of a white card that faces the sun, at the eye's height
   std::uint64_t nan_pixels = 0;  // pixels that came out NaN or infinite and were set to black
 };
 

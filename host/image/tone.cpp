@@ -8,7 +8,7 @@ namespace aerostat::image {
 
 namespace {
 
-constexpr double kContrast = 1.4;
+constexpr double kContrast = 1.55;
 constexpr double kShoulder = 0.98;
 constexpr double kMidIn = 0.18;
 constexpr double kMidOut = 0.19;

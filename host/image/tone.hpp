@@ -34,8 +34,8 @@ dvec3 tone_map(const dvec3& exposed, const Curve& curve) {
   // An infinite component would make its ratio NaN.
   if (!std::isfinite(peak)) return dvec3{1.0};
   const double display = curve(peak);
-  // How late highlights lose their colour: the share of white is the display value to the sixth.
-  const double cube = display * display * display, white = cube * cube;
+  // How late highlights lose their colour: the share of white is the display value to the eighth.
+  const double fourth = display * display * display * display, white = fourth * fourth;
   return display * (color / peak * (1.0 - white) + white);
 }
 

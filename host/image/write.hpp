@@ -18,13 +18,27 @@ struct Pixels {
 
 /// Stops that suit a picture: the mean logarithm of its luminance, without the darkest fifth and
 /// the brightest twentieth of the pixels, goes to a grey of 0.25, or up to two stops darker where
-/// that keeps the brightest hundredth below white, so that snow does not clip. 0 for a picture
-/// without light.
+/// that keeps the brightest hundredth below white, so that snow does not clip, or up to half a stop
+/// brighter where that hundredth is far from it. 0 for a picture without light.
 double automatic_exposure_ev(const Film& film);
 
-/// Exposure (2^ev), a filmic tone curve, the sRGB transfer function, and ordered dither against
-/// banding; deterministic.
+/// How a film becomes a picture.
+struct Look {
+  double exposure_ev = 0.0;       // stops
+  glm::dmat3 white_balance{1.0};  // of linear Rec. 709
+  double vignette = 0.0;          // share of the light lost in the corners, 0 to below 1
+  glm::ivec2 first{0, 0};         // the film's first pixel in the whole picture
+  glm::ivec2 whole{0, 0};         // size of that; {0, 0}: the film is all of it
+};
+
+/// Vignette, exposure (2^ev), white balance, a filmic tone curve, the sRGB transfer function, and
+/// ordered dither against banding; deterministic.
+Pixels develop(const Film& film, const Look& look);
 Pixels develop(const Film& film, double exposure_ev);
+
+/// Share of the light that is left at a distance from the picture's middle (1 in the corners):
+/// cos^4 of an angle whose tangent grows with the distance, so that `lost` is lost in the corners.
+double vignette_share(double distance, double lost);
 
 /// Whether encode_png can take so many pixels: the encoder counts in int. Up to 16384 x 16384 it
 /// can.

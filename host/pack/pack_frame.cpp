@@ -112,6 +112,7 @@ AeroFrame pack_frame(const scene::Scene& scene) {
   frame.filter = filter_of(scene.image.filter);
   frame.samples = static_cast<std::uint32_t>(scene.image.spp);
   frame.sample_stride = spreading_stride(frame.samples);
+  frame.progressive = scene.image.adaptive_threshold > 0.0 ? 1u : 0u;
   frame.sample_shift = scene.image.seed * 0x9e3779b9u;
   const scene::PixelSize pixel = scene::pixel_size(scene);
   frame.pixel_angle = static_cast<float>(pixel.angle_rad);

@@ -81,6 +81,20 @@ int DeviceTeam::await_programs(const Waiting& waiting, double& seconds) {
   return built;
 }
 
+void DeviceTeam::settle(const AeroSettling& settling, const RowQueue& queue) {
+  // A pixel asks its neighbours, also those that another device holds.
+  const std::vector<RowRun> runs = queue.held();
+  const auto width = static_cast<int>(settling.width);
+  for (std::size_t i = 1; i < runs.size(); ++i) {
+    const RowRun &above = runs[i - 1], &below = runs[i];
+    DeviceWorker& upper = *workers_[static_cast<std::size_t>(above.holder)];
+    DeviceWorker& lower = *workers_[static_cast<std::size_t>(below.holder)];
+    on(upper, [&] { upper.adopt(below.y0, below.y0 + 1, width, lower.film()); });
+    on(lower, [&] { lower.adopt(above.y1 - 1, above.y1, width, upper.film()); });
+  }
+  on_each([&](DeviceWorker& worker) { worker.settle(settling); });
+}
+
 /// One thread a device; this one waits for them.
 void DeviceTeam::trace(const Pass& pass, RowQueue& queue, const std::stop_token& stop,
                        const Waiting& waiting) {

@@ -35,6 +35,9 @@ class DeviceTeam {
   /// to `seconds` what the slowest device took.
   int await_programs(const Waiting& waiting, double& seconds);
 
+  /// Settles pixels of the film, whose rows lie where `queue` says, between passes.
+  void settle(const AeroSettling& settling, const RowQueue& queue);
+
   /// Renders the pass on all devices; returns early, with work under way, when `stop` is requested.
   void trace(const Pass& pass, RowQueue& queue, const std::stop_token& stop,
              const Waiting& waiting);
@@ -42,7 +45,7 @@ class DeviceTeam {
   /// Where the rows of `queue` lie after whole passes.
   std::vector<FilmRows> film_rows(const RowQueue& queue) const;
 
-  /// Eye rays of the frame whose light is in the films.
+  /// Eye rays of the frame whose light is in the films or that settled pixels had no need of.
   std::uint64_t rays_done() const;
 
   const DeviceGeometry& geometry() const { return workers_.front()->geometry(); }

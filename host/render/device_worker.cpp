@@ -46,6 +46,7 @@ void DeviceWorker::set_geometry(const std::shared_ptr<const bvh::Bvh>& tree,
 void DeviceWorker::begin_frame(const AeroScene& scene, std::size_t pixels) {
   in_flight_.clear();
   rays_done_ = 0;
+  some_settled_ = false;
   stats_ = {};
   occlusion_ = scene.sky.ambient_reach > 0.0f;
   scene_ = {context_, budget_, std::span(&scene, 1), "the scene"};
@@ -55,6 +56,11 @@ void DeviceWorker::begin_frame(const AeroScene& scene, std::size_t pixels) {
   }
   opencl::launch(context_, programs_->clear_film, packet_range(pixels, 1), film_,
                  static_cast<cl_uint>(pixels));
+}
+
+void DeviceWorker::settle(const AeroSettling& settling) {
+  some_settled_ = true;
+  opencl::launch(context_, programs_->settle_film, packet_range(film_.size(), 1), film_, settling);
 }
 
 /// Rows that keep the device busy for the time of a launch, in one launch or, where a packet holds
@@ -82,7 +88,7 @@ void DeviceWorker::trace(const Pass& pass, RowQueue& queue, int index,
     const auto run = queue.next(index, 1 << shape.log2_h, rows_at_once(pass, shape));
     if (!run) break;
     if (run->holder != index && run->holder != RowQueue::kNobody) {
-      adopt(*run, pass, film_of(run->holder));
+      adopt(run->y0, run->y1, static_cast<int>(pass.frame.width), film_of(run->holder));
     }
     const Crop area{pass.crop.x0, run->y0, pass.crop.x1, run->y1};
     for (int done = 0; done < pass.samples; done += 1 << shape.log2_samples) {
@@ -97,10 +103,10 @@ void DeviceWorker::trace(const Pass& pass, RowQueue& queue, int index,
 
 /// Takes over what another device's film holds of these rows, so that the sums go on in their
 /// order.
-void DeviceWorker::adopt(const RowRun& run, const Pass& pass, const FilmBuffer& from) {
-  const std::size_t width = pass.frame.width;
-  const std::size_t first = static_cast<std::size_t>(run.y0) * width;
-  std::vector<AeroFilmPixel> rows(static_cast<std::size_t>(run.y1 - run.y0) * width);
+void DeviceWorker::adopt(int y0, int y1, int image_width, const FilmBuffer& from) {
+  const auto width = static_cast<std::size_t>(image_width);
+  const std::size_t first = static_cast<std::size_t>(y0) * width;
+  std::vector<AeroFilmPixel> rows(static_cast<std::size_t>(y1 - y0) * width);
   from.read(std::span(rows), first);
   film_.write(rows, first);
 }
@@ -127,9 +133,9 @@ void DeviceWorker::launch_tile(const AeroLaunch& launch) {
   const opencl::LaunchSize size = packet_range(packets, lanes_);
   Launch work;
   work.rays = pixels_of(launch.tile) << launch.tile.log2_samples;
-  work.camera =
-      opencl::launch(context_, programs_->trace_camera_rays, size, launch, geometry_.nodes,
-                     geometry_.triangles, geometry_.instances, geometry_.grid, hits_.handle());
+  work.camera = opencl::launch(context_, programs_->trace_camera_rays, size, launch,
+                               geometry_.nodes, geometry_.triangles, geometry_.instances,
+                               geometry_.grid, film_, hits_.handle());
   work.shadow =
       opencl::launch(context_, programs_->trace_shadow_rays, size, launch, scene_, geometry_.nodes,
                      geometry_.triangles, geometry_.instances, geometry_.grid, geometry_.faces,
@@ -163,7 +169,8 @@ void DeviceWorker::retire(std::size_t most_in_flight) {
     rays_done_ += work.rays;
     // By the device's clock: the host's tells nothing when several launches end while it sleeps.
     const double spent = camera + shadow + ambient + shade;
-    if (spent > 0.0) {
+    // Settled pixels are done at once: they say nothing of those that are not.
+    if (spent > 0.0 && !some_settled_) {
       const double now_rate = static_cast<double>(work.rays) / spent;
       rate_ = rate_ <= 0.0 ? now_rate : 0.7 * rate_ + 0.3 * now_rate;
     }

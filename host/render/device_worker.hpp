@@ -56,6 +56,12 @@ class DeviceWorker {
   /// Gives the scene to the device, and an empty film of as many pixels.
   void begin_frame(const AeroScene& scene, std::size_t pixels);
 
+  /// Takes over rows y0 <= y < y1 of another device's film.
+  void adopt(int y0, int y1, int image_width, const FilmBuffer& from);
+
+  /// Settles the pixels of the film that have samples enough. Between passes.
+  void settle(const AeroSettling& settling);
+
   /// Renders rows of `queue` as device number `index` until none is left or `stop` is requested; in
   /// that case launches may be under way when it returns. `film_of(i)` is the film of device i.
   void trace(const Pass& pass, RowQueue& queue, int index,
@@ -64,7 +70,8 @@ class DeviceWorker {
   /// The sums over the samples so far. Reading waits for launches.
   const FilmBuffer& film() const { return film_; }
 
-  /// Eye rays whose light is in the film. From any thread.
+  /// Eye rays whose light is in the film, and those that settled pixels had no need of. From any
+  /// thread.
   std::uint64_t rays_done() const { return rays_done_; }
   /// Of the frame so far. Not during `trace`.
   DeviceStats stats() const;
@@ -77,7 +84,6 @@ class DeviceWorker {
   };
 
   int rows_at_once(const Pass& pass, const PacketShape& shape) const;
-  void adopt(const RowRun& run, const Pass& pass, const FilmBuffer& from);
   void reserve(std::uint64_t packets);
   void launch_tile(const AeroLaunch& launch);
   void retire(std::size_t most_in_flight);
@@ -90,7 +96,8 @@ class DeviceWorker {
   DeviceGeometry geometry_;
   opencl::Buffer<AeroScene> scene_;
   FilmBuffer film_;
-  bool occlusion_ = false;  // whether the frame asks for ambient occlusion
+  bool occlusion_ = false;     // whether the frame asks for ambient occlusion
+  bool some_settled_ = false;  // pixels of the frame may be
   opencl::RawBuffer hits_, visible_, found_;
   std::uint64_t packets_capacity_ = 0;
 

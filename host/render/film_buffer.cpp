@@ -13,7 +13,8 @@ namespace {
 constexpr int kBandRows = 128;
 
 /// False if the pixel is no number and became black.
-bool store(image::Film& film, std::size_t i, const AeroFilmPixel& pixel, float per_sample) {
+bool store(image::Film& film, std::size_t i, const AeroFilmPixel& pixel) {
+  const float per_sample = 1.0f / static_cast<float>(std::max(pixel.samples, 1u));
   vec3 radiance = vec3(pixel.radiance[0], pixel.radiance[1], pixel.radiance[2]) * per_sample;
   const bool finite = is_finite(radiance);
   if (!finite) radiance = vec3(0.0f);
@@ -22,6 +23,7 @@ bool store(image::Film& film, std::size_t i, const AeroFilmPixel& pixel, float p
   film.distance_m[i] = pixel.distance;
   film.normal_ws[i] = vec3(pixel.normal[0], pixel.normal[1], pixel.normal[2]);
   film.object_id[i] = pixel.object;
+  film.samples[i] = pixel.samples;
   return finite;
 }
 
@@ -37,23 +39,22 @@ image::Film empty_film(const Crop& crop) {
                          film.alpha.resize(pixels);
                          film.distance_m.resize(pixels);
                          film.object_id.resize(pixels);
+                         film.samples.resize(pixels);
                        });
   return film;
 }
 
 }  // namespace
 
-image::Film read_film(std::span<const FilmRows> parts, int image_width, const Crop& crop,
-                      int samples) {
+image::Film read_film(std::span<const FilmRows> parts, int image_width, const Crop& crop) {
   image::Film film = empty_film(crop);
   const auto width = static_cast<std::size_t>(film.width);
-  const float per_sample = 1.0f / static_cast<float>(samples);
   std::atomic<std::uint64_t> nan_pixels{0};
   const auto store_row = [&](const AeroFilmPixel* pixels, int y) {
     const std::size_t to = static_cast<std::size_t>(y - crop.y0) * width;
     std::uint64_t bad = 0;
     for (std::size_t x = 0; x < width; ++x) {
-      bad += store(film, to + x, pixels[x], per_sample) ? 0 : 1;
+      bad += store(film, to + x, pixels[x]) ? 0 : 1;
     }
     nan_pixels += bad;
   };

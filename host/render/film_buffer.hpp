@@ -17,9 +17,8 @@ struct FilmRows {
   const FilmBuffer* film = nullptr;
 };
 
-/// Reads the pixels of `crop`, whose rows are `parts` from the top, after `samples` samples each
-/// and averages them. Pixels that are NaN or infinite become black and are counted.
-image::Film read_film(std::span<const FilmRows> parts, int image_width, const Crop& crop,
-                      int samples);
+/// Reads the pixels of `crop`, whose rows are `parts` from the top, and averages their samples.
+/// Pixels that are NaN or infinite become black and are counted.
+image::Film read_film(std::span<const FilmRows> parts, int image_width, const Crop& crop);
 
 }  // namespace aerostat::render

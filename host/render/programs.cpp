@@ -5,6 +5,7 @@
 
 #include "camera.h"
 #include "core/stopwatch.hpp"
+#include "film_pixel.h"
 
 namespace aerostat::render {
 namespace {
@@ -26,7 +27,8 @@ void warm_up(const opencl::Context& context, Programs& programs, int lanes) {
   const cl::Buffer& none = nothing.handle();
   const AeroLaunch launch{};
   const auto range = packet_range(1, lanes);
-  opencl::launch(context, programs.trace_camera_rays, range, launch, none, none, none, none, none);
+  opencl::launch(context, programs.trace_camera_rays, range, launch, none, none, none, none, none,
+                 none);
   opencl::launch(context, programs.trace_shadow_rays, range, launch, none, none, none, none, none,
                  none, none, none, none);
   opencl::launch(context, programs.trace_ambient_rays, range, launch, none, none, none, none, none,
@@ -34,6 +36,7 @@ void warm_up(const opencl::Context& context, Programs& programs, int lanes) {
   opencl::launch(context, programs.shade_hits, range, launch, none, none, none, none, none, none,
                  none, none, none);
   opencl::launch(context, programs.clear_film, packet_range(1, 1), none, cl_uint{0});
+  opencl::launch(context, programs.settle_film, packet_range(1, 1), none, AeroSettling{});
   opencl::finish(context);
 }
 
@@ -63,6 +66,7 @@ Programs build_programs(const opencl::Context& context, int lanes) {
   const opencl::Program shading = shade.get();
   programs.shade_hits = shading.kernel("shade_hits");
   programs.clear_film = shading.kernel("clear_film");
+  programs.settle_film = shading.kernel("settle_film");
   warm_up(context, programs, lanes);
   programs.seconds = watch.seconds();
   return programs;

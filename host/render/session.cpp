@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <functional>
 #include <mutex>
+#include <numeric>
 
 #include <fmt/format.h>
 #include <oneapi/tbb/blocked_range.h>
@@ -10,6 +11,7 @@
 
 #include "core/error.hpp"
 #include "core/stopwatch.hpp"
+#include "pack/daylight.hpp"
 #include "pack/pack_scene.hpp"
 #include "render/abandonable.hpp"
 #include "render/device_team.hpp"
@@ -18,11 +20,12 @@ namespace aerostat::render {
 namespace {
 
 /// Samples that met something.
-std::uint64_t hits_of(const image::Film& film, int samples) {
+std::uint64_t hits_of(const image::Film& film) {
   const auto hits_between = [&](const tbb::blocked_range<std::size_t>& range, std::uint64_t hits) {
     for (std::size_t i = range.begin(); i != range.end(); ++i) {
       // Half a sample more, and cut off: a whole number but for rounding.
-      hits += static_cast<std::uint64_t>(film.alpha[i] * static_cast<float>(samples) + 0.5f);
+      hits +=
+          static_cast<std::uint64_t>(film.alpha[i] * static_cast<float>(film.samples[i]) + 0.5f);
     }
     return hits;
   };
@@ -39,9 +42,25 @@ std::uint64_t shadow_rays_of(std::uint64_t hits, const scene::Scene& scene) {
 
 /// As many samples per pixel as the widest packet holds, but no more than are left. A long render
 /// shows something early; samples are added in their order all the same, so every bit stays.
-int samples_of_pass(int lanes, int done, int wanted) {
+int samples_of_pass(int lanes, int done, int wanted, bool adaptive) {
   const bool first_look = done == 0 && wanted > lanes;
-  return 1 << packet_shape(lanes, first_look ? 1 : wanted - done).log2_samples;
+  // Whatever the width, pixels are settled after the same samples.
+  const int round = done / AERO_LEAST_SAMPLES + 1;
+  const int until = adaptive ? std::min(wanted, round * AERO_LEAST_SAMPLES) : wanted;
+  return 1 << packet_shape(lanes, first_look ? 1 : until - done).log2_samples;
+}
+
+double luminance(const dvec3& c) {
+  return 0.2126 * c.x + 0.7152 * c.y + 0.0722 * c.z;
+}
+
+/// A display shows about the square root of the light: noise counts by what it is there, where a
+/// white card in the sun is white and the darkest shades, a fiftieth as bright, stay in the dark.
+AeroSettling settling_of(const scene::Image& image, const dvec3& daylight) {
+  const double white = luminance(daylight);
+  const double noise = image.adaptive_threshold;
+  return {static_cast<float>(4.0 * noise * noise * white), static_cast<float>(0.02 * white),
+          static_cast<cl_uint>(image.width), static_cast<cl_uint>(image.height)};
 }
 
 }  // namespace
@@ -76,6 +95,7 @@ struct Session::State {
 
   mutable std::mutex snapshot_mutex;
   image::Film latest;
+  vec3 daylight{1.0f};
   std::function<image::Film()> finished;  // reads the film of a render that came to its end
   AbandonableWork background;
 };
@@ -144,6 +164,7 @@ void Session::State::prepare(const scene::Scene& scene, const scene::Scene& show
   const auto pixels =
       static_cast<std::size_t>(shown.image.width) * static_cast<std::size_t>(shown.image.height);
   team.begin_frame(packed, pixels);
+  daylight = vec3(pack::daylight(packed, scene.camera.position.y));
   stats.upload_seconds = upload_watch.seconds();
 }
 
@@ -164,10 +185,15 @@ image::Film Session::State::trace(const scene::Scene& scene, const Crop& crop) {
   RowQueue queue(crop.y0, crop.y1, static_cast<int>(options.devices.size()));
   Pass pass{pack::pack_frame(scene), crop, 0, 0, options.tile_pixels};
   const int wanted = scene.image.spp;
+  const bool adaptive = scene.image.adaptive_threshold > 0.0;
+  const AeroSettling settling = settling_of(scene.image, dvec3(daylight));
   for (passes_done = 0; passes_done < wanted; passes_done += pass.samples) {
     if (passes_done > 0) publish(read_passes(scene, crop, queue));
     pass.first_sample = passes_done;
-    pass.samples = samples_of_pass(team.lanes(), passes_done, wanted);
+    pass.samples = samples_of_pass(team.lanes(), passes_done, wanted, adaptive);
+    if (adaptive && passes_done > 0 && passes_done % AERO_LEAST_SAMPLES == 0) {
+      team.settle(settling, queue);
+    }
     trace_pass(pass, queue);
   }
   image::Film read = read_passes(scene, crop, queue);
@@ -178,8 +204,10 @@ image::Film Session::State::trace(const scene::Scene& scene, const Crop& crop) {
 
 image::Film Session::State::read_passes(const scene::Scene& scene, const Crop& crop,
                                         const RowQueue& queue) {
-  image::Film read = read_film(team.film_rows(queue), scene.image.width, crop, passes_done);
-  const std::uint64_t hits = hits_of(read, passes_done);
+  image::Film read = read_film(team.film_rows(queue), scene.image.width, crop);
+  read.daylight = daylight;
+  const std::uint64_t hits = hits_of(read);
+  stats.primary_rays = std::accumulate(read.samples.begin(), read.samples.end(), std::uint64_t{0});
   stats.shadow_rays = shadow_rays_of(hits, scene);
   stats.ambient_rays = scene.sky.ambient_occlusion ? hits : 0;
   return read;
@@ -195,8 +223,11 @@ void Session::State::publish(image::Film read) {
 void Session::State::finish(const scene::Scene& scene, const Crop& crop, const RowQueue& queue) {
   const std::lock_guard lock(snapshot_mutex);
   latest = {};
-  finished = [parts = team.film_rows(queue), width = scene.image.width, crop,
-              samples = passes_done] { return read_film(parts, width, crop, samples); };
+  finished = [parts = team.film_rows(queue), width = scene.image.width, crop, light = daylight] {
+    image::Film film = read_film(parts, width, crop);
+    film.daylight = light;
+    return film;
+  };
 }
 
 void Session::State::collect_stats() {

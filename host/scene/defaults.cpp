@@ -158,8 +158,9 @@ Scene defaults(BiomeKind biome, View view) {
 }
 
 void set_quality(Scene& scene, Quality quality) {
-  constexpr int kSamples[] = {1, 4, 64};
+  constexpr int kSamples[] = {1, 4, 256};
   scene.quality = quality;
+  scene.image.adaptive_threshold = quality == Quality::final ? 0.008 : 0.0;
   scene.image.spp = kSamples[static_cast<std::size_t>(quality)];
   scene.sun.soft_shadows = quality != Quality::draft;
   scene.sky.ambient_occlusion = quality != Quality::draft;

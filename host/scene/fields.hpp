@@ -210,9 +210,12 @@ void fields(Archive& archive, Image& image) {
   archive("width", image.width);
   archive("height", image.height);
   archive("spp", image.spp);
+  archive("adaptive_threshold", image.adaptive_threshold);
   archive("seed", image.seed);
   archive("filter", image.filter);
   archive("exposure_ev", image.exposure_ev, image.exposure_given);
+  archive("white_balance_k", image.white_balance_k, image.white_balance_given);
+  archive("vignette", image.vignette);
 }
 
 template <class Archive>

@@ -263,9 +263,13 @@ struct Image {
   int height = 720;
   int spp = 4;
   std::uint32_t seed = 1;
+  double adaptive_threshold = 0.0;  // noise at which a pixel has enough samples; 0: all get spp
   Filter filter = Filter::gaussian;
-  double exposure_ev = 0.0;     // stops; counts if it is given
-  bool exposure_given = false;  // false: the exposure follows from the picture
+  double exposure_ev = 0.0;          // stops; counts if it is given
+  bool exposure_given = false;       // false: the exposure follows from the picture
+  double white_balance_k = 6504.0;   // light of this colour is white; counts if it is given
+  bool white_balance_given = false;  // false: half of the way to the daylight
+  double vignette = 0.0;             // share of the light that is lost in the corners
 };
 
 struct Scene {

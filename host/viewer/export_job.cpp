@@ -5,6 +5,7 @@
 #include "core/error.hpp"
 #include "image/write.hpp"
 #include "opencl/device.hpp"
+#include "render/look.hpp"
 #include "render/session.hpp"
 #include "world/world.hpp"
 
@@ -59,9 +60,9 @@ void ExportJob::run(const std::stop_token& stop, scene::Scene scene, const QStri
     });
     const bool exr =
         QFileInfo(path).suffix().compare(QLatin1String("exr"), Qt::CaseInsensitive) == 0;
-    const double ev =
-        scene.image.exposure_given ? scene.image.exposure_ev : image::automatic_exposure_ev(film);
-    const auto bytes = exr ? image::encode_exr(film) : image::encode_png(image::develop(film, ev));
+    const auto bytes =
+        exr ? image::encode_exr(film)
+            : image::encode_png(image::develop(film, render::look_of(scene.image, film)));
     if (stop.stop_requested()) throw Error(ErrorKind::interrupted, "interrupted");
     image::write_file(path.toStdString(), bytes);
     Q_EMIT finished(true, {});

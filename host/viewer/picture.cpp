@@ -2,6 +2,8 @@
 
 #include <cstring>
 
+#include "render/look.hpp"
+
 namespace aerostat::viewer {
 
 QImage image_of(const image::Pixels& pixels) {
@@ -15,9 +17,7 @@ QImage image_of(const image::Pixels& pixels) {
 
 QImage picture_of(const render::Look& look) {
   const scene::Image& image = look.scene.image;
-  const double ev =
-      image.exposure_given ? image.exposure_ev : image::automatic_exposure_ev(look.film);
-  return image_of(image::develop(look.film, ev));
+  return image_of(image::develop(look.film, render::look_of(image, look.film)));
 }
 
 }  // namespace aerostat::viewer

@@ -37,11 +37,12 @@ typedef struct AeroFrame {
   aero_uint samples;       /* per pixel in all; 1 takes the pixel's centre */
   aero_uint sample_stride; /* coprime to samples: the order in which strata are taken */
   aero_uint sample_shift;  /* of the pattern, from the seed; 2^32 is once around */
+  aero_uint progressive;   /* 1: the first samples of a pixel must do without the rest */
   aero_float pixel_angle;  /* radians across one pixel in the middle of the image */
   aero_float pixel_width;  /* metres across one pixel beside what its angle makes of the distance */
 } AeroFrame;
 
-AERO_ASSERT_LAYOUT(AeroFrame, 128);
+AERO_ASSERT_LAYOUT(AeroFrame, 132);
 
 /* The work of one launch: blocks of pixels, one packet of lanes each. A packet holds 2^log2_w x
  * 2^log2_h pixels with 2^log2_samples samples each; their product is LANES. */
@@ -62,6 +63,6 @@ typedef struct AeroLaunch {
   AeroTile tile;
 } AeroLaunch;
 
-AERO_ASSERT_LAYOUT(AeroLaunch, 168);
+AERO_ASSERT_LAYOUT(AeroLaunch, 172);
 
 #endif

@@ -3,6 +3,11 @@
 
 #include "layout.h"
 
+/* Samples are taken in batches of so many, from whose spread the noise of a pixel is judged; from
+ * AERO_LEAST_SAMPLES on, and every as many further, pixels whose noise is small are settled. */
+#define AERO_BATCH_SAMPLES 4
+#define AERO_LEAST_SAMPLES 16
+
 /* Sums over the samples of one pixel, and what its nearest sample met. Cleared to distance = +inf
  * and zero elsewhere. */
 typedef struct AeroFilmPixel {
@@ -11,8 +16,20 @@ typedef struct AeroFilmPixel {
   aero_float distance;
   aero_float normal[3];
   aero_uint object;
+  aero_uint samples;
+  aero_uint settled;  /* 1: takes no further samples */
+  aero_float batch;   /* luminance of the batch under way */
+  aero_float squares; /* of the luminances of whole batches */
 } AeroFilmPixel;
 
-AERO_ASSERT_LAYOUT(AeroFilmPixel, 36);
+AERO_ASSERT_LAYOUT(AeroFilmPixel, 52);
+
+/* When a pixel of a film is sure: noise^2 <= scale (luminance + floor). */
+typedef struct AeroSettling {
+  aero_float scale, floor;
+  aero_uint width, height; /* of the film, pixels */
+} AeroSettling;
+
+AERO_ASSERT_LAYOUT(AeroSettling, 16);
 
 #endif

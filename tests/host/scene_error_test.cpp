@@ -80,8 +80,9 @@ INSTANTIATE_TEST_SUITE_P(
              "/lights/0/position: found nothing, expected an array of 3 numbers from -1000000 to "
              "1000000"},
         Case{R"("image": {"widht": 5})",
-             "/image/widht: found an unknown key, expected one of exposure_ev, filter, height, "
-             "seed, spp, width; did you mean \"width\"?"},
+             "/image/widht: found an unknown key, expected one of adaptive_threshold, "
+             "exposure_ev, filter, height, seed, spp, vignette, white_balance_k, width; did you "
+             "mean \"width\"?"},
         Case{R"("haze": {"qqqqqq": 5})",
              "/haze/qqqqqq: found an unknown key, expected one of albedo, angstrom, asymmetry, "
              "scale_height_m, visibility_m"},

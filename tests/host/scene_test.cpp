@@ -54,7 +54,7 @@ INSTANTIATE_TEST_SUITE_P(All, SceneFile,
 TEST(SceneQuality, SetsSamplesSoftShadowsAndOcclusion) {
   for (const auto& [name, spp, soft] :
        {std::tuple("draft", 1, false), std::tuple("standard", 4, true),
-        std::tuple("final", 64, true)}) {
+        std::tuple("final", 256, true)}) {
     const Scene scene = read(R"("biome": "snow")", {{"/quality", name}});
     EXPECT_EQ(scene.image.spp, spp) << name;
     EXPECT_EQ(scene.sun.soft_shadows, soft) << name;
@@ -72,7 +72,9 @@ TEST(SceneQuality, LeavesWhatTheSceneSays) {
   EXPECT_TRUE(draft.sun.soft_shadows);
   EXPECT_TRUE(draft.sky.ambient_occlusion);
   const Scene best = read(R"("quality": "final", "sky": {"ambient_occlusion": false})");
-  EXPECT_EQ(best.image.spp, 64);
+  EXPECT_EQ(best.image.spp, 256);
+  EXPECT_GT(best.image.adaptive_threshold, 0.0);
+  EXPECT_EQ(draft.image.adaptive_threshold, 0.0);
   EXPECT_FALSE(best.sky.ambient_occlusion);
   EXPECT_EQ(write_text(read_text(write_text(draft), "dump")), write_text(draft));
 }
@@ -167,8 +169,21 @@ TEST(SceneText, NumbersKeepTheirShortText) {
 
 TEST(SceneText, EveryFieldSurvivesTheRoundTrip) {
   Scene scene = defaults(BiomeKind::sand, View::basket);
-  scene.camera = {View::basket,         {1.5, 2, 3},  {4, 5, 6},       true, true,
-                  HeightReference::sea, {0, 1, 0.25}, Lens::thin_lens, 33};
+  scene.camera = {View::basket,
+                  {1.5, 2, 3},
+                  {4, 5, 6},
+                  true,
+                  true,
+                  HeightReference::sea,
+                  {0, 1, 0.25},
+                  Lens::thin_lens,
+                  33,
+                  4.5,
+                  0.125,
+                  true,
+                  77,
+                  true,
+                  88};
   scene.terrain.center = {12.5, -7};
   scene.terrain.fractal = {FractalKind::fbm, 3, 1.7, 0.7, 0.9};
   scene.biome.ground.snow_slope_deg[1] = 61;
@@ -177,7 +192,7 @@ TEST(SceneText, EveryFieldSurvivesTheRoundTrip) {
   scene.fog = {true, 123.0, 45.0, 6.0, 7.0, 89.0};
   scene.haze = {12345.0, 678.0, 0.5, 0.6, {0.7f, 0.8f, 0.9f}};
   scene.shading = Shading::flat;
-  scene.image = {33, 44, 5, 6, Filter::tent, -1.5, true};
+  scene.image = {33, 44, 5, 6, 0.0625, Filter::tent, -1.5, true, 4500, true, 0.25};
   const std::string dump = write_text(scene);
   const Scene back = read_text(dump, "dump");
   EXPECT_EQ(write_text(back), dump);
@@ -188,6 +203,14 @@ TEST(SceneText, EveryFieldSurvivesTheRoundTrip) {
   EXPECT_EQ(back.image.filter, Filter::tent);
   EXPECT_EQ(back.image.exposure_ev, -1.5);
   EXPECT_TRUE(back.image.exposure_given);
+  EXPECT_EQ(back.image.adaptive_threshold, 0.0625);
+  EXPECT_EQ(back.image.white_balance_k, 4500);
+  EXPECT_TRUE(back.image.white_balance_given);
+  EXPECT_EQ(back.image.vignette, 0.25);
+  EXPECT_EQ(back.camera.lens, Lens::thin_lens);
+  EXPECT_EQ(back.camera.focus_m, 77);
+  EXPECT_TRUE(back.camera.aperture_given && back.camera.focus_given);
+  EXPECT_EQ(back.camera.view_height_m, 88);
   EXPECT_EQ(back.fog, scene.fog);
   EXPECT_EQ(back.haze.albedo, scene.haze.albedo);
   EXPECT_EQ(back.terrain.center, scene.terrain.center);
