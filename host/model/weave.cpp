@@ -19,9 +19,9 @@ constexpr double kSway = 0.0042;      // how far it bends around a stake
 constexpr double kPlainFrom = 0.002;  // tolerance from which no relief is left
 constexpr double kSplice = 1.1;       // length of a willow rod
 constexpr float kMeanShade = 0.72f;
-const vec3 kHoney{0.52f, 0.315f, 0.135f};
+const vec3 kHoney{0.54f, 0.35f, 0.165f};
 const vec3 kPale{0.62f, 0.44f, 0.23f};
-const vec3 kRusset{0.33f, 0.165f, 0.07f};
+const vec3 kRusset{0.40f, 0.235f, 0.115f};
 
 /// Colour of the rod at a place of the wall: rods are sorted by no one.
 vec3 rod_color(int weaver, double distance) {

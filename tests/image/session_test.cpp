@@ -91,9 +91,15 @@ TEST_F(Reuse, TheSameSceneIsBuiltOnceAndLooksTheSame) {
 }
 
 TEST_F(Reuse, AMovedCameraBuildsNothing) {
-  scene_.camera.position += dvec3(3.0, 1.0, -5.0);
+  scene_.camera.position += dvec3(0.3, 0.1, -0.5);
   EXPECT_EQ(built_by(scene_), kNothing);
   EXPECT_FALSE(same_bits(before_, after_));
+  EXPECT_TRUE(as_if_new(scene_));
+}
+
+TEST_F(Reuse, ACameraThatComesNearBuildsAFinerBalloonAlone) {
+  scene_.camera.position = glm::mix(scene_.camera.position, scene_.balloon.position, 0.6);
+  EXPECT_EQ(built_by(scene_), (std::array<int, 3>{1, 1, 0}));
   EXPECT_TRUE(as_if_new(scene_));
 }
 
@@ -105,7 +111,7 @@ TEST(Plants, FollowTheCameraAlone) {
   scene.sun.direction = glm::normalize(dvec3(-0.6, 0.5, 0.3));
   session.render(scene);
   EXPECT_EQ(session.stats().worlds_built, 0);
-  scene.camera.position += dvec3(3.0, 1.0, -5.0);
+  scene.camera.position += dvec3(0.3, 0.1, -0.5);
   const auto moved = session.render(scene);
   EXPECT_EQ(session.stats().worlds_built, 1);
   EXPECT_TRUE(same_bits(moved, Session(options()).render(scene)));
