@@ -110,7 +110,7 @@ void make_sand(Scene& scene) {
   scene.sun.direction = detail::direction_of({80.0, 12.0});
   scene.air.ground_albedo = {0.42f, 0.28f, 0.16f};
   scene.haze = {50000.0, 1200.0, 0.3, 0.75, {0.97f, 0.94f, 0.88f}};
-  scene.sky.cumulus = {0.004, 2400.0, 300.0, 500.0, 1};
+  scene.sky.cumulus = {0.0, 2400.0, 300.0, 500.0, 1};
 }
 
 /// Across the gap from the balloon, which fills a third of the height. The camera stands at
