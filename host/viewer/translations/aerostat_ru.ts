@@ -762,10 +762,6 @@
             <translation>Высота в пикселях, от 1 до 32768.</translation>
         </message>
         <message>
-            <source>Samples per pixel, 1 to 65536.</source>
-            <translation>Лучей на пиксель, от 1 до 65536.</translation>
-        </message>
-        <message>
             <source>Seed of the samples, 0 to 4294967295.</source>
             <translation>Начальное число выборок, от 0 до 4294967295.</translation>
         </message>
@@ -856,6 +852,22 @@
         <message>
             <source>Colours of the fabric in place of a palette's, 1 to 64 of them; the pattern repeats them.</source>
             <translation>Цвета ткани вместо палитры, от 1 до 64; узор повторяет их.</translation>
+        </message>
+        <message>
+            <source>Samples per pixel, at most if adaptive_threshold is above 0, 1 to 65536.</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>From 16 samples on, a pixel whose noise is estimated at less than this share of the way from black to white on a display has enough of them, 0 (all get spp) to 1.</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>Colour temperature in kelvins of the light that comes out white, 1700 to 25000; 6504 changes nothing. Left out, it goes half of the way to the daylight of the scene.</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>Share of the light that is lost in the corners of the picture, by the fourth power of a cosine, 0 (none) to 0.9.</source>
+            <translation type="unfinished" />
         </message>
     </context>
     <context>
@@ -1129,18 +1141,6 @@
         <message>
             <source>&amp;Browse…</source>
             <translation>&amp;Обзор…</translation>
-        </message>
-        <message>
-            <source>&amp;File</source>
-            <translation>&amp;Файл</translation>
-        </message>
-        <message>
-            <source>&amp;Quality</source>
-            <translation>&amp;Качество</translation>
-        </message>
-        <message>
-            <source>&amp;Size</source>
-            <translation>&amp;Размер</translation>
         </message>
         <message>
             <source>A name that ends in .exr keeps the light as it is, with distances, normals and objects in layers; any other gives a PNG.</source>
