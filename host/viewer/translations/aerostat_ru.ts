@@ -855,19 +855,19 @@
         </message>
         <message>
             <source>Samples per pixel, at most if adaptive_threshold is above 0, 1 to 65536.</source>
-            <translation type="unfinished" />
+            <translation>Лучей на пиксель, от 1 до 65536; при adaptive_threshold больше 0 — самое большее.</translation>
         </message>
         <message>
             <source>From 16 samples on, a pixel whose noise is estimated at less than this share of the way from black to white on a display has enough of them, 0 (all get spp) to 1.</source>
-            <translation type="unfinished" />
+            <translation>Начиная с 16 лучей пикселю, шум которого оценён меньше этой доли пути от чёрного до белого на экране, их достаточно; от 0 (все получают spp) до 1.</translation>
         </message>
         <message>
             <source>Colour temperature in kelvins of the light that comes out white, 1700 to 25000; 6504 changes nothing. Left out, it goes half of the way to the daylight of the scene.</source>
-            <translation type="unfinished" />
+            <translation>Цветовая температура света, который выйдет белым, в кельвинах, от 1700 до 25000; 6504 ничего не меняет. Если не задана, проходит полпути до дневного света сцены.</translation>
         </message>
         <message>
             <source>Share of the light that is lost in the corners of the picture, by the fourth power of a cosine, 0 (none) to 0.9.</source>
-            <translation type="unfinished" />
+            <translation>Доля света, которая теряется в углах картины, по четвёртой степени косинуса, от 0 (нет) до 0,9.</translation>
         </message>
     </context>
     <context>
