@@ -8,8 +8,7 @@
 namespace aerostat::pack {
 namespace {
 
-AeroInstance pack_instance(const scatter::Instance& instance) {
-  const scatter::Axes axes = scatter::axes_of(instance);
+AeroInstance pack_instance(const scatter::Instance& instance, const scatter::Axes& axes) {
   AeroInstance packed{};
   copy(packed.axes[0], axes.x);
   copy(packed.axes[1], axes.y);
@@ -22,8 +21,8 @@ AeroInstance pack_instance(const scatter::Instance& instance) {
 }
 
 /// Bounds of a model's box where an instance stands.
-bvh::Bounds placed(const bvh::Bounds& model, const scatter::Instance& instance) {
-  const scatter::Axes axes = scatter::axes_of(instance);
+bvh::Bounds placed(const bvh::Bounds& model, const scatter::Instance& instance,
+                   const scatter::Axes& axes) {
   const vec3 centre = 0.5f * (model.lo + model.hi), half = 0.5f * (model.hi - model.lo);
   const vec3 at = instance.position + axes.x * centre.x + axes.y * centre.y + axes.z * centre.z;
   const vec3 reach =
@@ -49,8 +48,9 @@ PackedPlants pack_plants(const world::Plants& plants) {
   std::vector<bvh::Bounds> bounds(count);
   tbb::parallel_for(std::size_t{0}, count, [&](std::size_t i) {
     const scatter::Instance& instance = plants.instances[i];
-    packed.instances[i] = pack_instance(instance);
-    bounds[i] = placed(packed.models[instance.model].bounds, instance);
+    const scatter::Axes axes = scatter::axes_of(instance);
+    packed.instances[i] = pack_instance(instance, axes);
+    bounds[i] = placed(packed.models[instance.model].bounds, instance, axes);
   });
   packed.tree = bvh::build_instances(bounds);
   return packed;

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-// The loops are compiled for AVX2 too, where the processor has it; the compiler may not contract
-// multiplications and additions, so that both give the same bits.
+// The loops are compiled for AVX2 and AVX-512 too, where the processor has them; the compiler may
+// not contract multiplications and additions, so that all give the same bits.
 #if defined(__x86_64__) && defined(__GNUC__)
 #define AEROSTAT_SOLID_NOISE_AVX2 1
 #else
@@ -104,6 +104,11 @@ __attribute__((target("avx2"))) void octave_avx2(const Octave& octave, const Spo
                                                  Block& values) {
   octave_loop(octave, spots, values);
 }
+
+__attribute__((target("avx512f,avx512dq,avx512vl,prefer-vector-width=512"))) void octave_avx512(
+    const Octave& octave, const Spots& spots, Block& values) {
+  octave_loop(octave, spots, values);
+}
 #endif
 
 using OctaveLoop = void (*)(const Octave&, const Spots&, Block&);
@@ -111,6 +116,8 @@ using OctaveLoop = void (*)(const Octave&, const Spots&, Block&);
 OctaveLoop best_loop() {
   static const OctaveLoop chosen = []() -> OctaveLoop {
 #if AEROSTAT_SOLID_NOISE_AVX2
+    if (__builtin_cpu_supports("avx512dq") && __builtin_cpu_supports("avx512vl"))
+      return octave_avx512;
     if (__builtin_cpu_supports("avx2")) return octave_avx2;
 #endif
     return octave_plain;

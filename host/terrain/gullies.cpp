@@ -6,7 +6,7 @@
 #include "fractal.hpp"
 #include "noise.hpp"
 
-// As in noise.cpp: the loop exists twice, and both give the same bits.
+// As in noise.cpp, but the loop exists three times, and all give the same bits.
 #if defined(__x86_64__) && defined(__GNUC__)
 #define AEROSTAT_GULLIES_AVX2 1
 #else
@@ -112,11 +112,22 @@ __attribute__((target("avx2"))) void wave_avx2(const Wave& wave, const Points& p
                                                Waves& out) {
   wave_loop(wave, points, side_x, side_z, out);
 }
+
+__attribute__((target("avx512f,avx512dq,avx512vl,prefer-vector-width=512"))) void wave_avx512(
+    const Wave& wave, const Points& points, const Block& side_x, const Block& side_z, Waves& out) {
+  wave_loop(wave, points, side_x, side_z, out);
+}
+
+Loop best_loop() {
+  if (__builtin_cpu_supports("avx512dq") != 0 && __builtin_cpu_supports("avx512vl") != 0)
+    return wave_avx512;
+  return __builtin_cpu_supports("avx2") != 0 ? wave_avx2 : wave_plain;
+}
 #endif
 
 Loop loop() {
 #if AEROSTAT_GULLIES_AVX2
-  static const Loop chosen = __builtin_cpu_supports("avx2") != 0 ? wave_avx2 : wave_plain;
+  static const Loop chosen = best_loop();
   return chosen;
 #else
   return wave_plain;
