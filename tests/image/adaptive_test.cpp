@@ -1,0 +1,95 @@
+// Samples go where noise is: the same ones whatever the tiles, devices and widths.
+#include <numeric>
+
+#include "pictures.hpp"
+
+namespace aerostat::test {
+namespace {
+
+constexpr Size kSize = {64, 48, 64, 128};
+
+scene::Scene adaptive_scene(double threshold) {
+  scene::Scene scene = planted_scene("snow", kSize);
+  scene.image.adaptive_threshold = threshold;
+  return scene;
+}
+
+std::uint64_t samples_of(const image::Film& film) {
+  return std::accumulate(film.samples.begin(), film.samples.end(), std::uint64_t{0});
+}
+
+TEST(Adaptive, WithoutAThresholdAllPixelsGetAllSamples) {
+  const image::Film film = shared_session().render(adaptive_scene(0.0));
+  for (const auto samples : film.samples) ASSERT_EQ(samples, 64u);
+}
+
+TEST(Adaptive, SettlesPixelsInWholeRounds) {
+  const image::Film film = shared_session().render(adaptive_scene(0.01));
+  std::uint64_t least = 0, most = 0;
+  for (std::size_t i = 0; i < film.samples.size(); ++i) {
+    ASSERT_EQ(film.samples[i] % 16u, 0u) << "pixel " << i;
+    ASSERT_LE(film.samples[i], 64u);
+    least += film.samples[i] == 16u ? 1 : 0;
+    most += film.samples[i] == 64u ? 1 : 0;
+  }
+  EXPECT_GT(least, film.samples.size() / 4);
+  EXPECT_GT(most, film.samples.size() / 50);
+  EXPECT_EQ(shared_session().stats().primary_rays, samples_of(film));
+}
+
+TEST(Adaptive, TakesFewerSamplesForMoreNoise) {
+  std::uint64_t before = 64u * 64u * 48u + 1u;
+  for (const double threshold : {1e-6, 0.003, 0.02, 1.0}) {
+    const std::uint64_t samples = samples_of(shared_session().render(adaptive_scene(threshold)));
+    EXPECT_LT(samples, before) << threshold;
+    before = samples;
+  }
+  EXPECT_EQ(before, 16u * 64u * 48u) << "nothing is noisier than white beside black";
+}
+
+/// Few samples are taken where few suffice: the picture is nearly that of all samples.
+TEST(Adaptive, IsNearThePictureOfAllSamples) {
+  const image::Film film = shared_session().render(adaptive_scene(0.01));
+  const image::Film all = shared_session().render(adaptive_scene(1e-9));
+  double square = 0.0, light = 0.0;
+  for (std::size_t i = 0; i < film.radiance.size(); ++i) {
+    const double off = static_cast<double>(film.radiance[i].y - all.radiance[i].y);
+    square += off * off / static_cast<double>(film.radiance.size());
+    light += static_cast<double>(all.radiance[i].y) / static_cast<double>(film.radiance.size());
+  }
+  EXPECT_GT(square, 0.0) << "some pixels took fewer";
+  EXPECT_LT(std::sqrt(square), 0.03 * light);
+}
+
+TEST(Adaptive, DependsOnNoTileOrDevice) {
+  const scene::Scene scene = adaptive_scene(0.006);
+  const image::Film expected = shared_session().render(scene);
+  const auto same = [&](const image::Film& film, const image::Film& other) {
+    EXPECT_TRUE(same_bits(film, other));
+    EXPECT_EQ(film.samples, other.samples);
+  };
+  render::Options options = test::options();
+  options.tile_pixels = 333;
+  render::Session tiled(options);
+  same(expected, tiled.render(scene));
+  options.tile_pixels = 0;
+  options.devices = opencl::select_devices("cpu/2");
+  render::Session halves(options);
+  same(expected, halves.render(scene));
+}
+
+TEST(Adaptive, TakesTheSameSamplesAtAnotherWidth) {
+  const scene::Scene scene = adaptive_scene(0.006);
+  const image::Film expected = shared_session().render(scene);
+  render::Session narrow(options(4));
+  const image::Film film = narrow.render(scene);
+  int different = 0;
+  for (std::size_t i = 0; i < film.samples.size(); ++i) {
+    different += film.samples[i] == expected.samples[i] ? 0 : 1;
+  }
+  // The last bit of a library's function may decide.
+  EXPECT_LE(different, static_cast<int>(film.samples.size()) / 200);
+}
+
+}  // namespace
+}  // namespace aerostat::test

@@ -1,0 +1,116 @@
+// The furnace: what reflects all light, under a sky that is even all around, cannot be told from
+// it.
+#include <numbers>
+
+#include "flat_land.hpp"
+#include "pack/pack_scene.hpp"
+#include "render/device_worker.hpp"
+
+namespace aerostat::test {
+namespace {
+
+constexpr int kWidth = 96, kHeight = 64, kSamples = 16;
+
+/// A ball of radius 1 m with smooth normals, white.
+mesh::TriangleMesh ball(const vec3& centre) {
+  constexpr std::uint32_t kRows = 24, kColumns = 48;
+  mesh::TriangleMesh mesh;
+  for (std::uint32_t row = 0; row <= kRows; ++row) {
+    for (std::uint32_t column = 0; column <= kColumns; ++column) {
+      const float rise = kPi * (0.5f - static_cast<float>(row) / kRows);
+      const vec3 n =
+          direction_from_angles(2.0f * kPi * static_cast<float>(column) / kColumns, rise);
+      mesh.positions.push_back(centre + n);
+      mesh.normals.push_back(n);
+      mesh.colors.emplace_back(1.0f);
+      if (row == kRows || column == kColumns) continue;
+      const std::uint32_t i = row * (kColumns + 1) + column;
+      if (row > 0) mesh.triangles.emplace_back(i, i + 1, i + kColumns + 2);
+      if (row + 1 < kRows) mesh.triangles.emplace_back(i, i + kColumns + 2, i + kColumns + 1);
+    }
+  }
+  return mesh;
+}
+
+/// Looks at the origin from 6 m; the ground lies far below and out of sight.
+scene::Scene furnace() {
+  scene::Scene scene = flat_land();
+  scene.terrain.base_m = -5000.0;
+  scene.camera.position = {0.0, 0.0, 6.0};
+  scene.camera.up = {0.0, 1.0, 0.0};
+  scene.image.width = kWidth;
+  scene.image.height = kHeight;
+  scene.image.spp = kSamples;
+  scene.sky.ambient_occlusion = true;
+  scene.sky.cloud_cover = 0.0;
+  scene.sun.direction = glm::normalize(dvec3(0.3, 0.5, 0.4));
+  return scene;
+}
+
+/// Radiance 1 from everywhere, and neither sun nor air.
+AeroScene even_light(const scene::Scene& scene) {
+  AeroScene packed = pack::pack_scene(scene);
+  AeroAir& air = packed.air;
+  const AeroSkyCell one{{1.0f, 1.0f, 1.0f}, {0.0f, 0.0f, 0.0f}};
+  std::fill(std::begin(air.sky), std::end(air.sky), one);
+  for (auto& term : air.ambient) std::fill(std::begin(term), std::end(term), 0.0f);
+  for (int c = 0; c < 3; ++c) {
+    air.ambient[0][c] = packed.sky.sun_irradiance[c] = 1.0f;
+    air.molecules[c] = air.haze_scattering[c] = air.haze_extinction[c] = 0.0f;
+  }
+  air.sun_heights[0] = 1e8f;
+  air.sun_heights[1] = 2e8f;
+  packed.sky.sun_cos = 1.0f;
+  return packed;
+}
+
+image::Film film_of(const std::vector<mesh::TriangleMesh>& balls) {
+  const scene::Scene scene = furnace();
+  render::HostGeometry geometry = *render::build_geometry(scene, nullptr);
+  world::Objects objects;
+  for (const auto& mesh : balls) objects.push_back({scene::ObjectId::envelope, mesh});
+  geometry.balloon = std::make_shared<pack::PackedGroup>(pack::pack_objects(objects));
+  const auto tree = render::join_trees(geometry);
+  const auto arrays = std::make_shared<render::FrameArrays>();
+  arrays->assemble(geometry, *tree);
+
+  render::DeviceWorker worker(devices().front(), 0, 0);
+  worker.begin_programs();
+  while (!worker.await_programs(std::chrono::milliseconds(100))) continue;
+  worker.set_geometry(tree, arrays, {});
+  scene::Scene white = scene;
+  white.materials[static_cast<std::size_t>(scene::ObjectId::envelope)] = {};
+  worker.begin_frame(even_light(white), std::size_t{kWidth} * kHeight);
+  const render::Crop all{0, 0, kWidth, kHeight};
+  render::RowQueue queue(0, kHeight, 1);
+  for (int sample = 0; sample < kSamples; ++sample) {
+    queue.begin_pass();
+    worker.trace({pack::pack_frame(scene), all, sample, 1, 0}, queue, 0,
+                 [&](int) -> const render::FilmBuffer& { return worker.film(); }, {});
+  }
+  const render::FilmRows rows{0, kHeight, &worker.film()};
+  return render::read_film(std::span(&rows, 1), kWidth, all);
+}
+
+TEST(Furnace, AWhiteBallInAnEvenSkyIsNotSeen) {
+  const image::Film film = film_of({ball(vec3(0.0f))});
+  int ball_pixels = 0;
+  for (std::size_t i = 0; i < film.radiance.size(); ++i) {
+    ball_pixels += film.alpha[i] == 1.0f ? 1 : 0;
+    const vec3 light = film.radiance[i];
+    ASSERT_LT(glm::length(light - 1.0f), 2e-6f)
+        << "pixel " << i % kWidth << ", " << i / kWidth << ": " << light.x;
+  }
+  EXPECT_GT(ball_pixels, 400);
+}
+
+/// What is not alone hides some of the sky: the test above would see it.
+TEST(Furnace, TwoBallsHideTheSkyFromEachOther) {
+  const image::Film film = film_of({ball({-1.05f, 0.0f, 0.0f}), ball({1.05f, 0.0f, 0.0f})});
+  float least = 1.0f;
+  for (const vec3& light : film.radiance) least = std::min(least, light.y);
+  EXPECT_LT(least, 0.8f);
+}
+
+}  // namespace
+}  // namespace aerostat::test
