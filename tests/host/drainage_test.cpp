@@ -79,11 +79,12 @@ TEST(HeightGrid, SplineKeepsPlanesAndTheirSlope) {
   points.count = 2;
   points.x = {13.0f, -205.5f};
   points.z = {-77.0f, 148.0f};
-  Block value, slope;
-  sample(grid, points, value, slope);
+  Block value, dx, dz;
+  sample(grid, points, value, dx, dz);
   for (int k = 0; k < points.count; ++k) {
     EXPECT_NEAR(value[k], 5.0f + 0.3f * points.x[k] - 0.4f * points.z[k], 1e-3f);
-    EXPECT_NEAR(slope[k], 0.5f, 1e-5f);
+    EXPECT_NEAR(dx[k], 0.3f, 1e-5f);
+    EXPECT_NEAR(dz[k], -0.4f, 1e-5f);
   }
 }
 

@@ -11,16 +11,23 @@ namespace {
 constexpr double kPi64 = std::numbers::pi;
 constexpr std::size_t kSectors = 96;  // around the balloon: several to a gore
 
-/// For each sector around the y axis the largest of `measure` over the balloon's vertices.
+/// For each sector around the y axis the largest of `measure` over the edges of the balloon's
+/// triangles: seen from far away it has fewer corners than there are sectors.
 template <typename Measure>
 std::vector<double> outline(const scene::Scene& scene, Measure measure) {
+  constexpr int kSteps = 16;  // along an edge
   std::vector<double> largest(kSectors, 0.0);
   const world::World built = world::build(scene);
   for (const world::Object& object : *built.balloon) {
-    for (const vec3& v : object.mesh.positions) {
-      const double turn = std::atan2(v.z, v.x) / (2.0 * kPi64) + 0.5;
-      const auto sector = static_cast<std::size_t>(turn * kSectors) % kSectors;
-      largest[sector] = std::max(largest[sector], measure(dvec3(v)));
+    for (const uvec3& corners : object.mesh.triangles) {
+      for (int i = 0; i < 3 * kSteps; ++i) {
+        const dvec3 from(object.mesh.positions[corners[i / kSteps]]);
+        const dvec3 to(object.mesh.positions[corners[(i / kSteps + 1) % 3]]);
+        const dvec3 v = glm::mix(from, to, static_cast<double>(i % kSteps) / kSteps);
+        const double turn = std::atan2(v.z, v.x) / (2.0 * kPi64) + 0.5;
+        const auto sector = static_cast<std::size_t>(turn * kSectors) % kSectors;
+        largest[sector] = std::max(largest[sector], measure(v));
+      }
     }
   }
   return largest;

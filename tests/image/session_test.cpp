@@ -290,11 +290,11 @@ TEST(Tiles, DoNotShowInThePicture) {
 
 TEST(Memory, TooSmallALimitIsSaidAndLeavesTheSessionUsable) {
   render::Options tight = options();
-  tight.memory_limit_bytes = 24u << 20;
+  tight.memory_limit_bytes = 4u << 20;
   Session session(tight);
   try {
     session.render(small_scene("snow", {96, 64, 1, 512}));
-    FAIL() << "a world of half a million triangles fitted into 24 MiB";
+    FAIL() << "a world of half a million triangles fitted into 4 MiB";
   } catch (const Error& error) {
     EXPECT_EQ(error.kind(), ErrorKind::exhausted);
     EXPECT_NE(std::string(error.what()).find("memory-limit"), std::string::npos) << error.what();
