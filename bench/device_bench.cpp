@@ -64,6 +64,8 @@ DeviceBench::DeviceBench(const opencl::Device& device, int lanes,
                                  render::packet_shape(lanes_, 1), 0);
   const AeroScene packed = pack::pack_scene(scene);
   scene_ = {context_, budget_, std::span(&packed, 1), "the scene"};
+  const std::vector<AeroFilmPixel> film(std::size_t{launch_.frame.width} * launch_.frame.height);
+  film_ = {context_, budget_, std::span(film), "the film"};
   const std::uint64_t rays = std::uint64_t{launch_.tile.block_count} * lanes_;
   hits_ = {context_, budget_, rays * 20, "the hits", CL_MEM_READ_WRITE};
   visible_ = {context_, budget_, rays * 4, "the shadows", CL_MEM_READ_WRITE};
@@ -99,7 +101,7 @@ RaySet DeviceBench::bounce_rays() {
 double DeviceBench::time_camera_kernel() {
   return opencl::device_seconds(opencl::launch(context_, trace_camera_, size(), launch_,
                                                device_.nodes, device_.triangles, device_.instances,
-                                               device_.grid, hits_.handle()));
+                                               device_.grid, film_, hits_.handle()));
 }
 
 double DeviceBench::time_shadow_kernel() {

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "camera.h"
+#include "film_pixel.h"
 #include "opencl/launch.hpp"
 #include "opencl/program.hpp"
 #include "render/geometry.hpp"
@@ -63,6 +64,7 @@ class DeviceBench {
   render::DeviceGeometry device_;
   AeroLaunch launch_{};
   opencl::Buffer<AeroScene> scene_;
+  opencl::Buffer<AeroFilmPixel> film_;  // no pixel of it is settled
   opencl::Buffer<float> rays_;
   const RaySet* rays_on_device_ = nullptr;
   opencl::RawBuffer hits_, visible_;
