@@ -206,6 +206,7 @@ AeroBvhNode empty_node() {
   std::fill_n(&node.lo[0][0], 3 * kWidth, kInfinity);
   std::fill_n(&node.hi[0][0], 3 * kWidth, -kInfinity);
   std::fill_n(node.child, kWidth, AERO_BVH_EMPTY);
+  std::fill_n(node.slope, kWidth, AERO_SLOPE_UNKNOWN);
   return node;
 }
 

@@ -81,6 +81,19 @@ class GridBuilder {
       const std::uint32_t number = blocks_.items[k].triangle;
       nodes[first + k] = block(number).node(plans_[number]);
     });
+    for (std::uint32_t n = first; n-- > 0;) know_slopes(nodes, n);
+  }
+
+  // Children come after their parents, so backwards every child is known before its parent.
+  static void know_slopes(std::vector<AeroBvhNode>& nodes, std::uint32_t n) {
+    for (int slot = 0; slot < AERO_BVH_WIDTH; ++slot) {
+      if (nodes[n].child[slot] == AERO_BVH_EMPTY) continue;
+      const AeroBvhNode& child = nodes[nodes[n].child[slot]];
+      std::uint32_t slopes = child.slope[0];
+      for (int i = 1; i < AERO_BVH_WIDTH && child.child[i] != AERO_BVH_EMPTY; ++i)
+        slopes = united_slopes(slopes, child.slope[i]);
+      nodes[n].slope[slot] = slopes;
+    }
   }
 
   // What measure() cannot know: a patch is a node without memory, over cells of two triangles.

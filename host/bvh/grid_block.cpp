@@ -35,7 +35,8 @@ Float4 as_float4(const vec3& v) {
 
 }  // namespace
 
-GridBlock::GridBlock(const mesh::GridMesh& grid, std::uint32_t i, std::uint32_t j) : i_(i), j_(j) {
+GridBlock::GridBlock(const mesh::GridMesh& grid, std::uint32_t i, std::uint32_t j)
+    : grid_(grid), i_(i), j_(j) {
   const std::uint32_t width = std::min(kBlockSide, grid.columns() - i);
   const std::uint32_t height = std::min(kBlockSide, grid.rows() - j);
   for (std::uint32_t row = 0; row <= height; ++row) {
@@ -65,6 +66,21 @@ Box GridBlock::patch(std::uint32_t shape, std::uint32_t number) const {
   return box;
 }
 
+Slopes GridBlock::patch_slopes(std::uint32_t shape, std::uint32_t number) const {
+  const Corner at = corner_of(shape, number);
+  const std::uint32_t end_i = std::min(i_ + at.i + kShapes[shape].width, grid_.columns());
+  const std::uint32_t end_j = std::min(j_ + at.j + kShapes[shape].height, grid_.rows());
+  Slopes slopes;
+  for (std::uint32_t j = j_ + at.j; j < end_j; ++j) {
+    for (std::uint32_t i = i_ + at.i; i < end_i; ++i) {
+      slopes.grow(grid_.height(i, j), grid_.height(i + 1, j), grid_.height(i, j + 1),
+                  grid_.height(i + 1, j + 1), grid_.x(i + 1) - grid_.x(i),
+                  grid_.z(j + 1) - grid_.z(j));
+    }
+  }
+  return slopes;
+}
+
 BlockPlan GridBlock::plan() const {
   BlockPlan best;
   for (std::uint32_t shape = 0; shape < kShapes.size(); ++shape) {
@@ -90,6 +106,8 @@ AeroBvhNode GridBlock::node(const BlockPlan& plan) const {
     const Box box = patch(plan.shape, number);
     if (box.lo[0] > box.hi[0]) continue;
     const Corner at = corner_of(plan.shape, number);
+    const Slopes slopes = patch_slopes(plan.shape, number);
+    if (slopes.known()) node.slope[slot] = slopes.packed();
     set_child(node, slot++, to_bounds(box),
               AERO_BVH_LEAF | AERO_BVH_PATCH | plan.shape << AERO_PATCH_SHAPE_SHIFT |
                   (j_ + at.j) << AERO_PATCH_ROW_SHIFT | (i_ + at.i));

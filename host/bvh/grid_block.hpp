@@ -6,6 +6,7 @@
 #include "box.hpp"
 #include "bvh.hpp"
 #include "mesh/grid_mesh.hpp"
+#include "slopes.hpp"
 
 namespace aerostat::bvh {
 
@@ -36,7 +37,9 @@ class GridBlock {
 
  private:
   Box patch(std::uint32_t shape, std::uint32_t number) const;
+  Slopes patch_slopes(std::uint32_t shape, std::uint32_t number) const;
 
+  const mesh::GridMesh& grid_;
   std::uint32_t i_, j_;
   std::array<std::array<Box, kBlockSide>, kBlockSide>
       cells_;  // [row][column]; empty beyond the rim

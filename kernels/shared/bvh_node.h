@@ -35,15 +35,22 @@
 #define AERO_PATCH_INSTANCE 2u
 #define AERO_INSTANCE_MASK 0x0fffffffu
 
+/* What is known of the slopes of the ground below a child: four bytes, from the lowest on the least
+ * and the greatest rise along x for each metre, and the same along z, each of which stands for
+ * (byte - AERO_SLOPE_ZERO) / AERO_SLOPE_STEPS. */
+#define AERO_SLOPE_UNKNOWN 0xffffffffu
+#define AERO_SLOPE_ZERO 128
+#define AERO_SLOPE_STEPS 16
+
 /* Bounds of up to eight children, one array per plane: lo[axis][child]. Node 0 is the root. On the
- * host nodes are aligned so that no plane crosses a cache line for a device that reads them there.
- */
-typedef struct AERO_ALIGNED_ON_HOST(32) AeroBvhNode {
+ * host nodes are aligned to cache lines, for a device that reads them there. */
+typedef struct AERO_ALIGNED_ON_HOST(64) AeroBvhNode {
   aero_float lo[3][AERO_BVH_WIDTH];
   aero_float hi[3][AERO_BVH_WIDTH];
   aero_uint child[AERO_BVH_WIDTH];
+  aero_uint slope[AERO_BVH_WIDTH];
 } AeroBvhNode;
 
-AERO_ASSERT_LAYOUT(AeroBvhNode, 224);
+AERO_ASSERT_LAYOUT(AeroBvhNode, 256);
 
 #endif
