@@ -29,7 +29,7 @@ TEST(SceneSource, SaysOnlyWhatDiffers) {
                           .with({{"/terrain/height_m", "320"},  // the default
                                  {"/balloon/gores", "30"},
                                  {"/quality", "final"},
-                                 {"/image/spp", "64"}});  // the quality's
+                                 {"/image/spp", "256"}});  // the quality's
   EXPECT_EQ(edited.text(),
             "{\n  \"version\": 1,\n  \"biome\": \"sand\",\n  \"balloon\": {\n    \"gores\": 30\n  "
             "},\n  \"quality\": \"final\"\n}\n");
