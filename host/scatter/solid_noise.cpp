@@ -3,18 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-// The loops are compiled for AVX2 and AVX-512 too, where the processor has them; the compiler may
-// not contract multiplications and additions, so that all give the same bits.
-#if defined(__x86_64__) && defined(__GNUC__)
-#define AEROSTAT_SOLID_NOISE_AVX2 1
-#else
-#define AEROSTAT_SOLID_NOISE_AVX2 0
-#endif
-#if defined(__GNUC__)
-#define AEROSTAT_FORCE_INLINE inline __attribute__((always_inline))
-#else
-#define AEROSTAT_FORCE_INLINE inline
-#endif
+#include "core/simd.hpp"
 
 namespace aerostat::scatter {
 namespace {
@@ -22,7 +11,7 @@ namespace {
 /// Bound of the noise with these gradients.
 constexpr float kBound = 1.04f;
 
-AEROSTAT_FORCE_INLINE std::uint32_t hash_column(std::uint32_t seed, std::int32_t ix) {
+AEROSTAT_INLINE std::uint32_t hash_column(std::uint32_t seed, std::int32_t ix) {
   std::uint32_t h = (static_cast<std::uint32_t>(ix) * 0x9E3779B1u) ^ (seed * 0x85EBCA6Bu);
   h ^= h >> 16;
   h *= 0x7FEB352Du;
@@ -30,7 +19,7 @@ AEROSTAT_FORCE_INLINE std::uint32_t hash_column(std::uint32_t seed, std::int32_t
 }
 
 /// gradient . from, the gradient pointing to the middle of one of a cube's twelve edges.
-AEROSTAT_FORCE_INLINE float corner_ramp(std::uint32_t bits, float x, float y, float z) {
+AEROSTAT_INLINE float corner_ramp(std::uint32_t bits, float x, float y, float z) {
   std::uint32_t hash = (bits ^ (bits >> 16)) * 0x7FEB352Du;
   hash ^= hash >> 15;
   const std::uint32_t axis = ((hash >> 16) * 3u) >> 16;
@@ -41,17 +30,17 @@ AEROSTAT_FORCE_INLINE float corner_ramp(std::uint32_t bits, float x, float y, fl
   return sign_a * first + sign_b * second;
 }
 
-AEROSTAT_FORCE_INLINE float fade(float t) {
+AEROSTAT_INLINE float fade(float t) {
   return t * t * t * (t * (t * 6.0f - 15.0f) + 10.0f);
 }
 
 /// Rounds down; |x| < 2^31.
-AEROSTAT_FORCE_INLINE std::int32_t floor_int(float x) {
+AEROSTAT_INLINE std::int32_t floor_int(float x) {
   const auto whole = static_cast<std::int32_t>(x);
   return whole - static_cast<std::int32_t>(static_cast<float>(whole) > x);
 }
 
-AEROSTAT_FORCE_INLINE float solid_noise(float x, float y, float z, std::uint32_t seed) {
+AEROSTAT_INLINE float solid_noise(float x, float y, float z, std::uint32_t seed) {
   const std::int32_t ix = floor_int(x), iy = floor_int(y), iz = floor_int(z);
   const float tx = x - static_cast<float>(ix), ty = y - static_cast<float>(iy),
               tz = z - static_cast<float>(iz);
@@ -82,7 +71,7 @@ struct Octave {
 };
 
 // What is written is local: it might be the spots otherwise, and no compiler would vectorise.
-AEROSTAT_FORCE_INLINE void octave_loop(const Octave& octave, const Spots& spots, Block& values) {
+AEROSTAT_INLINE void octave_loop(const Octave& octave, const Spots& spots, Block& values) {
   const Octave o = octave;
   const int count = spots.count;
   Block noise;
@@ -99,29 +88,18 @@ void octave_plain(const Octave& octave, const Spots& spots, Block& values) {
   octave_loop(octave, spots, values);
 }
 
-#if AEROSTAT_SOLID_NOISE_AVX2
-__attribute__((target("avx2"))) void octave_avx2(const Octave& octave, const Spots& spots,
-                                                 Block& values) {
+AEROSTAT_FOR_AVX2 void octave_avx2(const Octave& octave, const Spots& spots, Block& values) {
   octave_loop(octave, spots, values);
 }
 
-__attribute__((target("avx512f,avx512dq,avx512vl,prefer-vector-width=512"))) void octave_avx512(
-    const Octave& octave, const Spots& spots, Block& values) {
+AEROSTAT_FOR_AVX512 void octave_avx512(const Octave& octave, const Spots& spots, Block& values) {
   octave_loop(octave, spots, values);
 }
-#endif
 
 using OctaveLoop = void (*)(const Octave&, const Spots&, Block&);
 
 OctaveLoop best_loop() {
-  static const OctaveLoop chosen = []() -> OctaveLoop {
-#if AEROSTAT_SOLID_NOISE_AVX2
-    if (__builtin_cpu_supports("avx512dq") && __builtin_cpu_supports("avx512vl"))
-      return octave_avx512;
-    if (__builtin_cpu_supports("avx2")) return octave_avx2;
-#endif
-    return octave_plain;
-  }();
+  static const OctaveLoop chosen = widest(octave_plain, octave_avx2, octave_avx512);
   return chosen;
 }
 

@@ -3,16 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/simd.hpp"
 #include "fractal.hpp"
 #include "noise.hpp"
-
-// As in noise.cpp, but the loop exists three times, and all give the same bits.
-#if defined(__x86_64__) && defined(__GNUC__)
-#define AEROSTAT_GULLIES_AVX2 1
-#else
-#define AEROSTAT_GULLIES_AVX2 0
-#endif
-#define AEROSTAT_INLINE inline __attribute__((always_inline))
 
 namespace aerostat::terrain {
 namespace {
@@ -106,32 +99,19 @@ void wave_plain(const Wave& wave, const Points& points, const Block& side_x, con
   wave_loop(wave, points, side_x, side_z, out);
 }
 
-#if AEROSTAT_GULLIES_AVX2
-__attribute__((target("avx2"))) void wave_avx2(const Wave& wave, const Points& points,
-                                               const Block& side_x, const Block& side_z,
-                                               Waves& out) {
+AEROSTAT_FOR_AVX2 void wave_avx2(const Wave& wave, const Points& points, const Block& side_x,
+                                 const Block& side_z, Waves& out) {
   wave_loop(wave, points, side_x, side_z, out);
 }
 
-__attribute__((target("avx512f,avx512dq,avx512vl,prefer-vector-width=512"))) void wave_avx512(
-    const Wave& wave, const Points& points, const Block& side_x, const Block& side_z, Waves& out) {
+AEROSTAT_FOR_AVX512 void wave_avx512(const Wave& wave, const Points& points, const Block& side_x,
+                                     const Block& side_z, Waves& out) {
   wave_loop(wave, points, side_x, side_z, out);
 }
-
-Loop best_loop() {
-  if (__builtin_cpu_supports("avx512dq") != 0 && __builtin_cpu_supports("avx512vl") != 0)
-    return wave_avx512;
-  return __builtin_cpu_supports("avx2") != 0 ? wave_avx2 : wave_plain;
-}
-#endif
 
 Loop loop() {
-#if AEROSTAT_GULLIES_AVX2
-  static const Loop chosen = best_loop();
+  static const Loop chosen = widest(wave_plain, wave_avx2, wave_avx512);
   return chosen;
-#else
-  return wave_plain;
-#endif
 }
 
 /// A wave's height by its phase, from 1 on the crest to -1 on the floor, and its slope by the

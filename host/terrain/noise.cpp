@@ -5,14 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-// The block loops exist thrice, for plain x86-64, for AVX2 and for AVX-512, and are chosen at run
-// time. None fuses multiplications and additions, so that all give the same bits.
-#if defined(__x86_64__) && defined(__GNUC__)
-#define AEROSTAT_NOISE_AVX2 1
-#else
-#define AEROSTAT_NOISE_AVX2 0
-#endif
-#define AEROSTAT_INLINE inline __attribute__((always_inline))
+#include "core/simd.hpp"
 
 namespace aerostat::terrain {
 namespace {
@@ -133,36 +126,27 @@ void slope_plain(const NoiseLayer& l, const Points& p, Block& v, Block& dx, Bloc
   slope_loop(l, p, v, dx, dz);
 }
 
-#if AEROSTAT_NOISE_AVX2
-__attribute__((target("avx2"))) void value_avx2(const NoiseLayer& l, const Points& p, Block& v) {
+AEROSTAT_FOR_AVX2 void value_avx2(const NoiseLayer& l, const Points& p, Block& v) {
   value_loop(l, p, v);
 }
 
-__attribute__((target("avx2"))) void slope_avx2(const NoiseLayer& l, const Points& p, Block& v,
-                                                Block& dx, Block& dz) {
+AEROSTAT_FOR_AVX2 void slope_avx2(const NoiseLayer& l, const Points& p, Block& v, Block& dx,
+                                  Block& dz) {
   slope_loop(l, p, v, dx, dz);
 }
 
-__attribute__((target("avx512f,avx512dq,avx512vl,prefer-vector-width=512"))) void value_avx512(
-    const NoiseLayer& l, const Points& p, Block& v) {
+AEROSTAT_FOR_AVX512 void value_avx512(const NoiseLayer& l, const Points& p, Block& v) {
   value_loop(l, p, v);
 }
 
-__attribute__((target("avx512f,avx512dq,avx512vl,prefer-vector-width=512"))) void slope_avx512(
-    const NoiseLayer& l, const Points& p, Block& v, Block& dx, Block& dz) {
+AEROSTAT_FOR_AVX512 void slope_avx512(const NoiseLayer& l, const Points& p, Block& v, Block& dx,
+                                      Block& dz) {
   slope_loop(l, p, v, dx, dz);
 }
-#endif
 
 const Loops& loops() {
-  static const Loops chosen = [] {
-#if AEROSTAT_NOISE_AVX2
-    if (__builtin_cpu_supports("avx512dq") && __builtin_cpu_supports("avx512vl"))
-      return Loops{value_avx512, slope_avx512};
-    if (__builtin_cpu_supports("avx2")) return Loops{value_avx2, slope_avx2};
-#endif
-    return Loops{value_plain, slope_plain};
-  }();
+  static const Loops chosen = widest(Loops{value_plain, slope_plain}, Loops{value_avx2, slope_avx2},
+                                     Loops{value_avx512, slope_avx512});
   return chosen;
 }
 
