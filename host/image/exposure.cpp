@@ -6,6 +6,7 @@
 
 #include <tbb/parallel_for.h>
 
+#include "image/tone.hpp"
 #include "image/write.hpp"
 
 namespace aerostat::image {
@@ -25,17 +26,12 @@ constexpr double kMostHeldBack = 2.0;
 // of so many stops at most: a dull view has none.
 constexpr double kRaisedShare = 0.3, kMostRoom = 1.5;
 
-double luminance(const vec3& c) {
-  return 0.2126 * static_cast<double>(c.x) + 0.7152 * static_cast<double>(c.y) +
-         0.0722 * static_cast<double>(c.z);
-}
-
 /// The logarithms, to the base of 2, of all luminance there is.
 std::vector<double> stops_of(const Film& film) {
   constexpr double kNone = -std::numeric_limits<double>::infinity();
   std::vector<double> stops(film.radiance.size());
   tbb::parallel_for(std::size_t{0}, stops.size(), [&](std::size_t i) {
-    const double light = luminance(film.radiance[i]);
+    const double light = luminance(dvec3(film.radiance[i]));
     stops[i] = light > 1e-9 && std::isfinite(light) ? std::log2(light) : kNone;
   });
   std::erase(stops, kNone);

@@ -9,6 +9,11 @@
 /// From linear radiance to 8-bit display values, one value at a time.
 namespace aerostat::image {
 
+/// Relative luminance of a colour in linear Rec. 709. Source: Rec. ITU-R BT.709.
+inline double luminance(const dvec3& c) {
+  return 0.2126 * c.x + 0.7152 * c.y + 0.0722 * c.z;
+}
+
 /// The tone curve: exposed linear value, >= 0, to linear display value in [0, 1]. Strictly
 /// increasing up to the white point, 1 from there on. y = x^a / (b x^(ad) + c) with contrast a and
 /// shoulder d; b and c follow from 0.18 -> 0.19 and white point -> 1. Source: T. Lottes, "Advanced

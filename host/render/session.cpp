@@ -11,6 +11,7 @@
 
 #include "core/error.hpp"
 #include "core/stopwatch.hpp"
+#include "image/tone.hpp"
 #include "pack/daylight.hpp"
 #include "pack/pack_scene.hpp"
 #include "render/abandonable.hpp"
@@ -50,14 +51,10 @@ int samples_of_pass(int lanes, int done, int wanted, bool adaptive) {
   return 1 << packet_shape(lanes, first_look ? 1 : until - done).log2_samples;
 }
 
-double luminance(const dvec3& c) {
-  return 0.2126 * c.x + 0.7152 * c.y + 0.0722 * c.z;
-}
-
 /// A display shows about the square root of the light: noise counts by what it is there, where a
 /// white card in the sun is white and the darkest shades, a fiftieth as bright, stay in the dark.
 AeroSettling settling_of(const scene::Image& image, const dvec3& daylight) {
-  const double white = luminance(daylight);
+  const double white = image::luminance(daylight);
   const double noise = image.adaptive_threshold;
   return {static_cast<float>(4.0 * noise * noise * white), static_cast<float>(0.02 * white),
           static_cast<cl_uint>(image.width), static_cast<cl_uint>(image.height)};

@@ -5,6 +5,7 @@
 
 #include "bvh/grid.hpp"
 #include "bvh_inspect.hpp"
+#include "bvh_meshes.hpp"
 #include "core/error.hpp"
 
 namespace aerostat {
@@ -20,18 +21,9 @@ void PrintTo(const Size& size, std::ostream* out) {
   *out << size.columns << " x " << size.rows;
 }
 
-std::vector<float> lines(std::uint32_t cells) {
-  std::vector<float> values;
-  for (std::uint32_t i = 0; i <= cells; ++i) {
-    const float t = 2.0f * static_cast<float>(i) / static_cast<float>(cells) - 1.0f;
-    values.push_back(t * (0.3f + 0.7f * t * t));
-  }
-  return values;
-}
-
 // A bumpy grid over [-1, 1]^2 whose lines draw apart towards the border.
 mesh::GridMesh grid(const Size& size, float height = 0.3f) {
-  mesh::GridMesh mesh(lines(size.columns), lines(size.rows));
+  mesh::GridMesh mesh(test::grid_lines(size.columns), test::grid_lines(size.rows));
   for (std::uint32_t j = 0; j <= size.rows; ++j) {
     for (std::uint32_t i = 0; i <= size.columns; ++i) {
       const float x = mesh.x(i), z = mesh.z(j);

@@ -26,6 +26,16 @@ inline vec3 random_point(std::mt19937& random, float radius) {
   return {x, y, z};
 }
 
+/// Coordinates of a grid's lines over [-1, 1], which draw apart towards the border.
+inline std::vector<float> grid_lines(std::uint32_t cells) {
+  std::vector<float> values;
+  for (std::uint32_t i = 0; i <= cells; ++i) {
+    const float t = 2.0f * static_cast<float>(i) / static_cast<float>(cells) - 1.0f;
+    values.push_back(t * (0.3f + 0.7f * t * t));
+  }
+  return values;
+}
+
 /// Triangles of mixed sizes in [-1, 1]^3.
 inline Soup random_soup(std::size_t count, unsigned seed) {
   std::mt19937 random(seed);

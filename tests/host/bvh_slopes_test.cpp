@@ -7,6 +7,7 @@
 #include "bvh/grid.hpp"
 #include "bvh/instances.hpp"
 #include "bvh_inspect.hpp"
+#include "bvh_meshes.hpp"
 
 namespace aerostat {
 namespace {
@@ -115,18 +116,9 @@ class SlopeInspector {
   const mesh::GridMesh& mesh_;
 };
 
-std::vector<float> lines(std::uint32_t cells) {
-  std::vector<float> values;
-  for (std::uint32_t i = 0; i <= cells; ++i) {
-    const float t = 2.0f * static_cast<float>(i) / static_cast<float>(cells) - 1.0f;
-    values.push_back(t * (0.3f + 0.7f * t * t));
-  }
-  return values;
-}
-
 // Bumps that get steeper to the right, so that slopes of neighbours differ.
 mesh::GridMesh bumps(std::uint32_t columns, std::uint32_t rows, float height) {
-  mesh::GridMesh mesh(lines(columns), lines(rows));
+  mesh::GridMesh mesh(test::grid_lines(columns), test::grid_lines(rows));
   for (std::uint32_t j = 0; j <= rows; ++j) {
     for (std::uint32_t i = 0; i <= columns; ++i) {
       const float x = mesh.x(i), z = mesh.z(j);
