@@ -89,7 +89,8 @@ pack::PackedArrays taken(pack::PackedGroup& group) {
 
 std::shared_ptr<const HostGeometry> build_geometry(const scene::Scene& scene,
                                                    const HostGeometry* previous, Meshes meshes,
-                                                   Plants plants, scatter::Where where) {
+                                                   Plants plants, scatter::Where where,
+                                                   world::Carving carving) {
   static const HostGeometry kNothing;
   const HostGeometry& old = previous != nullptr ? *previous : kNothing;
   auto geometry = std::make_shared<HostGeometry>();
@@ -102,7 +103,7 @@ std::shared_ptr<const HostGeometry> build_geometry(const scene::Scene& scene,
   Stopwatch watch;
   try {
     geometry->world = world::build(geometry->scene, previous != nullptr ? &old.world : nullptr,
-                                   previous != nullptr ? &old.scene : nullptr, where);
+                                   previous != nullptr ? &old.scene : nullptr, where, carving);
     const auto& world = geometry->world;
     geometry->worlds_built = (world.land != old.world.land ? 1 : 0) +
                              (world.balloon && world.balloon != old.world.balloon ? 1 : 0) +

@@ -30,7 +30,8 @@ enum class Meshes { keep, release };
 /// stay as they stand, it is that of the scene seen by the previous one's camera.
 std::shared_ptr<const HostGeometry> build_geometry(
     const scene::Scene& scene, const HostGeometry* previous, Meshes meshes = Meshes::keep,
-    Plants plants = Plants::as_seen, scatter::Where where = scatter::Where::everywhere);
+    Plants plants = Plants::as_seen, scatter::Where where = scatter::Where::everywhere,
+    world::Carving carving = world::Carving::fine);
 
 /// The ground of a frame, and its triangles and vertices: the land's, taken out of its group rather
 /// than copied, and behind them a copy of the balloon's and of the plants' models.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <condition_variable>
+#include <map>
 #include <mutex>
 #include <optional>
 
@@ -16,7 +17,8 @@ namespace {
 constexpr int kMostShrink = 16;
 constexpr int kRoughCells = 192;
 constexpr double kFirstLook_s = 0.05;
-constexpr double kFirstRate = 1e6;  // drafted pixels per second, before one was measured
+constexpr double kFirstRoughLook_s = 0.03;  // carving and building take as long again
+constexpr double kFirstRate = 1e6;          // drafted pixels per second, before one was measured
 constexpr std::chrono::milliseconds kSettling(150);
 
 scene::Scene drafted(scene::Scene scene) {
@@ -35,6 +37,11 @@ scene::Scene roughened(scene::Scene scene) {
   scene.terrain.cells = std::min(scene.terrain.cells, kRoughCells);
   scene.vegetation.enabled = false;
   return scene;
+}
+
+Options coarsely(Options options) {
+  options.carving = world::Carving::coarse;
+  return options;
 }
 
 double pixels_of(const scene::Image& image) {
@@ -65,19 +72,26 @@ std::vector<Step> steps_to(double pixels, double pixels_per_second, double patie
 }
 
 struct Progressive::State {
-  explicit State(const Options& options) : fine(options), coarse(options) {}
+  explicit State(const Options& options) : fine(options), coarse(coarsely(options)) {}
 
-  scene::Scene resolved(const scene::Scene& scene);
+  scene::Scene placed(const scene::Scene& scene, world::Carving carving);
   void show_steps(Session& session, const scene::Scene& resolved, bool rough);
   void show_step(Session& session, const scene::Scene& resolved, const Step& step, bool rough);
-  void measure(const Step& step, const scene::Scene& resolved, const Stats& stats);
-  bool has_land(const scene::Scene& resolved) const {
-    return built && world::same_land(*built, resolved);
+  void measure(const Step& step, const scene::Scene& resolved, bool rough, const Stats& stats);
+  bool has_land(const scene::Scene& scene) const {
+    return built && world::same_land(*built, scene);
+  }
+
+  double& draft_rate(const scene::Scene& scene, bool rough) {
+    return draft_rates.try_emplace({scene.biome.kind, rough}, kFirstRate).first->second;
   }
 
   Session fine, coarse;
-  std::optional<scene::Scene> built;  // whose land `fine` holds
-  double draft_rate = kFirstRate;
+  std::optional<scene::Scene> built;  // whose land `fine` holds, and its surface
+  std::shared_ptr<const world::Surface> built_surface;
+  // Drafted pixels per second that were measured, of each biome, fine and rough: woods and waves
+  // take longer than dunes.
+  std::map<std::pair<scene::BiomeKind, bool>, double> draft_rates;
   AbandonableWork background;
 
   // Of the render under way.
@@ -88,22 +102,28 @@ struct Progressive::State {
   Stopwatch watch;
 };
 
-/// Carved land takes some tenths of a second to know its heights.
-scene::Scene Progressive::State::resolved(const scene::Scene& scene) {
-  const auto resolve = [scene] {
+/// The scene with all heights known, on the land that is there or on one that has to be carved
+/// first.
+scene::Scene Progressive::State::placed(const scene::Scene& scene, world::Carving carving) {
+  const auto known = has_land(scene) ? built_surface : nullptr;
+  const auto resolve = [scene, carving, known] {
     scene::Scene copy = scene;
-    world::resolve(copy);
-    return std::pair(copy, std::make_shared<const world::Surface>(copy));
+    auto ground = known ? known : std::make_shared<const world::Surface>(copy, carving);
+    world::resolve(copy, *ground);
+    if (carving == world::Carving::coarse) world::unbury_eye(copy, *ground, kRoughCells);
+    return std::pair(std::move(copy), std::move(ground));
   };
-  auto [resolved_scene, its_surface] = background.run(resolve, stop, [this] {
+  const auto waiting = [this] {
     if (progress) progress({Stage::world, 0.0, 0, watch.seconds(), 0});
-  });
+  };
+  auto [placed_scene, its_surface] = known ? resolve() : background.run(resolve, stop, waiting);
   surface = std::move(its_surface);
-  return resolved_scene;
+  return placed_scene;
 }
 
 void Progressive::State::show_steps(Session& session, const scene::Scene& resolved, bool rough) {
-  auto steps = steps_to(pixels_of(resolved.image), draft_rate, kFirstLook_s, is_draft(resolved));
+  auto steps = steps_to(pixels_of(resolved.image), draft_rate(resolved, rough),
+                        rough ? kFirstRoughLook_s : kFirstLook_s, is_draft(resolved));
   // The fine land is worth waiting for more than more pixels of a coarse one.
   if (rough) steps.resize(std::min<std::size_t>(steps.size(), 2));
   for (const Step& step : steps) show_step(session, resolved, step, rough);
@@ -119,6 +139,10 @@ void Progressive::State::show_step(Session& session, const scene::Scene& resolve
   Look look{{}, resolved, surface, step.shrink, 0, rough, step.draft, false, {}, 0.0};
   const auto watch_passes = [&](const Progress& now) {
     if (progress) progress(now);
+    if (!rough && now.stage >= Stage::upload) {
+      built = resolved;
+      built_surface = surface;
+    }
     if (now.stage != Stage::rays || now.samples_done <= look.samples) return;
     look.film = session.snapshot();
     look.samples = now.samples_done;
@@ -131,15 +155,16 @@ void Progressive::State::show_step(Session& session, const scene::Scene& resolve
   look.complete = last;
   look.stats = session.stats();
   look.seconds = watch.seconds();
-  measure(step, resolved, look.stats);
+  if (step.draft) measure(step, resolved, rough, look.stats);
   show(look);
 }
 
-void Progressive::State::measure(const Step& step, const scene::Scene& resolved,
+void Progressive::State::measure(const Step& step, const scene::Scene& resolved, bool rough,
                                  const Stats& stats) {
-  if (!step.draft || stats.rays_seconds <= 0.0) return;
+  if (stats.rays_seconds <= 0.0) return;
   const double pixels = pixels_of(resolved.image) / (step.shrink * step.shrink);
-  draft_rate = 0.5 * draft_rate + 0.5 * pixels / stats.rays_seconds;
+  double& rate = draft_rate(resolved, rough);
+  rate = 0.5 * rate + 0.5 * pixels / stats.rays_seconds;
 }
 
 Progressive::Progressive(Options options) : state_(std::make_unique<State>(std::move(options))) {}
@@ -154,14 +179,11 @@ void Progressive::render(const scene::Scene& scene, const std::stop_token& stop,
   state.progress = progress;
   state.watch.restart();
   state.coarse.begin_kernels();
-  const scene::Scene resolved = state.resolved(scene);
-  if (!state.has_land(resolved)) {
-    state.built.reset();
-    state.show_steps(state.coarse, resolved, true);
+  if (!state.has_land(scene)) {
+    state.show_steps(state.coarse, state.placed(scene, world::Carving::coarse), true);
     rest(kSettling, stop);
   }
-  state.show_steps(state.fine, resolved, false);
-  state.built = resolved;
+  state.show_steps(state.fine, state.placed(scene, world::Carving::fine), false);
 }
 
 }  // namespace aerostat::render

@@ -122,8 +122,8 @@ void Session::State::build(const scene::Scene& scene, Plants plants) {
   const auto where =
       options.plants_in_sight_alone ? scatter::Where::in_sight : scatter::Where::everywhere;
   geometry = background.run(
-      [scene, old, plants, where] {
-        return build_geometry(scene, old.get(), Meshes::release, plants, where);
+      [scene, old, plants, where, carving = options.carving] {
+        return build_geometry(scene, old.get(), Meshes::release, plants, where, carving);
       },
       stop, [this] { report(Stage::world, 0.0); });
   stats.worlds_built = geometry->worlds_built;

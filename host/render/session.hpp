@@ -13,6 +13,7 @@
 #include "image/film.hpp"
 #include "opencl/device.hpp"
 #include "scene/scene.hpp"
+#include "world/surface.hpp"
 
 /// Rendering as a library: a render can be started, observed, cancelled and read while it refines.
 namespace aerostat::render {
@@ -25,6 +26,8 @@ struct Options {
   /// Plants that a picture cannot show, and whose shade it cannot show, are not placed. Less work
   /// for one picture, more for one who moves the view.
   bool plants_in_sight_alone = false;
+  /// How finely land is carved; scenes must be resolved on the same.
+  world::Carving carving = world::Carving::fine;
 };
 
 /// A part of the image: pixels x0 <= x < x1, y0 <= y < y1.

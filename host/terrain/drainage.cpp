@@ -231,7 +231,9 @@ HeightGrid carve_valleys(const DrainageOptions& options,
     grid.values[i] = static_cast<float>(lattice_hash(options.seed, static_cast<int>(i), -1) >> 16) *
                      static_cast<float>(options.height_m) * 1e-7f;
   float strength = 0.3f;
-  for (std::size_t level = 0; level < options.rounds.size(); ++level) {
+  const std::size_t levels =
+      options.rounds.size() - static_cast<std::size_t>(options.levels_left_out);
+  for (std::size_t level = 0; level < levels; ++level) {
     if (level > 0) grid = refine(grid);
     std::vector<Bedrock> rock = survey(grid, bedrock);
     grid = Carver(options, std::move(grid), std::move(rock)).run(options.rounds[level], strength);

@@ -18,6 +18,7 @@ struct Bedrock {
 struct DrainageOptions {
   int coarse_nodes = 33;                         // per side, at the first level
   std::vector<int> rounds = {20, 14, 10, 6, 3};  // per level; each level doubles the resolution
+  int levels_left_out = 0;                       // of the last ones
   double size_m = 40000.0;
   double height_m = 2400.0;     // one point in a thousand is higher
   float concavity = 0.5f;       // slope ~ area^-concavity
@@ -26,6 +27,9 @@ struct DrainageOptions {
   float floor_area_km2 = 1.5f;  // smaller valleys have no floor
   std::uint32_t seed = 1;
 };
+
+/// Of five: a grid of 129 nodes a side for a first look.
+inline constexpr int kCoarseLevelsLeftOut = 2;
 
 /// Mountains in balance between uplift and the rivers that cut them: valleys join on their way to
 /// the outlets, ridges divide them. Stream power law in its steady state,

@@ -7,51 +7,69 @@
 namespace aerostat::terrain {
 namespace {
 
-std::unique_ptr<Relief> make_relief(const scene::Terrain& terrain) {
+std::unique_ptr<Relief> make_relief(const scene::Terrain& terrain, Carving carving) {
   switch (terrain.kind) {
     case scene::TerrainKind::island:
-      return make_island(terrain);
+      return make_island(terrain, carving);
     case scene::TerrainKind::dunes:
       return make_dunes(terrain);
     case scene::TerrainKind::mountains:
       break;
   }
-  return make_mountains(terrain);
+  return make_mountains(terrain, carving);
+}
+
+/// A terrain as far as its relief goes by it: neither by where it lies nor by the mesh.
+scene::Terrain shape_of(scene::Terrain terrain) {
+  const scene::Terrain any;
+  terrain.cells = any.cells;
+  terrain.center = any.center;
+  terrain.grading = any.grading;
+  terrain.base_m = any.base_m;
+  return terrain;
 }
 
 /// The relief of the last terrain asked for: placing a scene's objects and building its meshes ask
-/// for the same one in turn, and carving it takes longer than anything else about it.
-std::shared_ptr<const Relief> relief_of(const scene::Terrain& terrain) {
-  static std::mutex mutex;
-  static std::shared_ptr<const Relief> relief;
-  static scene::Terrain made_for;
-  const std::lock_guard lock(mutex);
-  if (!relief || made_for != terrain) {
-    relief = nullptr;
-    relief = make_relief(terrain);
-    made_for = terrain;
+/// for the same one in turn, and carving it takes longer than anything else about it. A coarse one
+/// waits for no fine one.
+std::shared_ptr<const Relief> relief_of(const scene::Terrain& terrain, Carving carving) {
+  struct Kept {
+    std::mutex mutex;
+    std::shared_ptr<const Relief> relief;
+    scene::Terrain made_for;
+  };
+  static Kept fine, coarse;
+  Kept& kept = carving == Carving::coarse ? coarse : fine;
+  const scene::Terrain shape = shape_of(terrain);
+  const std::lock_guard lock(kept.mutex);
+  if (!kept.relief || kept.made_for != shape) {
+    kept.relief = nullptr;
+    kept.relief = make_relief(shape, carving);
+    kept.made_for = shape;
   }
-  return relief;
+  return kept.relief;
 }
 
 }  // namespace
 
-HeightField::HeightField(const scene::Terrain& terrain)
-    : relief_(relief_of(terrain)),
+HeightField::HeightField(const scene::Terrain& terrain, Carving carving)
+    : relief_(relief_of(terrain, carving)),
       center_(terrain.center),
       base_m_(static_cast<float>(terrain.base_m)) {}
+
+HeightField::HeightField(const scene::Terrain& terrain) : HeightField(terrain, Carving::fine) {}
 
 void HeightField::heights(const Points& points, Block& height) const {
   relief_->heights(points, height);
   for (int i = 0; i < points.count; ++i) height[i] += base_m_;
 }
 
-double HeightField::height(double x, double z) const {
+double HeightField::height(double x, double z, double spacing) const {
   Points points;
   points.count = 1;
   points.x[0] = static_cast<float>(x - center_.x);
   points.z[0] = static_cast<float>(z - center_.y);
-  points.spacing[0] = 0.0f;
+  points.spacing[0] = static_cast<float>(spacing);
   Block height;
   heights(points, height);
   return height[0];

@@ -4,6 +4,7 @@
 
 #include "core/math.hpp"
 #include "scene/scene.hpp"
+#include "terrain/carving.hpp"
 #include "terrain/points.hpp"
 
 namespace aerostat::terrain {
@@ -15,12 +16,14 @@ class Relief;
 /// the scree of terrain_mesh.hpp, which raises the ground at the feet of walls.
 class HeightField {
  public:
-  /// Prepares the relief (some tenths of a second for carved kinds), or takes the last one that was
-  /// made if it is that of an equal terrain. Safe from any thread.
+  /// Prepares the relief (some tenths of a second for carved kinds, a sixth of it if coarse), or
+  /// takes the last one made of its carving if it is that of an equal terrain. Safe from any
+  /// thread.
+  HeightField(const scene::Terrain& terrain, Carving carving);
   explicit HeightField(const scene::Terrain& terrain);
 
-  /// Height above sea level in metres, in full detail.
-  double height(double x, double z) const;
+  /// Height above sea level in metres, without detail below `spacing`.
+  double height(double x, double z, double spacing = 0.0) const;
 
   /// Unit normal of the ground, from central differences at +-spacing metres.
   vec3 normal(double x, double z, double spacing) const;

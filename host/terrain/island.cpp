@@ -16,7 +16,7 @@ constexpr float kGullyDepth = 0.4f;
 
 class Island : public Relief {
  public:
-  explicit Island(const scene::Terrain& terrain);
+  Island(const scene::Terrain& terrain, Carving carving);
 
   void heights(const Points& points, Block& height) const override;
 
@@ -46,7 +46,7 @@ class Island : public Relief {
   HeightGrid carved_;
 };
 
-Island::Island(const scene::Terrain& t)
+Island::Island(const scene::Terrain& t, Carving carving)
     : terrain_(t),
       bends_(t.warp_m, t.warp_feature_m, t.seed ^ 0x3C6EF372u, 5),
       coast_(make_soft_octaves(0.8 * t.feature_m, t.seed ^ 0x510E527Fu, 5)),
@@ -72,6 +72,7 @@ Island::Island(const scene::Terrain& t)
   options.size_m = t.size_m + 2.0 * t.warp_m;
   options.height_m = t.height_m;
   options.seed = t.seed;
+  options.levels_left_out = carving == Carving::coarse ? kCoarseLevelsLeftOut : 0;
   options.floor_m = 45.0f;
   options.floor_area_km2 = 1.0f;
   options.concavity = 0.42f;
@@ -187,8 +188,8 @@ void Island::heights(const Points& points, Block& height) const {
 
 }  // namespace
 
-std::unique_ptr<Relief> make_island(const scene::Terrain& terrain) {
-  return std::make_unique<Island>(terrain);
+std::unique_ptr<Relief> make_island(const scene::Terrain& terrain, Carving carving) {
+  return std::make_unique<Island>(terrain, carving);
 }
 
 }  // namespace aerostat::terrain

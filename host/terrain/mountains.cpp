@@ -16,7 +16,7 @@ constexpr float kGullyDepth = 0.5f;
 
 class Mountains : public Relief {
  public:
-  explicit Mountains(const scene::Terrain& terrain);
+  Mountains(const scene::Terrain& terrain, Carving carving);
 
   void heights(const Points& points, Block& height) const override;
 
@@ -47,7 +47,7 @@ void split_octaves(const scene::Terrain& t, float finest_m, std::vector<Octave>&
     (octave.layer.wavelength_m > finest_m ? coarse : fine).push_back(octave);
 }
 
-Mountains::Mountains(const scene::Terrain& terrain)
+Mountains::Mountains(const scene::Terrain& terrain, Carving carving)
     : terrain_(terrain),
       bends_(terrain.warp_m, terrain.warp_feature_m, terrain.seed ^ 0x3C6EF372u, 6),
       river_(make_soft_octaves(1.3 * terrain.feature_m, terrain.seed ^ 0x9B05688Cu)),
@@ -58,6 +58,7 @@ Mountains::Mountains(const scene::Terrain& terrain)
   options.size_m = terrain.size_m + 2.0 * terrain.warp_m;
   options.height_m = terrain.height_m;
   options.seed = terrain.seed;
+  options.levels_left_out = carving == Carving::coarse ? kCoarseLevelsLeftOut : 0;
   const double cell = options.size_m / ((options.coarse_nodes - 1) << (options.rounds.size() - 1));
   split_octaves(terrain, static_cast<float>(6.0 * cell), massif_, detail_);
   if (!detail_.empty()) detail_m_ = 0.24f * detail_.front().layer.wavelength_m;
@@ -150,8 +151,8 @@ void Mountains::heights(const Points& points, Block& height) const {
 
 }  // namespace
 
-std::unique_ptr<Relief> make_mountains(const scene::Terrain& terrain) {
-  return std::make_unique<Mountains>(terrain);
+std::unique_ptr<Relief> make_mountains(const scene::Terrain& terrain, Carving carving) {
+  return std::make_unique<Mountains>(terrain, carving);
 }
 
 }  // namespace aerostat::terrain

@@ -4,6 +4,7 @@
 
 #include "points.hpp"
 #include "scene/scene.hpp"
+#include "terrain/carving.hpp"
 
 namespace aerostat::terrain {
 
@@ -17,10 +18,10 @@ class Relief {
 };
 
 /// Alpine relief: valleys that join, ridges with side ridges; a broad valley through the centre.
-std::unique_ptr<Relief> make_mountains(const scene::Terrain& terrain);
+std::unique_ptr<Relief> make_mountains(const scene::Terrain& terrain, Carving carving);
 
 /// A mountainous tropical island in a sea of level 0; a bay with a beach near the centre.
-std::unique_ptr<Relief> make_island(const scene::Terrain& terrain);
+std::unique_ptr<Relief> make_island(const scene::Terrain& terrain, Carving carving);
 
 /// A sea of transverse dunes with rocky table hills far out.
 std::unique_ptr<Relief> make_dunes(const scene::Terrain& terrain);

@@ -1,4 +1,9 @@
+#include <algorithm>
+#include <array>
+#include <utility>
+
 #include "model/balloon.hpp"
+#include "terrain/terrain_mesh.hpp"
 #include "world/surface.hpp"
 #include "world/world.hpp"
 
@@ -8,6 +13,23 @@ namespace {
 /// How far ahead the passenger looks, and how much the view dips below the horizon.
 constexpr double kBasketLookAhead_m = 100.0;
 constexpr double kBasketDip_deg = 7.0;
+constexpr double kEyeClearance_m = 2.0;
+
+/// The cell of a graded axis that holds a place, or the nearest one: its two ends.
+std::pair<double, double> cell_at(const std::vector<double>& axis, double place) {
+  const auto next = std::upper_bound(axis.begin() + 1, axis.end() - 1, place);
+  return {*(next - 1), *next};
+}
+
+/// The height of a cell's mesh at shares u and v of its sides, whichever way it is cut.
+double mesh_height(const std::array<double, 4>& corners, double u, double v) {
+  const auto [h00, h10, h01, h11] = corners;
+  const double one =
+      u > v ? h00 + u * (h10 - h00) + v * (h11 - h10) : h00 + v * (h01 - h00) + u * (h11 - h01);
+  const double other = u + v < 1.0 ? h00 + u * (h10 - h00) + v * (h01 - h00)
+                                   : h11 + (1.0 - u) * (h01 - h11) + (1.0 - v) * (h10 - h11);
+  return std::max(one, other);
+}
 
 /// What heights at a point count from. The balloon's height must be known already.
 double reference_height(const scene::Scene& scene, const Surface& surface,
@@ -44,7 +66,10 @@ void look_from_basket(scene::Scene& scene) {
 }  // namespace
 
 void resolve(scene::Scene& scene) {
-  const Surface surface(scene);
+  resolve(scene, Surface(scene));
+}
+
+void resolve(scene::Scene& scene, const Surface& surface) {
   settle_height(surface, scene.balloon);
   for (scene::Balloon& further : scene.balloons) settle_height(surface, further);
   scene::Camera& camera = scene.camera;
@@ -57,6 +82,28 @@ void resolve(scene::Scene& scene) {
   camera.height_above = scene::HeightReference::sea;
   if (camera.view == scene::View::basket) look_from_basket(scene);
   camera.position_given = camera.target_given = true;
+}
+
+void unbury_eye(scene::Scene& scene, const Surface& surface, int cells) {
+  const scene::Terrain& terrain = scene.terrain;
+  scene::Camera& camera = scene.camera;
+  const auto axis =
+      terrain::graded_axis(std::min(terrain.cells, cells), terrain.size_m, terrain.grading);
+  const dvec2 place(camera.position.x - terrain.center.x, camera.position.z - terrain.center.y);
+  const auto [x0, x1] = cell_at(axis, place.x);
+  const auto [z0, z1] = cell_at(axis, place.y);
+  const auto corner = [&, spacing = std::max(x1 - x0, z1 - z0)](double x, double z) {
+    return surface.height(x + terrain.center.x, z + terrain.center.y, spacing);
+  };
+  const double ground =
+      mesh_height({corner(x0, z0), corner(x1, z0), corner(x0, z1), corner(x1, z1)},
+                  std::clamp((place.x - x0) / (x1 - x0), 0.0, 1.0),
+                  std::clamp((place.y - z0) / (z1 - z0), 0.0, 1.0));
+  const double least =
+      kEyeClearance_m + std::max(ground, surface.height(camera.position.x, camera.position.z));
+  const double lift = std::max(0.0, least - camera.position.y);
+  camera.position.y += lift;
+  camera.target.y += lift;
 }
 
 }  // namespace aerostat::world

@@ -11,12 +11,12 @@ struct Surface::State {
   scene::Water water;
 };
 
-Surface::Surface(const scene::Scene& scene)
+Surface::Surface(const scene::Scene& scene, Carving carving)
     : state_(std::make_shared<const State>(
-          State{terrain::HeightField(scene.terrain), scene.biome.water})) {}
+          State{terrain::HeightField(scene.terrain, carving), scene.biome.water})) {}
 
-double Surface::height(double x, double z) const {
-  const double ground = state_->field.height(x, z);
+double Surface::height(double x, double z, double spacing) const {
+  const double ground = state_->field.height(x, z, spacing);
   return state_->water.enabled ? std::max(ground, state_->water.level_m) : ground;
 }
 

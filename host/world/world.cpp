@@ -14,9 +14,10 @@
 namespace aerostat::world {
 namespace {
 
-std::shared_ptr<const Land> build_land(const scene::Scene& scene) {
+std::shared_ptr<const Land> build_land(const scene::Scene& scene, Carving carving) {
   auto land = std::make_shared<Land>();
-  land->ground = std::make_shared<const mesh::GridMesh>(terrain::terrain_mesh(scene.terrain));
+  land->ground = std::make_shared<const mesh::GridMesh>(
+      terrain::terrain_mesh(scene.terrain, terrain::HeightField(scene.terrain, carving)));
   if (scene.biome.water.enabled) {
     auto water = terrain::water_mesh(scene.terrain, scene.biome.water, *land->ground);
     if (!water.empty()) land->objects.push_back({scene::ObjectId::water, std::move(water)});
@@ -69,14 +70,14 @@ bool same_land(const scene::Scene& a, const scene::Scene& b) {
 }
 
 World build(const scene::Scene& scene, const World* previous, const scene::Scene* previous_scene,
-            scatter::Where where) {
+            scatter::Where where, Carving carving) {
   const bool known = previous != nullptr && previous_scene != nullptr;
   World world;
   try {
     tbb::parallel_invoke(
         [&] {
           const bool same = known && same_land(scene, *previous_scene);
-          world.land = same ? previous->land : build_land(scene);
+          world.land = same ? previous->land : build_land(scene, carving);
           const bool grown = same && same_plants(scene, *previous_scene, where);
           world.plants = grown ? previous->plants : build_plants(scene, *world.land->ground, where);
         },

@@ -9,6 +9,7 @@
 #include "mesh/mesh.hpp"
 #include "scatter/scatter.hpp"
 #include "scene/scene.hpp"
+#include "world/surface.hpp"
 
 /// From a scene to the triangles that are rendered and exported.
 namespace aerostat::world {
@@ -45,11 +46,12 @@ struct World {
 bool same_land(const scene::Scene& a, const scene::Scene& b);
 
 /// Builds the world of a resolved scene, with plants everywhere or in sight. Parts of `previous`
-/// are kept if `previous_scene` asked for the same ones in the same places. Runs on all cores.
+/// are kept if `previous_scene` asked for the same ones in the same places; its land must have been
+/// carved alike. Runs on all cores.
 /// Throws Error{exhausted} if memory does not suffice.
 World build(const scene::Scene& scene, const World* previous = nullptr,
             const scene::Scene* previous_scene = nullptr,
-            scatter::Where where = scatter::Where::everywhere);
+            scatter::Where where = scatter::Where::everywhere, Carving carving = Carving::fine);
 
 /// Whether plants are among what is written out as triangles.
 enum class Grown { left_out, included };
@@ -60,5 +62,13 @@ Objects as_triangles(const World& world, Grown plants = Grown::left_out);
 /// Fills in what depends on the terrain: positions given above the ground become positions above
 /// the sea, and the basket view gets its camera.
 void resolve(scene::Scene& scene);
+
+/// The same on a surface that is already there.
+void resolve(scene::Scene& scene, const Surface& surface);
+
+/// Lifts the eye of a resolved scene, and what it looks at, to 2 m above the land's mesh of at most
+/// `cells` a side where it would be lower: on another land than that which it was set up for, or on
+/// a coarser mesh, it can be inside a mountain.
+void unbury_eye(scene::Scene& scene, const Surface& surface, int cells);
 
 }  // namespace aerostat::world

@@ -39,6 +39,15 @@ TEST(Drainage, EveryNodeHasALowerNeighbour) {
     }
 }
 
+TEST(Drainage, LevelsThatAreLeftOutAreTheFinest) {
+  DrainageOptions options = small_options();
+  options.levels_left_out = 1;
+  const HeightGrid grid = carve_valleys(options, coast);
+  ASSERT_EQ(grid.nodes, 33);
+  EXPECT_EQ(grid.x(grid.nodes - 1), 5000.0f);
+  EXPECT_NEAR(*std::max_element(grid.values.begin(), grid.values.end()), 800.0f, 80.0f);
+}
+
 TEST(Drainage, OutletsStayAndPeaksReachTheHeight) {
   const HeightGrid grid = carve_valleys(small_options(), coast);
   for (int i = 0; i < grid.nodes; ++i) EXPECT_EQ(grid.values[grid.index(i, 0)], 0.0f);

@@ -188,6 +188,40 @@ TEST_P(EveryKind, SeedAndBaseMatter) {
   EXPECT_GT(difference / 40.0, 1.0);
 }
 
+TEST_P(EveryKind, ACoarseReliefIsTheSameLandRoughly) {
+  const scene::Terrain terrain = small_terrain(GetParam(), 3);
+  const HeightField fine(terrain), coarse(terrain, Carving::coarse);
+  double sum = 0.0, sum_of_fine = 0.0, most = 0.0;
+  int count = 0;
+  for (double x = -0.45; x < 0.46; x += 0.05)
+    for (double z = -0.45; z < 0.46; z += 0.05, ++count) {
+      const double height = fine.height(x * terrain.size_m, z * terrain.size_m);
+      const double off = std::fabs(coarse.height(x * terrain.size_m, z * terrain.size_m) - height);
+      sum += off;
+      sum_of_fine += std::fabs(height);
+      most = std::max(most, off);
+    }
+  RecordProperty("mean_off_m", std::to_string(sum / count));
+  std::printf("off by %.0f m in the mean, %.0f m at most, of %.0f m\n", sum / count, most,
+              sum_of_fine / count);
+  if (GetParam() == TerrainKind::dunes) {
+    EXPECT_EQ(most, 0.0) << "they are not carved";
+  } else {
+    EXPECT_GT(most, 0.0);
+    EXPECT_LT(sum, 0.3 * sum_of_fine);
+  }
+}
+
+TEST_P(EveryKind, ReliefDoesNotGoByTheMesh) {
+  scene::Terrain terrain = small_terrain(GetParam());
+  const float here = static_cast<float>(HeightField(terrain).height(310.0, -170.0));
+  terrain.cells = 32;
+  terrain.grading = 2.0;
+  terrain.center = {100.0, 50.0};
+  terrain.base_m = 500.0;
+  EXPECT_EQ(static_cast<float>(HeightField(terrain).height(410.0, -120.0)), here + 500.0f);
+}
+
 TEST(Mountains, HaveAFlatValleyAtTheCentreAndHighPeaks) {
   for (const std::uint32_t seed : {1u, 2u, 3u, 4u}) {
     const scene::Terrain terrain = small_terrain(TerrainKind::mountains, seed);

@@ -83,6 +83,53 @@ TEST(Progressive, ALandThatIsThereIsNotBuiltAgain) {
   EXPECT_TRUE(other.front().rough);
 }
 
+/// The looks of a render that is stopped when one is fine.
+std::vector<bool> rough_until_fine(render::Progressive& progressive, const scene::Scene& scene) {
+  std::stop_source stop;
+  std::vector<bool> rough;
+  const auto watch = [&](const Look& look) {
+    rough.push_back(look.rough);
+    if (!look.rough) stop.request_stop();
+  };
+  try {
+    progressive.render(scene, stop.get_token(), watch);
+  } catch (const Error& error) {
+    EXPECT_EQ(error.kind(), ErrorKind::interrupted) << error.what();
+  }
+  return rough;
+}
+
+TEST(Progressive, ALandStaysThoughItsPictureWasGivenUp) {
+  render::Progressive progressive(options());
+  scene::Scene scene = scene_of("snow", 4);
+  scene.image.width = 800;
+  scene.image.height = 600;
+  EXPECT_TRUE(rough_until_fine(progressive, scene).front());
+  scene.sun.irradiance *= 0.5;
+  EXPECT_FALSE(rough_until_fine(progressive, scene).front());
+}
+
+TEST(Progressive, ACoarseLandDoesNotBuryTheEye) {
+  render::Progressive progressive(options());
+  scene::Scene scene = scene_of("snow", 5);
+  scene.camera.height_above = scene::HeightReference::sea;
+  scene.camera.position = {2500.0, -400.0, 1200.0};
+  scene.camera.target = {2500.0, -400.0, 1100.0};
+  int rough = 0;
+  progressive.render(scene, {}, [&](const Look& look) {
+    const dvec3 eye = look.scene.camera.position;
+    rough += look.rough ? 1 : 0;
+    if (look.rough) {
+      EXPECT_GE(eye.y, look.surface->height(eye.x, eye.z) + 1.99);
+      EXPECT_LT(std::abs(look.film.distance_m[0]), 1e9f) << "it sees the ground";
+      EXPECT_EQ(look.scene.camera.target.y, eye.y) << "it looks where it did";
+    } else {
+      EXPECT_EQ(eye.y, -400.0) << "as the scene says";
+    }
+  });
+  EXPECT_GT(rough, 0);
+}
+
 TEST(Progressive, StopsAndGoesOn) {
   render::Progressive progressive(options());
   std::stop_source stop;

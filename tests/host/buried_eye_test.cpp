@@ -1,0 +1,60 @@
+// An eye that a coarse land would bury.
+#include <algorithm>
+
+#include <gtest/gtest.h>
+
+#include "scene/io.hpp"
+#include "world/world.hpp"
+
+namespace aerostat {
+namespace {
+
+constexpr int kCells = 192;
+
+class BuriedEye : public testing::Test {
+ protected:
+  BuriedEye() {
+    scene_ = scene::read_text(
+        R"({"version": 1, "terrain": {"cells": 192, "erosion": 0}, "vegetation": {"enabled": false},
+            "camera": {"height_above": "sea", "position": [0, 0, 0], "target": [0, 5, -9]}})",
+        "x.json");
+    scene_.balloon.enabled = false;
+  }
+
+  scene::Scene scene_;
+};
+
+TEST_F(BuriedEye, IsLiftedAboveTheMesh) {
+  const world::Surface surface(scene_, world::Carving::coarse);
+  world::resolve(scene_, surface);
+  const auto world =
+      world::build(scene_, nullptr, nullptr, scatter::Where::everywhere, world::Carving::coarse);
+  const mesh::GridMesh& ground = *world.land->ground;
+  for (std::uint32_t j = 1; j < kCells; j += 7) {
+    for (std::uint32_t i = 1; i < kCells; i += 7) {
+      const double x = 0.5 * (ground.x(i) + ground.x(i + 1));
+      const double z = 0.5 * (ground.z(j) + ground.z(j + 1));
+      scene::Scene seen = scene_;
+      seen.camera.position = {x, -500.0, z};
+      seen.camera.target = {x, -490.0, z - 20.0};
+      world::unbury_eye(seen, surface, kCells);
+      const float diagonals[] = {ground.height(i, j) + ground.height(i + 1, j + 1),
+                                 ground.height(i + 1, j) + ground.height(i, j + 1)};
+      const double mesh = 0.5 * std::max(diagonals[0], diagonals[1]);
+      // The mesh leaves out what its cells are too coarse for.
+      EXPECT_GT(seen.camera.position.y, mesh - 25.0) << x << ' ' << z;
+      EXPECT_NEAR(seen.camera.target.y - seen.camera.position.y, 10.0, 1e-6);
+    }
+  }
+}
+
+TEST_F(BuriedEye, OneInTheOpenStays) {
+  const world::Surface surface(scene_, world::Carving::coarse);
+  scene_.camera.position.y = surface.height(0.0, 0.0) + 4000.0;
+  const dvec3 before = scene_.camera.position;
+  world::unbury_eye(scene_, surface, kCells);
+  EXPECT_EQ(scene_.camera.position, before);
+}
+
+}  // namespace
+}  // namespace aerostat
