@@ -10,13 +10,14 @@
 #include <vector>
 
 #include "core/error.hpp"
+#include "core/stop_scope.hpp"
 
 namespace aerostat::render {
 
-/// Runs long host work beside the caller, who can give up waiting for it: work that knows no
-/// interruption (building a mesh or a tree) is then left to finish unheard. What it refers to must
-/// be its own. New work waits while more than one piece of it is at work, so that it never piles
-/// up. The destructor waits for all of it.
+/// Runs long host work beside the caller, who can give up waiting for it: the work is asked to stop
+/// by its StopScope, and is left to itself until it does, or comes to its end unheard. What it
+/// refers to must be its own. New work waits while more than one piece of it is at work, so that it
+/// never piles up. The destructor waits for all of it.
 class AbandonableWork {
  public:
   /// The result of `work()`, or its exception. Throws Error{interrupted} soon after `stop` is
@@ -28,7 +29,10 @@ class AbandonableWork {
       if (stop.stop_requested()) throw Error(ErrorKind::interrupted, "interrupted");
       std::this_thread::sleep_for(std::chrono::milliseconds(10));
     }
-    std::packaged_task<decltype(work())()> task(std::move(work));
+    std::packaged_task<decltype(work())()> task([work = std::move(work), stop]() mutable {
+      const StopScope scope(stop);
+      return work();
+    });
     auto result = task.get_future().share();
     std::jthread thread(std::move(task));
     while (result.wait_for(std::chrono::milliseconds(20)) != std::future_status::ready) {

@@ -5,9 +5,7 @@
 namespace aerostat::render {
 namespace {
 
-// One launch of all kernels takes about this long, and two are in flight: a watchdog never
-// fires, and an interrupt is answered in time.
-constexpr double kLaunchSeconds = 0.03;
+// Launches are short: a watchdog never fires, and an interrupt is answered in time.
 constexpr std::uint64_t kFirstLaunchRays = 1u << 15;
 constexpr std::uint64_t kMostLaunchRays = 1u << 20;
 constexpr std::size_t kLaunchesInFlight = 2;
@@ -71,8 +69,8 @@ int DeviceWorker::rows_at_once(const Pass& pass, const PacketShape& shape) const
   if (pass.tile_pixels > 0) {
     rays = static_cast<std::uint64_t>(pass.tile_pixels);
   } else if (rate_ > 0.0) {
-    rays = std::clamp(static_cast<std::uint64_t>(rate_ * kLaunchSeconds), kFirstLaunchRays / 16,
-                      kMostLaunchRays * launches);
+    rays = std::clamp(static_cast<std::uint64_t>(rate_ * pass.launch_seconds),
+                      kFirstLaunchRays / 16, kMostLaunchRays * launches);
   }
   const auto width = static_cast<std::uint64_t>(pass.crop.x1 - pass.crop.x0);
   const std::uint64_t block_row = (width * launches) << (shape.log2_h + shape.log2_samples);

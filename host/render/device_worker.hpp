@@ -26,6 +26,7 @@ struct Pass {
   int first_sample = 0;
   int samples = 0;      // per pixel: a power of two
   int tile_pixels = 0;  // as in Options
+  double launch_seconds = 0.03;
 };
 
 /// One device at work on a frame: its programs, its copy of the scene, its film and its launches.

@@ -4,6 +4,7 @@
 #include <new>
 
 #include "core/error.hpp"
+#include "core/stop_scope.hpp"
 #include "core/stopwatch.hpp"
 
 namespace aerostat::render {
@@ -16,8 +17,12 @@ class Packer {
       : old_(old), meshes_(meshes), geometry_(geometry) {}
 
   void run() {
+    const std::stop_token stop = current_stop();
+    stop_if_asked(stop);
     pack_balloon();
+    stop_if_asked(stop);
     pack_plants();
+    stop_if_asked(stop);
     pack_land();
   }
 

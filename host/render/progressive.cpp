@@ -16,6 +16,7 @@ namespace {
 
 constexpr int kMostShrink = 16;
 constexpr int kRoughCells = 192;
+constexpr double kLaunch_s = 0.02;
 constexpr double kFirstLook_s = 0.05;
 constexpr double kFirstRoughLook_s = 0.03;  // carving and building take as long again
 constexpr double kFirstRate = 1e6;          // drafted pixels per second, before one was measured
@@ -32,14 +33,27 @@ bool is_draft(const scene::Scene& scene) {
   return scene.image.spp == 1 && !scene.sun.soft_shadows && !scene.sky.ambient_occlusion;
 }
 
-/// Soon built and nearly the same from afar.
-scene::Scene roughened(scene::Scene scene) {
+int shrunk(int pixels, int shrink) {
+  return (pixels + shrink - 1) / shrink;
+}
+
+/// Soon built and nearly the same from afar: a balloon as fine as its largest pixels ask for.
+scene::Scene roughened(scene::Scene scene, int shrink) {
+  scene.image.width = shrunk(scene.image.width, shrink);
+  scene.image.height = shrunk(scene.image.height, shrink);
   scene.terrain.cells = std::min(scene.terrain.cells, kRoughCells);
   scene.vegetation.enabled = false;
   return scene;
 }
 
-Options coarsely(Options options) {
+/// A stop is answered within 50 ms.
+Options promptly(Options options) {
+  options.launch_seconds = kLaunch_s;
+  return options;
+}
+
+Options coarsely(const Options& given) {
+  Options options = promptly(given);
   options.carving = world::Carving::coarse;
   return options;
 }
@@ -72,7 +86,7 @@ std::vector<Step> steps_to(double pixels, double pixels_per_second, double patie
 }
 
 struct Progressive::State {
-  explicit State(const Options& options) : fine(options), coarse(coarsely(options)) {}
+  explicit State(const Options& options) : fine(promptly(options)), coarse(coarsely(options)) {}
 
   scene::Scene placed(const scene::Scene& scene, world::Carving carving);
   void show_steps(Session& session, const scene::Scene& resolved, bool rough);
@@ -96,6 +110,7 @@ struct Progressive::State {
 
   // Of the render under way.
   std::shared_ptr<const world::Surface> surface;
+  int world_shrink = 1;  // objects are as fine as pixels so many times larger ask for
   std::stop_token stop;
   LookCallback show;
   ProgressCallback progress;
@@ -126,13 +141,14 @@ void Progressive::State::show_steps(Session& session, const scene::Scene& resolv
                         rough ? kFirstRoughLook_s : kFirstLook_s, is_draft(resolved));
   // The fine land is worth waiting for more than more pixels of a coarse one.
   if (rough) steps.resize(std::min<std::size_t>(steps.size(), 2));
+  world_shrink = rough ? steps.back().shrink : 1;
   for (const Step& step : steps) show_step(session, resolved, step, rough);
 }
 
 void Progressive::State::show_step(Session& session, const scene::Scene& resolved, const Step& step,
                                    bool rough) {
   scene::Scene scene = step.draft ? drafted(resolved) : resolved;
-  if (rough) scene = roughened(scene);
+  if (rough) scene = roughened(scene, world_shrink);
   const bool last = step.shrink == 1 && !rough && step.draft == is_draft(resolved);
   // Trees of a former eye do until the view rests.
   const Plants plants = last ? Plants::as_seen : Plants::as_they_stand;
@@ -150,7 +166,7 @@ void Progressive::State::show_step(Session& session, const scene::Scene& resolve
     look.seconds = watch.seconds();
     show(look);
   };
-  look.film = session.render(scene, stop, watch_passes, {}, plants, step.shrink);
+  look.film = session.render(scene, stop, watch_passes, {}, plants, step.shrink / world_shrink);
   look.samples = scene.image.spp;
   look.complete = last;
   look.stats = session.stats();

@@ -180,7 +180,7 @@ void Session::State::trace_pass(const Pass& pass, RowQueue& queue) {
 image::Film Session::State::trace(const scene::Scene& scene, const Crop& crop) {
   const Stopwatch rays_watch;
   RowQueue queue(crop.y0, crop.y1, static_cast<int>(options.devices.size()));
-  Pass pass{pack::pack_frame(scene), crop, 0, 0, options.tile_pixels};
+  Pass pass{pack::pack_frame(scene), crop, 0, 0, options.tile_pixels, options.launch_seconds};
   const int wanted = scene.image.spp;
   const bool adaptive = scene.image.adaptive_threshold > 0.0;
   const AeroSettling settling = settling_of(scene.image, dvec3(daylight));

@@ -23,6 +23,7 @@ struct Options {
   int lanes = 0;                         // 0: what each device prefers
   std::uint64_t memory_limit_bytes = 0;  // buffers on each device; 0: what it reports
   int tile_pixels = 0;                   // 0: chosen so that launches stay short
+  double launch_seconds = 0.03;          // so short; two are in flight, which a stop waits for
   /// Plants that a picture cannot show, and whose shade it cannot show, are not placed. Less work
   /// for one picture, more for one who moves the view.
   bool plants_in_sight_alone = false;

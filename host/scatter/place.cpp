@@ -6,6 +6,7 @@
 #include <tbb/parallel_for.h>
 
 #include "core/error.hpp"
+#include "core/stop_scope.hpp"
 #include "scatter/layer.hpp"
 
 namespace aerostat::scatter {
@@ -143,7 +144,8 @@ std::vector<Instance> place_layer(const Layer& layer, const Place& place,
   const std::int64_t first = row_of(place.center.y - layer.reach_m) - 1;
   const std::int64_t last = row_of(place.center.y + layer.reach_m) + 1;
   std::vector<std::vector<Instance>> rows(static_cast<std::size_t>(last - first + 1));
-  tbb::parallel_for(first, last + 1, [&](std::int64_t j) {
+  tbb::parallel_for(first, last + 1, [&, stop = current_stop()](std::int64_t j) {
+    stop_if_asked(stop);
     rows[static_cast<std::size_t>(j - first)] = planter.plant_row(j);
   });
   std::size_t total = 0;

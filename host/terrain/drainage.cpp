@@ -11,6 +11,7 @@
 #include <tbb/parallel_sort.h>
 
 #include "blend.hpp"
+#include "core/stop_scope.hpp"
 #include "noise.hpp"
 
 namespace aerostat::terrain {
@@ -45,6 +46,7 @@ class Carver {
 
   HeightGrid run(int rounds, float& strength) {
     for (int round = 0; round < rounds; ++round) {
+      stop_if_asked(stop_);
       // Only what comes from outside has basins: raised ground falls from node to receiver.
       round == 0 ? flood() : sort_by_height();
       choose_receivers();
@@ -85,6 +87,7 @@ class Carver {
   float stream_slope(int node, float strength) const;
   void raise(float strength);
 
+  const std::stop_token stop_ = current_stop();
   DrainageOptions options_;
   HeightGrid grid_;
   std::vector<Bedrock> bedrock_;

@@ -6,6 +6,7 @@
 #include <tbb/parallel_for.h>
 
 #include "core/error.hpp"
+#include "core/stop_scope.hpp"
 #include "terrain/scree.hpp"
 
 namespace aerostat::terrain {
@@ -25,7 +26,10 @@ class Samples {
     for (const double value : axis) ground_.lines.push_back(static_cast<float>(value));
     ground_.lines.push_back(static_cast<float>(axis.back() + rim));
     ground_.values.resize(static_cast<std::size_t>(stride_) * static_cast<std::size_t>(stride_));
-    tbb::parallel_for(0, stride_, [this](int row) { sample_row(row); });
+    tbb::parallel_for(0, stride_, [this, stop = current_stop()](int row) {
+      stop_if_asked(stop);
+      sample_row(row);
+    });
     // Dunes slump by themselves.
     if (terrain.kind != scene::TerrainKind::dunes)
       lay_scree(ground_, kScreeShare * static_cast<float>(terrain.erosion));

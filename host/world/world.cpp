@@ -7,12 +7,15 @@
 #include <oneapi/tbb/parallel_invoke.h>
 
 #include "core/error.hpp"
+#include "core/stop_scope.hpp"
 #include "model/balloon.hpp"
 #include "terrain/terrain_mesh.hpp"
 #include "world/plants.hpp"
 
 namespace aerostat::world {
 namespace {
+
+constexpr double kCoarseEnvelope_m = 0x1p-5, kCoarseBasket_m = 0x1p-8;
 
 std::shared_ptr<const Land> build_land(const scene::Scene& scene, Carving carving) {
   auto land = std::make_shared<Land>();
@@ -35,24 +38,33 @@ std::vector<const scene::Balloon*> balloons_of(const scene::Scene& scene) {
   return balloons;
 }
 
-model::Detail balloon_detail(const scene::Scene& scene, const scene::Balloon& balloon) {
-  return model::detail_for(balloon, scene.camera.position, scene::pixel_size(scene));
+/// On a coarse land a balloon is coarse, too, even around an eye in its basket.
+model::Detail balloon_detail(const scene::Scene& scene, const scene::Balloon& balloon,
+                             Carving carving) {
+  model::Detail detail =
+      model::detail_for(balloon, scene.camera.position, scene::pixel_size(scene));
+  if (carving == Carving::coarse) {
+    detail.envelope_m = std::max(detail.envelope_m, kCoarseEnvelope_m);
+    detail.basket_m = std::max(detail.basket_m, kCoarseBasket_m);
+  }
+  return detail;
 }
 
-bool same_balloons(const scene::Scene& a, const scene::Scene& b) {
+bool same_balloons(const scene::Scene& a, const scene::Scene& b, Carving carving) {
   const auto of_a = balloons_of(a), of_b = balloons_of(b);
   return std::equal(of_a.begin(), of_a.end(), of_b.begin(), of_b.end(),
                     [&](const scene::Balloon* one, const scene::Balloon* other) {
-                      return *one == *other && balloon_detail(a, *one) == balloon_detail(b, *other);
+                      return *one == *other &&
+                             balloon_detail(a, *one, carving) == balloon_detail(b, *other, carving);
                     });
 }
 
-std::shared_ptr<const Objects> build_balloons(const scene::Scene& scene) {
+std::shared_ptr<const Objects> build_balloons(const scene::Scene& scene, Carving carving) {
   const auto balloons = balloons_of(scene);
   if (balloons.empty()) return nullptr;
   std::vector<Objects> built(balloons.size());
   tbb::parallel_for(std::size_t{0}, balloons.size(), [&](std::size_t i) {
-    for (auto& part : model::balloon(*balloons[i], balloon_detail(scene, *balloons[i]))) {
+    for (auto& part : model::balloon(*balloons[i], balloon_detail(scene, *balloons[i], carving))) {
       built[i].push_back({part.id, std::move(part.mesh)});
     }
   });
@@ -75,15 +87,16 @@ World build(const scene::Scene& scene, const World* previous, const scene::Scene
   World world;
   try {
     tbb::parallel_invoke(
-        [&] {
+        [&, stop = current_stop()] {
+          const StopScope scope(stop);
           const bool same = known && same_land(scene, *previous_scene);
           world.land = same ? previous->land : build_land(scene, carving);
           const bool grown = same && same_plants(scene, *previous_scene, where);
           world.plants = grown ? previous->plants : build_plants(scene, *world.land->ground, where);
         },
         [&] {
-          const bool same = known && same_balloons(scene, *previous_scene);
-          world.balloon = same ? previous->balloon : build_balloons(scene);
+          const bool same = known && same_balloons(scene, *previous_scene, carving);
+          world.balloon = same ? previous->balloon : build_balloons(scene, carving);
         });
   } catch (const std::bad_alloc&) {
     throw Error(ErrorKind::exhausted,

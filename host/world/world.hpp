@@ -47,7 +47,7 @@ bool same_land(const scene::Scene& a, const scene::Scene& b);
 
 /// Builds the world of a resolved scene, with plants everywhere or in sight. Parts of `previous`
 /// are kept if `previous_scene` asked for the same ones in the same places; its land must have been
-/// carved alike. Runs on all cores.
+/// carved alike. Runs on all cores; may be given up (core/stop_scope.hpp).
 /// Throws Error{exhausted} if memory does not suffice.
 World build(const scene::Scene& scene, const World* previous = nullptr,
             const scene::Scene* previous_scene = nullptr,

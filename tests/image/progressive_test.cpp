@@ -121,7 +121,7 @@ TEST(Progressive, ACoarseLandDoesNotBuryTheEye) {
     rough += look.rough ? 1 : 0;
     if (look.rough) {
       EXPECT_GE(eye.y, look.surface->height(eye.x, eye.z) + 1.99);
-      EXPECT_LT(std::abs(look.film.distance_m[0]), 1e9f) << "it sees the ground";
+      EXPECT_LT(std::abs(look.film.distance_m.back()), 1e9f) << "it sees the ground";
       EXPECT_EQ(look.scene.camera.target.y, eye.y) << "it looks where it did";
     } else {
       EXPECT_EQ(eye.y, -400.0) << "as the scene says";

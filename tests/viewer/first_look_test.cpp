@@ -84,6 +84,12 @@ void FirstLookTest::changes_are_seen_soon() {
   QElapsedTimer opening;
   opening.start();
   QVERIFY(window_->open(QStringLiteral(AEROSTAT_SOURCE_DIR "/scenes/") + scene + ".json"));
+  const auto opened = [&] {
+    return window_->shown() && window_->shown()->request == window_->request();
+  };
+  QVERIFY(QTest::qWaitFor(opened, kPatience_ms));
+  qInfo("%s: first look %lld ms after opening (%s)", qPrintable(scene), opening.elapsed(),
+        qPrintable(told(window_->shown()->look)));
   QVERIFY(QTest::qWaitFor(
       [&] {
         const auto& shown = window_->shown();
