@@ -1,3 +1,5 @@
+#include <future>
+
 #include <fmt/format.h>
 
 #include "cli/commands.hpp"
@@ -50,6 +52,12 @@ std::vector<std::uint8_t> encode(const image::Film& film, PictureFormat format,
   return image::encode_png(develop(film, image, crop));
 }
 
+/// The end of the process is near, and gives back all of a session at once what its destructor, and
+/// the driver's compiler with it, would give back in small pieces: some 40 ms.
+void keep_to_the_end(std::unique_ptr<render::Session> session) {
+  [[maybe_unused]] static const render::Session* const kept = session.release();
+}
+
 std::string summary(const fs::path& output, const image::Film& film, int spp,
                     const std::vector<opencl::Device>& devices, double seconds) {
   return fmt::format("wrote {} ({} x {}, {} spp) in {:.1f} s on {}", output.string(), film.width,
@@ -73,13 +81,16 @@ int render(const RenderOptions& options) {
   scene::Scene scene = scene_to_render(options);
   seconds.reading = phase.restart();
   require_encodable(options, scene.image, format);
-  const render::Options session_options = session_options_of(options.device);
-  render::Session session(session_options);
+  // The ground is laid out while drivers are loaded.
+  std::future<void> placing = std::async(std::launch::async, [&scene] { world::resolve(scene); });
+  render::Options session_options = session_options_of(options.device);
+  if (format == PictureFormat::png) session_options.layers = render::Layers::light_alone;
+  auto session = std::make_unique<render::Session>(session_options);
   seconds.device = phase.restart();
-  session.begin_kernels();
-  world::resolve(scene);
+  session->begin_kernels();
+  placing.get();
   seconds.placing = phase.seconds();
-  const image::Film film = session.render(
+  const image::Film film = session->render(
       scene, interrupt.token(), [&bar](const render::Progress& progress) { bar.update(progress); },
       options.crop);
   bar.clear();
@@ -95,8 +106,9 @@ int render(const RenderOptions& options) {
     bar.message(summary(output, film, scene.image.spp, session_options.devices, watch.seconds()));
   }
   if (options.stats) {
-    print_stderr(stats_text(session.stats(), peak_memory_bytes()) + seconds_text(seconds));
+    print_stderr(stats_text(session->stats(), peak_memory_bytes()) + seconds_text(seconds));
   }
+  keep_to_the_end(std::move(session));
   return 0;
 }
 

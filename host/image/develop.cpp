@@ -6,6 +6,7 @@
 #include <tbb/parallel_for.h>
 
 #include "core/error.hpp"
+#include "core/simd.hpp"
 #include "image/tone.hpp"
 #include "image/write.hpp"
 
@@ -26,11 +27,19 @@ class Table {
     values_.back() = values_[kSteps];
   }
 
-  double operator()(double x) const {
-    const double at = std::sqrt(x) * scale_;
-    const auto i = static_cast<std::size_t>(std::min(at, double{kSteps}));
-    return values_[i] + (at - static_cast<double>(i)) * (values_[i + 1] - values_[i]);
-  }
+  /// What the loops copy, so that no store can seem to change it.
+  struct Lines {
+    const double* values;
+    double scale;
+
+    AEROSTAT_INLINE double operator()(double x) const {
+      const double at = std::sqrt(x) * scale;
+      // Signed: compilers gather with signed indices only.
+      const auto i = static_cast<std::int32_t>(at < kSteps ? at : kSteps);
+      return values[i] + (at - static_cast<double>(i)) * (values[i + 1] - values[i]);
+    }
+  };
+  Lines lines() const { return {values_.data(), scale_}; }
 
  private:
   static constexpr int kSteps = 4096;
@@ -38,6 +47,9 @@ class Table {
   double scale_;
   std::array<double, kSteps + 2> values_{};
 };
+
+constexpr int kBlock = 128;
+using Values = std::array<double, kBlock>;
 
 /// By how much a vignette multiplies the light of a pixel.
 class Vignette {
@@ -47,33 +59,101 @@ class Vignette {
         first_(look.first),
         size_(look.whole == glm::ivec2(0) ? dvec2(film.width, film.height) : dvec2(look.whole)) {}
 
-  double operator()(int x, int y) const {
-    if (lost_ <= 0.0) return 1.0;
+  /// Of `count` pixels from x on.
+  void shares(int x, int y, int count, Values& share) const {
+    for (int i = 0; i < count; ++i) share[i] = lost_ <= 0.0 ? 1.0 : of(x + i, y);
+  }
+
+ private:
+  double of(int x, int y) const {
     const dvec2 from_middle = dvec2(first_ + glm::ivec2(x, y)) + 0.5 - 0.5 * size_;
     return vignette_share(2.0 * glm::length(from_middle) / glm::length(size_), lost_);
   }
 
- private:
   double lost_;
   glm::ivec2 first_;
   dvec2 size_;
 };
 
+/// What is the same for all pixels.
+struct Bath {
+  glm::dmat3 exposed;
+  Table::Lines curve, encode;
+};
+
+/// Some pixels of a row.
+struct Strip {
+  const float* light;  // three a pixel
+  int count;
+  Values share;       // that the vignette leaves
+  Values thresholds;  // of the dither
+  std::uint8_t* rgb;
+};
+
+/// What tone_map, srgb_from_linear and quantise make of the pixels, without a branch.
+AEROSTAT_INLINE void develop_loop(const Bath& bath, const Strip& strip) {
+  const glm::dmat3 m = bath.exposed;
+  const Table::Lines curve = bath.curve, encode = bath.encode;
+  const float* light = strip.light;
+  const int count = strip.count;
+  std::array<std::int32_t, 3 * kBlock> bytes;
+  for (int i = 0; i < count; ++i) {
+    const double r = light[3 * i], g = light[3 * i + 1], b = light[3 * i + 2];
+    const double share = strip.share[i], threshold = strip.thresholds[i];
+    const auto exposed = [&](int c) {
+      const double value = (m[0][c] * r + m[1][c] * g + m[2][c] * b) * share;
+      return value > 0.0 ? value : 0.0;
+    };
+    const double x = exposed(0), y = exposed(1), z = exposed(2);
+    const double higher = x < y ? y : x, peak = higher < z ? z : higher;
+    const double bent = curve(peak), display = peak < kWhitePoint ? bent : 1.0;
+    const double fourth = display * display * display * display, white = fourth * fourth;
+    const double most = peak > 0.0 ? peak : 1.0;
+    const auto byte = [&](double color) {
+      const double mapped = display * (color / most * (1.0 - white) + white);
+      // Also where an infinite component has made it NaN.
+      const double shown = mapped < 1.0 ? mapped : 1.0;
+      const double encoded = encode(shown);
+      return static_cast<std::int32_t>((encoded < 1.0 ? encoded : 1.0) * 255.0 + threshold);
+    };
+    bytes[3 * i] = byte(x);
+    bytes[3 * i + 1] = byte(y);
+    bytes[3 * i + 2] = byte(z);
+  }
+  std::uint8_t* rgb = strip.rgb;
+  for (int i = 0; i < 3 * count; ++i) rgb[i] = static_cast<std::uint8_t>(bytes[i]);
+}
+
+using Loop = void (*)(const Bath&, const Strip&);
+
+void develop_plain(const Bath& bath, const Strip& strip) {
+  develop_loop(bath, strip);
+}
+
+AEROSTAT_FOR_AVX2 void develop_avx2(const Bath& bath, const Strip& strip) {
+  develop_loop(bath, strip);
+}
+
+AEROSTAT_FOR_AVX512 void develop_avx512(const Bath& bath, const Strip& strip) {
+  develop_loop(bath, strip);
+}
+
 void develop_row(const Film& film, const Look& look, int y, Pixels& pixels) {
+  static const Loop loop = widest(develop_plain, develop_avx2, develop_avx512);
   static const Table encode(srgb_from_linear, 1.0);
-  static const Table curve_table(tone_curve, kWhitePoint);
-  const auto curve = [](double x) { return x < kWhitePoint ? curve_table(x) : 1.0; };
+  static const Table curve(tone_curve, kWhitePoint);
   const Vignette vignette(film, look);
-  const glm::dmat3 exposed = look.white_balance * std::exp2(look.exposure_ev);
-  const std::size_t first = static_cast<std::size_t>(y) * static_cast<std::size_t>(film.width);
-  for (int x = 0; x < film.width; ++x) {
-    const std::size_t index = first + static_cast<std::size_t>(x);
-    const dvec3 light = exposed * dvec3(film.radiance[index]) * vignette(x, y);
-    const dvec3 display = tone_map(light, curve);
-    for (int channel = 0; channel < 3; ++channel) {
-      pixels.rgb[3 * index + static_cast<std::size_t>(channel)] =
-          quantise(encode(std::clamp(display[channel], 0.0, 1.0)), x, y);
-    }
+  const Bath bath{look.white_balance * std::exp2(look.exposure_ev), curve.lines(), encode.lines()};
+  Strip strip;
+  for (int i = 0; i < kBlock; ++i) strip.thresholds[i] = dither_threshold(i, y);
+  for (int x = 0; x < film.width; x += kBlock) {
+    const std::size_t first = static_cast<std::size_t>(y) * static_cast<std::size_t>(film.width) +
+                              static_cast<std::size_t>(x);
+    strip.light = &film.radiance[first].x;
+    strip.count = std::min(kBlock, film.width - x);
+    strip.rgb = &pixels.rgb[3 * first];
+    vignette.shares(x, y, strip.count, strip.share);
+    loop(bath, strip);
   }
 }
 

@@ -1,6 +1,9 @@
 #include <algorithm>
+#include <array>
+#include <bit>
 #include <cmath>
-#include <limits>
+#include <cstdint>
+#include <mutex>
 #include <numeric>
 #include <vector>
 
@@ -26,35 +29,145 @@ constexpr double kMostHeldBack = 2.0;
 // of so many stops at most: a dull view has none.
 constexpr double kRaisedShare = 0.3, kMostRoom = 1.5;
 
-/// The logarithms, to the base of 2, of all luminance there is.
-std::vector<double> stops_of(const Film& film) {
-  constexpr double kNone = -std::numeric_limits<double>::infinity();
-  std::vector<double> stops(film.radiance.size());
-  tbb::parallel_for(std::size_t{0}, stops.size(), [&](std::size_t i) {
+constexpr double kLeastLight = 1e-9;
+constexpr std::size_t kBlockPixels = 8192;
+
+// Bins of luminance, 32 to a stop: the upper bits of a double, counted from those of kLeastLight.
+constexpr int kBinShift = 52 - 5;
+constexpr std::uint64_t kFirstBin = std::bit_cast<std::uint64_t>(kLeastLight) >> kBinShift;
+constexpr std::size_t kBins = (std::bit_cast<std::uint64_t>(0x1p130) >> kBinShift) - kFirstBin;
+using Counts = std::array<std::uint64_t, kBins>;
+
+std::size_t bin_of(double light) {
+  return (std::bit_cast<std::uint64_t>(light) >> kBinShift) - kFirstBin;
+}
+
+/// Calls `f` with the luminance of each pixel of a block that has any.
+template <typename F>
+void each_light(const Film& film, std::size_t block, F&& f) {
+  const std::size_t begin = block * kBlockPixels;
+  const std::size_t end = std::min(begin + kBlockPixels, film.radiance.size());
+  for (std::size_t i = begin; i < end; ++i) {
     const double light = luminance(dvec3(film.radiance[i]));
-    stops[i] = light > 1e-9 && std::isfinite(light) ? std::log2(light) : kNone;
+    if (light > kLeastLight && light < 0x1p130) f(light);
+  }
+}
+
+std::size_t blocks_of(const Film& film) {
+  return (film.radiance.size() + kBlockPixels - 1) / kBlockPixels;
+}
+
+Counts count_bins(const Film& film) {
+  Counts all{};
+  std::mutex adding;
+  tbb::parallel_for(std::size_t{0}, blocks_of(film), [&](std::size_t block) {
+    std::array<std::uint32_t, kBins> counts{};
+    each_light(film, block, [&](double light) { ++counts[bin_of(light)]; });
+    const std::lock_guard lock(adding);
+    for (std::size_t bin = 0; bin < kBins; ++bin) all[bin] += counts[bin];
   });
-  std::erase(stops, kNone);
-  return stops;
+  return all;
+}
+
+/// A place among all luminances in ascending order.
+struct Rank {
+  std::size_t bin = 0;
+  std::uint64_t within = 0;  // of the bin
+};
+
+Rank find(const Counts& counts, std::uint64_t rank) {
+  std::size_t bin = 0;
+  while (rank >= counts[bin]) rank -= counts[bin++];
+  return {bin, rank};
+}
+
+/// The sum of many logarithms by way of few: exponents are added, the rest is multiplied.
+class LogSum {
+ public:
+  void add(double value) {
+    const auto bits = std::bit_cast<std::uint64_t>(value);
+    exponents_ += static_cast<std::int64_t>(bits >> 52) - 1023;
+    product_ *= std::bit_cast<double>((bits & 0xFFFFFFFFFFFFFull) | 0x3FF0000000000000ull);
+    // Each factor is less than 2.
+    if (++factors_ % 512 == 0) settle();
+  }
+  double log2() {
+    settle();
+    return logs_ + static_cast<double>(exponents_);
+  }
+
+ private:
+  void settle() {
+    logs_ += std::log2(product_);
+    product_ = 1.0;
+  }
+
+  double product_ = 1.0, logs_ = 0.0;
+  std::int64_t exponents_ = 0;
+  unsigned factors_ = 0;
+};
+
+/// All luminances between the bins of two ranks as a sum of stops, and those of the bins that ranks
+/// lie in one by one.
+struct Sifted {
+  double stops_between = 0.0;
+  std::vector<double> edges;  // ascending
+};
+
+Sifted sift(const Film& film, const Rank& from, const Rank& to, const Rank& lights) {
+  std::vector<Sifted> parts(blocks_of(film));
+  tbb::parallel_for(std::size_t{0}, parts.size(), [&](std::size_t block) {
+    LogSum sum;
+    each_light(film, block, [&](double light) {
+      const std::size_t bin = bin_of(light);
+      if (bin > from.bin && bin < to.bin) sum.add(light);
+      if (bin == from.bin || bin == to.bin || bin == lights.bin)
+        parts[block].edges.push_back(light);
+    });
+    parts[block].stops_between = sum.log2();
+  });
+  Sifted all;
+  for (const Sifted& part : parts) {
+    all.stops_between += part.stops_between;
+    all.edges.insert(all.edges.end(), part.edges.begin(), part.edges.end());
+  }
+  std::sort(all.edges.begin(), all.edges.end());
+  return all;
+}
+
+/// What the middle of a picture and its lights come to, in stops.
+struct Levels {
+  double middle = 0.0, lights = 0.0;
+};
+
+/// Of `count` > 0 luminances.
+Levels levels_of(const Film& film, const Counts& counts, std::uint64_t count) {
+  const auto rank = [last = static_cast<double>(count - 1)](double share) {
+    return static_cast<std::uint64_t>(share * last);
+  };
+  const std::uint64_t first = rank(kDarkShare), end = rank(kBrightShare);
+  const Rank from = find(counts, first), to = find(counts, end),
+             lights = find(counts, rank(kLightsShare));
+  const Sifted sifted = sift(film, from, to, lights);
+  const std::uint64_t before_to = to.bin == from.bin ? 0 : counts[from.bin];
+  const std::uint64_t before_lights = lights.bin == to.bin ? before_to : before_to + counts[to.bin];
+  const auto stop = [&sifted](std::uint64_t place) { return std::log2(sifted.edges[place]); };
+  double middle = sifted.stops_between;
+  for (std::uint64_t place = from.within; place < before_to + to.within; ++place)
+    middle += stop(place);
+  middle = first == end ? stop(from.within) : middle / static_cast<double>(end - first);
+  return {middle, stop(before_lights + lights.within)};
 }
 
 }  // namespace
 
 double automatic_exposure_ev(const Film& film) {
-  std::vector<double> stops = stops_of(film);
-  if (stops.empty()) return 0.0;
-  const auto at = [&stops](double share) {
-    const auto last = static_cast<double>(stops.size() - 1);
-    return stops.begin() + static_cast<std::ptrdiff_t>(share * last);
-  };
-  const auto from = at(kDarkShare), to = at(kBrightShare), lights = at(kLightsShare);
-  std::nth_element(stops.begin(), from, stops.end());
-  std::nth_element(from, to, stops.end());
-  std::nth_element(to, lights, stops.end());
-  const double middle =
-      from == to ? *from : std::accumulate(from, to, 0.0) / static_cast<double>(to - from);
-  const double wanted = std::log2(kGrey) - middle;
-  const double room = std::log2(kLights) - *lights - wanted;
+  const Counts counts = count_bins(film);
+  const std::uint64_t count = std::accumulate(counts.begin(), counts.end(), std::uint64_t{0});
+  if (count == 0) return 0.0;
+  const Levels levels = levels_of(film, counts, count);
+  const double wanted = std::log2(kGrey) - levels.middle;
+  const double room = std::log2(kLights) - levels.lights - wanted;
   if (room > 0.0) return wanted + kRaisedShare * std::min(room, kMostRoom);
   return wanted + std::max(room, -kMostHeldBack);
 }

@@ -55,7 +55,7 @@ class Layers {
                                    stride * width_));
   }
 
-  void add_vector(const char* x, const char* y, const char* z, const std::vector<vec3>& values) {
+  void add_vector(const char* x, const char* y, const char* z, const Array<vec3>& values) {
     add(x, Imf::FLOAT, &values[0].x, sizeof(vec3));
     add(y, Imf::FLOAT, &values[0].y, sizeof(vec3));
     add(z, Imf::FLOAT, &values[0].z, sizeof(vec3));

@@ -1,8 +1,8 @@
 #pragma once
 
 #include <cstdint>
-#include <vector>
 
+#include "core/array.hpp"
 #include "core/math.hpp"
 
 namespace aerostat::image {
@@ -12,12 +12,12 @@ namespace aerostat::image {
 struct Film {
   int width = 0;
   int height = 0;
-  std::vector<vec3> radiance;
-  std::vector<float> alpha;              // share of the samples that hit something
-  std::vector<float> distance_m;         // along the ray, nearest sample; +inf for sky
-  std::vector<vec3> normal_ws;           // world space, unit; 0 for sky
-  std::vector<std::uint32_t> object_id;  // scene::ObjectId; 0 for sky
-  std::vector<std::uint32_t> samples;    // that each pixel has taken
+  Array<vec3> radiance;
+  Array<float> alpha;              // share of the samples that hit something
+  Array<float> distance_m;         // along the ray, nearest sample; +inf for sky
+  Array<vec3> normal_ws;           // world space, unit; 0 for sky
+  Array<std::uint32_t> object_id;  // scene::ObjectId; 0 for sky
+  Array<std::uint32_t> samples;    // that each pixel has taken
   vec3 daylight{1.0f};           // radiance of a white card that faces the sun, at the eye's height
   std::uint64_t nan_pixels = 0;  // pixels that came out NaN or infinite and were set to black
 };

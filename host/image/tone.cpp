@@ -55,7 +55,16 @@ double tone_curve(double x) {
 }
 
 dvec3 tone_map(const dvec3& exposed) {
-  return tone_map(exposed, tone_curve);
+  const auto positive = [](double v) { return v > 0.0 ? v : 0.0; };
+  const dvec3 color{positive(exposed.x), positive(exposed.y), positive(exposed.z)};
+  const double peak = std::max({color.x, color.y, color.z});
+  if (peak == 0.0) return dvec3{0.0};
+  // An infinite component would make its ratio NaN.
+  if (!std::isfinite(peak)) return dvec3{1.0};
+  const double display = tone_curve(peak);
+  // How late highlights lose their colour: the share of white is the display value to the eighth.
+  const double fourth = display * display * display * display, white = fourth * fourth;
+  return display * (color / peak * (1.0 - white) + white);
 }
 
 double srgb_from_linear(double linear) {
@@ -68,10 +77,13 @@ double linear_from_srgb(double encoded) {
   return y <= 0.04045 ? y / 12.92 : std::pow((y + 0.055) / 1.055, 2.4);
 }
 
-std::uint8_t quantise(double encoded, int x, int y) {
+double dither_threshold(int x, int y) {
   static constexpr auto kThresholds = bayer_thresholds();
-  const auto place = (static_cast<unsigned>(y) & 7u) * 8u + (static_cast<unsigned>(x) & 7u);
-  return static_cast<std::uint8_t>(std::clamp(encoded, 0.0, 1.0) * 255.0 + kThresholds[place]);
+  return kThresholds[(static_cast<unsigned>(y) & 7u) * 8u + (static_cast<unsigned>(x) & 7u)];
+}
+
+std::uint8_t quantise(double encoded, int x, int y) {
+  return static_cast<std::uint8_t>(std::clamp(encoded, 0.0, 1.0) * 255.0 + dither_threshold(x, y));
 }
 
 }  // namespace aerostat::image

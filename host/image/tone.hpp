@@ -1,7 +1,5 @@
 #pragma once
 
-#include <algorithm>
-#include <cmath>
 #include <cstdint>
 
 #include "core/math.hpp"
@@ -29,21 +27,6 @@ inline constexpr double kWhitePoint = 6.0;
 /// grey.
 dvec3 tone_map(const dvec3& exposed);
 
-/// The same by `curve`, which stands for tone_curve of a positive finite value.
-template <typename Curve>
-dvec3 tone_map(const dvec3& exposed, const Curve& curve) {
-  const auto positive = [](double v) { return v > 0.0 ? v : 0.0; };
-  const dvec3 color{positive(exposed.x), positive(exposed.y), positive(exposed.z)};
-  const double peak = std::max({color.x, color.y, color.z});
-  if (peak == 0.0) return dvec3{0.0};
-  // An infinite component would make its ratio NaN.
-  if (!std::isfinite(peak)) return dvec3{1.0};
-  const double display = curve(peak);
-  // How late highlights lose their colour: the share of white is the display value to the eighth.
-  const double fourth = display * display * display * display, white = fourth * fourth;
-  return display * (color / peak * (1.0 - white) + white);
-}
-
 /// The sRGB transfer function (IEC 61966-2-1), linear [0, 1] to encoded [0, 1]; clamps.
 double srgb_from_linear(double linear);
 
@@ -54,5 +37,8 @@ double linear_from_srgb(double encoded);
 /// method for two-level rendition of continuous-tone pictures", ICC 1973) of +-0.5 steps: over a
 /// block of 8x8 pixels the mean is right to 1/64 step, and 0 and 1 stay what they are.
 std::uint8_t quantise(double encoded, int x, int y);
+
+/// What quantise adds to 255 times the value before it cuts off the fraction.
+double dither_threshold(int x, int y);
 
 }  // namespace aerostat::image

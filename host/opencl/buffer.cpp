@@ -44,9 +44,10 @@ void MemoryBudget::release(std::uint64_t bytes) {
 }
 
 RawBuffer::RawBuffer(const Context& context, MemoryBudget budget, std::uint64_t bytes,
-                     std::string what, cl_mem_flags flags)
+                     std::string what, cl_mem_flags flags, Content content)
     : queue_(context.queue()), budget_(std::move(budget)), what_(std::move(what)) {
   allocate(context, bytes, flags, [&] {
+    if (content == Content::unset) return;
     queue_.enqueueFillBuffer(handle_, cl_uint4{}, 0, rounded_up(bytes));
     queue_.finish();
   });

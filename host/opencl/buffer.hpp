@@ -40,15 +40,19 @@ class MemoryBudget {
   std::shared_ptr<State> state_;
 };
 
+/// What new memory holds.
+enum class Content { zeros, unset };
+
 /// Untyped device memory that stands in a budget as long as it lives. Movable; a moved-from or
 /// default one is empty.
 class RawBuffer {
  public:
   RawBuffer() = default;
-  /// `bytes` zero bytes (at least 16, rounded up to 16: OpenCL knows no empty buffers). They are
-  /// written at once, so that a driver that allocates late fails here. Throws Error{exhausted}.
+  /// `bytes` bytes (at least 16, rounded up to 16: OpenCL knows no empty buffers). Zeros are
+  /// written at once, so that a driver that allocates late fails here; unset memory is for who lets
+  /// a kernel write all of it next, on all cores of a CPU. Throws Error{exhausted}.
   RawBuffer(const Context& context, MemoryBudget budget, std::uint64_t bytes, std::string what,
-            cl_mem_flags flags);
+            cl_mem_flags flags, Content content = Content::zeros);
   /// A copy of `bytes` bytes at `data`.
   RawBuffer(const Context& context, MemoryBudget budget, const void* data, std::uint64_t bytes,
             std::string what, cl_mem_flags flags);
@@ -99,10 +103,10 @@ class Buffer {
       : raw_(context, budget, values.data(), values.size_bytes(), std::move(what), flags),
         size_(values.size()) {}
 
-  /// `count` elements of zero bytes.
+  /// `count` elements, of zero bytes or unset: see RawBuffer.
   Buffer(const Context& context, const MemoryBudget& budget, std::size_t count, std::string what,
-         cl_mem_flags flags = CL_MEM_READ_WRITE)
-      : raw_(context, budget, std::uint64_t{count} * sizeof(T), std::move(what), flags),
+         cl_mem_flags flags = CL_MEM_READ_WRITE, Content content = Content::zeros)
+      : raw_(context, budget, std::uint64_t{count} * sizeof(T), std::move(what), flags, content),
         size_(count) {}
 
   /// `values`, which kernels only read, without a copy: see RawBuffer.

@@ -50,7 +50,7 @@ void DeviceWorker::begin_frame(const AeroScene& scene, std::size_t pixels) {
   scene_ = {context_, budget_, std::span(&scene, 1), "the scene"};
   if (film_.size() != pixels) {
     film_ = {};
-    film_ = {context_, budget_, pixels, "the film"};
+    film_ = {context_, budget_, pixels, "the film", CL_MEM_READ_WRITE, opencl::Content::unset};
   }
   opencl::launch(context_, programs_->clear_film, packet_range(pixels, 1), film_,
                  static_cast<cl_uint>(pixels));

@@ -1,64 +1,83 @@
 #include "render/film_buffer.hpp"
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
+#include <mutex>
 
 #include <oneapi/tbb/parallel_for.h>
-#include <oneapi/tbb/parallel_invoke.h>
 
 namespace aerostat::render {
 namespace {
 
 constexpr int kBandRows = 128;
 
+/// What reading counts.
+struct Counts {
+  std::uint64_t samples = 0, hits = 0, nan_pixels = 0;
+
+  void add(const Counts& more) {
+    samples += more.samples;
+    hits += more.hits;
+    nan_pixels += more.nan_pixels;
+  }
+};
+
 /// False if the pixel is no number and became black.
-bool store(image::Film& film, std::size_t i, const AeroFilmPixel& pixel) {
+bool store_light(image::Film& film, std::size_t i, const AeroFilmPixel& pixel) {
   const float per_sample = 1.0f / static_cast<float>(std::max(pixel.samples, 1u));
   vec3 radiance = vec3(pixel.radiance[0], pixel.radiance[1], pixel.radiance[2]) * per_sample;
   const bool finite = is_finite(radiance);
   if (!finite) radiance = vec3(0.0f);
   film.radiance[i] = radiance;
+  return finite;
+}
+
+void store_layers(image::Film& film, std::size_t i, const AeroFilmPixel& pixel) {
+  const float per_sample = 1.0f / static_cast<float>(std::max(pixel.samples, 1u));
   film.alpha[i] = pixel.coverage * per_sample;
   film.distance_m[i] = pixel.distance;
   film.normal_ws[i] = vec3(pixel.normal[0], pixel.normal[1], pixel.normal[2]);
   film.object_id[i] = pixel.object;
   film.samples[i] = pixel.samples;
-  return finite;
 }
 
-image::Film empty_film(const Crop& crop) {
+Counts store_row(image::Film& film, std::size_t first, std::span<const AeroFilmPixel> pixels) {
+  Counts counts;
+  for (std::size_t x = 0; x < pixels.size(); ++x) {
+    const AeroFilmPixel& pixel = pixels[x];
+    counts.nan_pixels += store_light(film, first + x, pixel) ? 0 : 1;
+    counts.samples += pixel.samples;
+    counts.hits += static_cast<std::uint64_t>(pixel.coverage);  // a whole number
+  }
+  if (film.samples.empty()) return counts;
+  for (std::size_t x = 0; x < pixels.size(); ++x) store_layers(film, first + x, pixels[x]);
+  return counts;
+}
+
+image::Film empty_film(const Crop& crop, Layers layers) {
   image::Film film;
   film.width = crop.x1 - crop.x0;
   film.height = crop.y1 - crop.y0;
   const auto pixels = static_cast<std::size_t>(film.width) * static_cast<std::size_t>(film.height);
-  // Who first touches a page waits for the system to clear it: on two cores at least.
-  tbb::parallel_invoke([&] { film.radiance.resize(pixels); },
-                       [&] { film.normal_ws.resize(pixels); },
-                       [&] {
-                         film.alpha.resize(pixels);
-                         film.distance_m.resize(pixels);
-                         film.object_id.resize(pixels);
-                         film.samples.resize(pixels);
-                       });
+  film.radiance.resize(pixels);
+  if (layers == Layers::light_alone) return film;
+  film.alpha.resize(pixels);
+  film.distance_m.resize(pixels);
+  film.normal_ws.resize(pixels);
+  film.object_id.resize(pixels);
+  film.samples.resize(pixels);
   return film;
 }
 
 }  // namespace
 
-image::Film read_film(std::span<const FilmRows> parts, int image_width, const Crop& crop) {
-  image::Film film = empty_film(crop);
+ReadFilm read_film(std::span<const FilmRows> parts, int image_width, const Crop& crop,
+                   Layers layers) {
+  image::Film film = empty_film(crop, layers);
   const auto width = static_cast<std::size_t>(film.width);
-  std::atomic<std::uint64_t> nan_pixels{0};
-  const auto store_row = [&](const AeroFilmPixel* pixels, int y) {
-    const std::size_t to = static_cast<std::size_t>(y - crop.y0) * width;
-    std::uint64_t bad = 0;
-    for (std::size_t x = 0; x < width; ++x) {
-      bad += store(film, to + x, pixels[x]) ? 0 : 1;
-    }
-    nan_pixels += bad;
-  };
   const auto columns = static_cast<std::size_t>(image_width);
+  Counts all;
+  std::mutex counting;
   for (const FilmRows& part : parts) {
     for (int y0 = part.y0; y0 < part.y1; y0 += kBandRows) {
       const int y1 = std::min(y0 + kBandRows, part.y1);
@@ -67,13 +86,17 @@ image::Film read_film(std::span<const FilmRows> parts, int image_width, const Cr
       part.film->look_at(first, count, [&](std::span<const AeroFilmPixel> band) {
         tbb::parallel_for(y0, y1, [&](int y) {
           const std::size_t row = static_cast<std::size_t>(y - y0) * columns;
-          store_row(band.data() + row + static_cast<std::size_t>(crop.x0), y);
+          const Counts counts =
+              store_row(film, static_cast<std::size_t>(y - crop.y0) * width,
+                        band.subspan(row + static_cast<std::size_t>(crop.x0), width));
+          const std::lock_guard lock(counting);
+          all.add(counts);
         });
       });
     }
   }
-  film.nan_pixels = nan_pixels;
-  return film;
+  film.nan_pixels = all.nan_pixels;
+  return {std::move(film), all.samples, all.hits};
 }
 
 }  // namespace aerostat::render

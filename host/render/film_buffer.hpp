@@ -17,8 +17,15 @@ struct FilmRows {
   const FilmBuffer* film = nullptr;
 };
 
+struct ReadFilm {
+  image::Film film;
+  std::uint64_t samples = 0;  // of all pixels
+  std::uint64_t hits = 0;     // samples that met something
+};
+
 /// Reads the pixels of `crop`, whose rows are `parts` from the top, and averages their samples.
 /// Pixels that are NaN or infinite become black and are counted.
-image::Film read_film(std::span<const FilmRows> parts, int image_width, const Crop& crop);
+ReadFilm read_film(std::span<const FilmRows> parts, int image_width, const Crop& crop,
+                   Layers layers = Layers::all);
 
 }  // namespace aerostat::render

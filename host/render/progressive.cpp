@@ -152,7 +152,7 @@ void Progressive::State::show_step(Session& session, const scene::Scene& resolve
   const bool last = step.shrink == 1 && !rough && step.draft == is_draft(resolved);
   // Trees of a former eye do until the view rests.
   const Plants plants = last ? Plants::as_seen : Plants::as_they_stand;
-  Look look{{}, resolved, surface, step.shrink, 0, rough, step.draft, false, {}, 0.0};
+  Look look{image::Film(), resolved, surface, step.shrink, 0, rough, step.draft, false, {}, 0.0};
   const auto watch_passes = [&](const Progress& now) {
     if (progress) progress(now);
     if (!rough && now.stage >= Stage::upload) {

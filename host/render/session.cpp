@@ -3,11 +3,8 @@
 #include <algorithm>
 #include <functional>
 #include <mutex>
-#include <numeric>
 
 #include <fmt/format.h>
-#include <oneapi/tbb/blocked_range.h>
-#include <oneapi/tbb/parallel_reduce.h>
 
 #include "core/error.hpp"
 #include "core/stopwatch.hpp"
@@ -19,20 +16,6 @@
 
 namespace aerostat::render {
 namespace {
-
-/// Samples that met something.
-std::uint64_t hits_of(const image::Film& film) {
-  const auto hits_between = [&](const tbb::blocked_range<std::size_t>& range, std::uint64_t hits) {
-    for (std::size_t i = range.begin(); i != range.end(); ++i) {
-      // Half a sample more, and cut off: a whole number but for rounding.
-      hits +=
-          static_cast<std::uint64_t>(film.alpha[i] * static_cast<float>(film.samples[i]) + 0.5f);
-    }
-    return hits;
-  };
-  return tbb::parallel_reduce(tbb::blocked_range<std::size_t>(0, film.alpha.size(), 1u << 14),
-                              std::uint64_t{0}, hits_between, std::plus<>());
-}
 
 /// Every hit has sent one ray to each light that casts shadows.
 std::uint64_t shadow_rays_of(std::uint64_t hits, const scene::Scene& scene) {
@@ -201,13 +184,12 @@ image::Film Session::State::trace(const scene::Scene& scene, const Crop& crop) {
 
 image::Film Session::State::read_passes(const scene::Scene& scene, const Crop& crop,
                                         const RowQueue& queue) {
-  image::Film read = read_film(team.film_rows(queue), scene.image.width, crop);
-  read.daylight = daylight;
-  const std::uint64_t hits = hits_of(read);
-  stats.primary_rays = std::accumulate(read.samples.begin(), read.samples.end(), std::uint64_t{0});
-  stats.shadow_rays = shadow_rays_of(hits, scene);
-  stats.ambient_rays = scene.sky.ambient_occlusion ? hits : 0;
-  return read;
+  ReadFilm read = read_film(team.film_rows(queue), scene.image.width, crop, options.layers);
+  read.film.daylight = daylight;
+  stats.primary_rays = read.samples;
+  stats.shadow_rays = shadow_rays_of(read.hits, scene);
+  stats.ambient_rays = scene.sky.ambient_occlusion ? read.hits : 0;
+  return std::move(read.film);
 }
 
 void Session::State::publish(image::Film read) {
@@ -220,8 +202,9 @@ void Session::State::publish(image::Film read) {
 void Session::State::finish(const scene::Scene& scene, const Crop& crop, const RowQueue& queue) {
   const std::lock_guard lock(snapshot_mutex);
   latest = {};
-  finished = [parts = team.film_rows(queue), width = scene.image.width, crop, light = daylight] {
-    image::Film film = read_film(parts, width, crop);
+  finished = [parts = team.film_rows(queue), width = scene.image.width, crop, light = daylight,
+              layers = options.layers] {
+    image::Film film = read_film(parts, width, crop, layers).film;
     film.daylight = light;
     return film;
   };

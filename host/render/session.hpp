@@ -18,6 +18,9 @@
 /// Rendering as a library: a render can be started, observed, cancelled and read while it refines.
 namespace aerostat::render {
 
+/// What a film holds beside the light: all layers, or none, which is less to read back.
+enum class Layers { all, light_alone };
+
 struct Options {
   std::vector<opencl::Device> devices;   // that share each picture; at least one
   int lanes = 0;                         // 0: what each device prefers
@@ -29,6 +32,7 @@ struct Options {
   bool plants_in_sight_alone = false;
   /// How finely land is carved; scenes must be resolved on the same.
   world::Carving carving = world::Carving::fine;
+  Layers layers = Layers::all;
 };
 
 /// A part of the image: pixels x0 <= x < x1, y0 <= y < y1.

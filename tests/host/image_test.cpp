@@ -36,7 +36,7 @@ Pixels random_pixels(int width, int height) {
 }
 
 TEST(Png, DecodesToTheSamePixels) {
-  for (auto [width, height] : {std::pair{1, 1}, {7, 3}, {64, 65}}) {
+  for (auto [width, height] : {std::pair{1, 1}, {7, 3}, {64, 65}, {1000, 300}}) {
     const Pixels pixels = random_pixels(width, height);
     const auto png = encode_png(pixels);
     int w = 0, h = 0, channels = 0;
@@ -49,6 +49,36 @@ TEST(Png, DecodesToTheSamePixels) {
     EXPECT_EQ(std::memcmp(back, pixels.rgb.data(), pixels.rgb.size()), 0);
     stbi_image_free(back);
   }
+}
+
+/// A chunk's checksum bit by bit, as the standard's annex D defines it.
+std::uint32_t checksum(const std::uint8_t* bytes, std::size_t count) {
+  std::uint32_t sum = ~0u;
+  for (std::size_t i = 0; i < count; ++i) {
+    sum ^= bytes[i];
+    for (int bit = 0; bit < 8; ++bit) sum = (sum >> 1) ^ ((sum & 1u) != 0 ? 0xEDB88320u : 0u);
+  }
+  return ~sum;
+}
+
+TEST(Png, HasChunksWithTheirChecksums) {
+  const auto png = encode_png(random_pixels(300, 200));
+  const auto word = [&png](std::size_t at) {
+    return std::uint32_t{png[at]} << 24 | std::uint32_t{png[at + 1]} << 16 |
+           std::uint32_t{png[at + 2]} << 8 | png[at + 3];
+  };
+  std::string types;
+  std::size_t at = 8;
+  while (at + 12 <= png.size()) {
+    const std::size_t length = word(at);
+    ASSERT_LE(at + 12 + length, png.size());
+    types.append(png.begin() + static_cast<std::ptrdiff_t>(at) + 4,
+                 png.begin() + static_cast<std::ptrdiff_t>(at) + 8);
+    EXPECT_EQ(word(at + 8 + length), checksum(&png[at + 4], length + 4)) << types;
+    at += 12 + length;
+  }
+  EXPECT_EQ(at, png.size());
+  EXPECT_EQ(types, "IHDRIDATIEND");
 }
 
 TEST(Png, RefusesWhatTheEncoderCannotCount) {
@@ -98,7 +128,7 @@ Film example_film(int width, int height) {
 }
 
 template <typename T>
-std::vector<T> read_channel(const std::vector<std::uint8_t>& bytes, const char* name) {
+Array<T> read_channel(const std::vector<std::uint8_t>& bytes, const char* name) {
   MemoryInput stream(bytes);
   Imf::InputFile file(stream);
   const Imf::Channel* channel = file.header().channels().findChannel(name);
@@ -106,7 +136,7 @@ std::vector<T> read_channel(const std::vector<std::uint8_t>& bytes, const char* 
   const auto window = file.header().dataWindow();
   const std::size_t width = static_cast<std::size_t>(window.max.x + 1);
   const std::size_t height = static_cast<std::size_t>(window.max.y + 1);
-  std::vector<T> values(width * height);
+  Array<T> values(width * height);
   Imf::FrameBuffer frame;
   frame.insert(name,
                Imf::Slice(std::is_same_v<T, float> ? Imf::FLOAT : Imf::UINT,
@@ -120,7 +150,7 @@ std::vector<T> read_channel(const std::vector<std::uint8_t>& bytes, const char* 
 TEST(Exr, ReadsBackAsWritten) {
   const Film film = example_film(19, 37);
   const auto bytes = encode_exr(film);
-  std::vector<float> expected[6];
+  Array<float> expected[6];
   for (std::size_t i = 0; i < film.radiance.size(); ++i) {
     for (int c = 0; c < 3; ++c) {
       expected[c].push_back(film.radiance[i][c]);

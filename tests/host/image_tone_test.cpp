@@ -1,10 +1,13 @@
 // The way from radiance to display values: properties of the curve and values in closed form.
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <random>
 
 #include <gtest/gtest.h>
+#include <tbb/global_control.h>
 
 #include "core/error.hpp"
 #include "image/tone.hpp"
@@ -221,6 +224,65 @@ TEST(AutomaticExposure, LetsAGlitterClipRatherThanLoseTheRest) {
 TEST(AutomaticExposure, TakesAPictureWithoutLight) {
   EXPECT_EQ(automatic_exposure_ev(grey_film({0.0f, 0.0f})), 0.0);
   EXPECT_EQ(automatic_exposure_ev({}), 0.0);
+}
+
+/// Light of many brightnesses, and some that is none.
+Film varied_film(int width, int height) {
+  Film film;
+  film.width = width;
+  film.height = height;
+  std::mt19937 random(43);
+  std::normal_distribution<float> exponent(-3.0f, 4.0f);
+  for (int i = 0; i < width * height; ++i)
+    film.radiance.emplace_back(std::exp2(exponent(random)), std::exp2(exponent(random)),
+                               std::exp2(exponent(random)));
+  film.radiance[0] = vec3(0.0f);
+  film.radiance[1] = vec3(std::numeric_limits<float>::infinity(), 0.2f, 0.0f);
+  film.radiance[2] = vec3(std::numeric_limits<float>::quiet_NaN(), 0.3f, 0.1f);
+  film.radiance[3] = vec3(-1.0f, 0.0f, 0.0f);
+  return film;
+}
+
+TEST(AutomaticExposure, IsThatOfAllStopsInTheirOrder) {
+  const Film film = varied_film(397, 211);
+  std::vector<double> stops;
+  for (const vec3& radiance : film.radiance) {
+    const double light = luminance(dvec3(radiance));
+    if (light > 1e-9 && std::isfinite(light)) stops.push_back(std::log2(light));
+  }
+  std::sort(stops.begin(), stops.end());
+  const auto at = [&](double share) {
+    return stops.begin() +
+           static_cast<std::ptrdiff_t>(share * static_cast<double>(stops.size() - 1));
+  };
+  const double middle =
+      std::accumulate(at(0.2), at(0.95), 0.0) / static_cast<double>(at(0.95) - at(0.2));
+  // Lights this bright hold the whole back by two stops.
+  ASSERT_GT(*at(0.99) - middle, 5.0);
+  EXPECT_NEAR(automatic_exposure_ev(film), std::log2(0.25) - middle - 2.0, 1e-11);
+}
+
+TEST(AutomaticExposure, DoesNotDependOnTheNumberOfThreads) {
+  const Film film = varied_film(500, 400);
+  const double ev = automatic_exposure_ev(film);
+  const tbb::global_control one(tbb::global_control::max_allowed_parallelism, 1);
+  EXPECT_EQ(automatic_exposure_ev(film), ev);
+}
+
+TEST(Develop, TakesRowsOfAnyLengthAndWhatIsNoColour) {
+  for (const int width : {1, 5, 127, 129, 300}) {
+    Film film = varied_film(width, 9);
+    film.radiance[2] = vec3(0.5f);  // a film has no NaN
+    const Pixels pixels = develop(film, 0.0);
+    for (int i = 0; i < width * 9; ++i) {
+      const dvec3 display = tone_map(dvec3(film.radiance[static_cast<std::size_t>(i)]));
+      for (int c = 0; c < 3; ++c) {
+        ASSERT_NEAR(pixels.rgb[static_cast<std::size_t>(3 * i + c)],
+                    quantise(srgb_from_linear(display[c]), i % width, i / width), 1)
+            << "pixel " << i << " of " << width;
+      }
+    }
+  }
 }
 
 TEST(Develop, RefusesAFilmWithoutItsPixels) {
