@@ -8,7 +8,7 @@ namespace aerostat::test {
 namespace {
 
 template <typename T>
-std::size_t first_difference(const std::vector<T>& a, const std::vector<T>& b) {
+std::size_t first_difference(const Array<T>& a, const Array<T>& b) {
   for (std::size_t i = 0; i < a.size(); ++i) {
     if (std::memcmp(&a[i], &b[i], sizeof(T)) != 0) return i;
   }
@@ -16,8 +16,8 @@ std::size_t first_difference(const std::vector<T>& a, const std::vector<T>& b) {
 }
 
 template <typename T>
-testing::AssertionResult same_layer(const char* name, const std::vector<T>& a,
-                                    const std::vector<T>& b, int width) {
+testing::AssertionResult same_layer(const char* name, const Array<T>& a, const Array<T>& b,
+                                    int width) {
   if (a.size() != b.size()) {
     return testing::AssertionFailure()
            << name << ": " << a.size() << " and " << b.size() << " pixels";
@@ -30,8 +30,8 @@ testing::AssertionResult same_layer(const char* name, const std::vector<T>& a,
 }
 
 template <typename T>
-std::vector<T> cut_layer(const std::vector<T>& layer, int width, const render::Crop& crop) {
-  std::vector<T> part;
+Array<T> cut_layer(const Array<T>& layer, int width, const render::Crop& crop) {
+  Array<T> part;
   for (int y = crop.y0; y < crop.y1; ++y) {
     const auto row = layer.begin() + static_cast<std::ptrdiff_t>(y) * width;
     part.insert(part.end(), row + crop.x0, row + crop.x1);

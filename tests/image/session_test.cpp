@@ -1,5 +1,6 @@
 // The library's promises: progress, re-use, pictures that depend on the scene alone.
 #include <map>
+#include <numeric>
 #include <set>
 #include <thread>
 
@@ -54,6 +55,23 @@ TEST(Progress, ReportsEveryStageOfAFirstRender) {
        {Stage::world, Stage::kernels, Stage::upload, Stage::rays, Stage::done}) {
     EXPECT_TRUE(stages.count(stage)) << "stage " << static_cast<int>(stage);
   }
+}
+
+TEST(Layers, LeftOutLeaveTheLightAndTheCountsAsTheyAre) {
+  const auto scene = small_scene("snow");
+  render::Options light_alone = options();
+  light_alone.layers = render::Layers::light_alone;
+  Session whole(options()), lean(light_alone);
+  const image::Film expected = whole.render(scene), film = lean.render(scene);
+  EXPECT_EQ(film.radiance, expected.radiance);
+  EXPECT_EQ(lean.snapshot().radiance, expected.radiance);
+  EXPECT_TRUE(film.alpha.empty() && film.distance_m.empty() && film.normal_ws.empty() &&
+              film.object_id.empty() && film.samples.empty());
+  EXPECT_EQ(lean.stats().primary_rays, whole.stats().primary_rays);
+  EXPECT_EQ(lean.stats().shadow_rays, whole.stats().shadow_rays);
+  const auto samples =
+      std::accumulate(expected.samples.begin(), expected.samples.end(), std::uint64_t{0});
+  EXPECT_EQ(whole.stats().primary_rays, samples);
 }
 
 /// One session for the tests of re-use; each begins with a render of the same scene.
