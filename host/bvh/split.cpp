@@ -1,130 +1,45 @@
 #include "split.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <vector>
 
 #include <tbb/parallel_for.h>
 
+#include "loops.hpp"
+
 namespace aerostat::bvh {
 namespace {
 
-constexpr int kBins = 32;
 // From here on a range is worth all cores. Its chunks depend on its size alone: the result must not
 // depend on the number of threads.
 constexpr std::size_t kParallelCount = std::size_t{1} << 17;
 constexpr std::size_t kMinChunk = std::size_t{1} << 14;
 constexpr std::size_t kMaxChunks = 64;
 
-struct Bins {
-  Box box[3][kBins];
-  std::uint32_t count[3][kBins] = {};
-
-  void merge(const Bins& other) {
-    for (int axis = 0; axis < 3; ++axis) {
-      for (int i = 0; i < kBins; ++i) {
-        box[axis][i].grow(other.box[axis][i]);
-        count[axis][i] += other.count[axis][i];
-      }
-    }
-  }
-};
-
-// Maps centroids to bins. An axis whose extent floats cannot divide has scale 0: all in one bin.
-struct BinMap {
-  Float4 origin;
-  Float4 scale = broadcast(0.0f);
-
-  explicit BinMap(const Box& centroids) : origin(centroids.lo) {
-    for (int axis = 0; axis < 3; ++axis) {
-      const float extent = centroids.hi[axis] - centroids.lo[axis];
-      const float s = static_cast<float>(kBins) * 0.99999f / extent;
-      if (extent > 0.0f && std::isfinite(s)) scale[axis] = s;
-    }
-    origin[3] = 0.0f;
-  }
-  Int4 operator()(Float4 centroid) const {
-    return __builtin_convertvector((centroid - origin) * scale, Int4);
-  }
-};
-
-struct Plane {
-  int axis = -1;
-  int bin = 0;  // the first one of the right side
-  Box bounds[2];
-};
+// Below some size more bins find no better planes.
+int bins_for(std::size_t count) {
+  return count > 256 ? kMostBins : kMostBins / 2;
+}
 
 void fill(Bins& bins, std::span<const Primitive> range, const BinMap& map) {
-  for (const Primitive& primitive : range) {
-    const Box box = load_box(primitive);
-    const Int4 bin = map(box.half_centre());
-    for (int axis = 0; axis < 3; ++axis) {
-      bins.box[axis][bin[axis]].grow(box);
-      ++bins.count[axis][bin[axis]];
-    }
-  }
+  loops().fill(bins, range.data(), range.size(), map);
 }
 
-// The cheapest plane of one axis, if it costs less than `best_cost`.
-void search_axis(const Bins& bins, int axis, float& best_cost, Plane& best) {
-  float right_cost[kBins];
-  Box right[kBins];
-  Box box;
-  std::uint32_t count = 0;
-  for (int i = kBins - 1; i > 0; --i) {
-    box.grow(bins.box[axis][i]);
-    count += bins.count[axis][i];
-    right[i] = box;
-    right_cost[i] = count == 0 ? kInfinity : box.half_area() * static_cast<float>(count);
-  }
-  box = Box();
-  count = 0;
-  for (int i = 1; i < kBins; ++i) {
-    box.grow(bins.box[axis][i - 1]);
-    count += bins.count[axis][i - 1];
-    if (count == 0) continue;
-    const float cost = box.half_area() * static_cast<float>(count) + right_cost[i];
-    if (cost < best_cost) {
-      best_cost = cost;
-      best = {axis, i, {box, right[i]}};
-    }
-  }
-}
-
-Plane search(const Bins& bins) {
-  float best_cost = kInfinity;
-  Plane best;
-  for (int axis = 0; axis < 3; ++axis) search_axis(bins, axis, best_cost, best);
-  return best;
-}
-
-// Partitions in place and gathers the centroid bounds of both sides on the way. Which side comes
-// next cannot be foretold, so nothing branches on it: every primitive changes places with the first
-// one known to be right (or itself), and each side's bounds take in a point that cannot widen them
-// where the primitive is not theirs.
-Parts partition(std::span<Primitive> range, const BinMap& map, const Plane& plane) {
+Parts partition(std::span<Primitive> range, const BinMap& map, const Plane& plane,
+                const Box (&bounds)[2]) {
   Parts parts;
-  std::size_t left = 0;
-  const Float4 none = broadcast(kInfinity);
-  for (std::size_t i = 0; i < range.size(); ++i) {
-    const Primitive moved = range[i];
-    const Float4 centre = load_box(moved).half_centre();
-    const bool goes_left = map(centre)[plane.axis] < plane.bin;
-    const Int4 is_left = Int4{} - static_cast<std::int32_t>(goes_left);
-    range[i] = range[left];
-    range[left] = moved;
-    left += goes_left ? 1 : 0;
-    for (int side = 0; side < 2; ++side) {
-      const Int4 counts = side == 0 ? is_left : ~is_left;
-      Box& box = parts.centroids[side];
-      box.lo = min4(box.lo, counts ? centre : none);
-      box.hi = max4(box.hi, counts ? centre : -none);
-    }
-  }
-  parts.left_count = static_cast<std::uint32_t>(left);
-  parts.bounds[0] = plane.bounds[0];
-  parts.bounds[1] = plane.bounds[1];
+  parts.left_count = static_cast<std::uint32_t>(
+      loops().partition(range.data(), range.size(), map, plane, parts.centroids));
+  for (int side = 0; side < 2; ++side) parts.bounds[side] = bounds[side];
   return parts;
+}
+
+void merge(Bins& bins, const Bins& other) {
+  for (int i = 0; i < bins.count; ++i) {
+    for (int axis = 0; axis < 3; ++axis)
+      bins.bin[i].box[axis] = united<false>(bins.bin[i].box[axis], other.bin[i].box[axis]);
+    bins.bin[i].held += other.bin[i].held;
+  }
 }
 
 struct Chunks {
@@ -139,11 +54,11 @@ struct Chunks {
 };
 
 Bins fill_parallel(std::span<const Primitive> range, const BinMap& map, const Chunks& chunks) {
-  std::vector<Bins> partial(chunks.count);
+  std::vector<Bins> partial(chunks.count, Bins(map.bins));
   tbb::parallel_for(std::size_t{0}, chunks.count, [&](std::size_t i) {
     fill(partial[i], range.subspan(chunks.begin(i), chunks.end(i) - chunks.begin(i)), map);
   });
-  for (std::size_t i = 1; i < partial.size(); ++i) partial[0].merge(partial[i]);
+  for (std::size_t i = 1; i < partial.size(); ++i) merge(partial[0], partial[i]);
   return partial[0];
 }
 
@@ -173,11 +88,11 @@ void swap_lists(std::span<Primitive> range, std::vector<Interval> a, std::vector
 
 // Partitions each chunk, then swaps what lies on the wrong side of the common middle.
 Parts partition_parallel(std::span<Primitive> range, const BinMap& map, const Plane& plane,
-                         const Chunks& chunks) {
+                         const Box (&bounds)[2], const Chunks& chunks) {
   std::vector<Parts> partial(chunks.count);
   tbb::parallel_for(std::size_t{0}, chunks.count, [&](std::size_t i) {
     const std::size_t begin = chunks.begin(i);
-    partial[i] = partition(range.subspan(begin, chunks.end(i) - begin), map, plane);
+    partial[i] = partition(range.subspan(begin, chunks.end(i) - begin), map, plane, bounds);
   });
   Parts parts = partial[0];
   for (std::size_t i = 1; i < partial.size(); ++i) {
@@ -199,18 +114,19 @@ Parts partition_parallel(std::span<Primitive> range, const BinMap& map, const Pl
 }  // namespace
 
 std::optional<Parts> split_binned(std::span<Primitive> range, const Box& centroids) {
-  const BinMap map(centroids);
+  const BinMap map(centroids, bins_for(range.size()));
+  Box bounds[2];
   if (range.size() >= kParallelCount) {
     const Chunks chunks(range.size());
-    const Plane plane = search(fill_parallel(range, map, chunks));
+    const Plane plane = loops().search(fill_parallel(range, map, chunks), bounds);
     if (plane.axis < 0) return std::nullopt;
-    return partition_parallel(range, map, plane, chunks);
+    return partition_parallel(range, map, plane, bounds, chunks);
   }
-  Bins bins;
+  Bins bins(map.bins);
   fill(bins, range, map);
-  const Plane plane = search(bins);
+  const Plane plane = loops().search(bins, bounds);
   if (plane.axis < 0) return std::nullopt;
-  return partition(range, map, plane);
+  return partition(range, map, plane, bounds);
 }
 
 Parts split_halves(std::span<Primitive> range, const Box& centroids) {

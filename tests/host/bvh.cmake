@@ -1,4 +1,5 @@
 aerostat_test(bvh_test LABEL unit LINKS aerostat::bvh)
+aerostat_test(bvh_loops_test LABEL unit LINKS aerostat::bvh)
 aerostat_test(bvh_grid_test LABEL unit LINKS aerostat::bvh)
 aerostat_test(bvh_slopes_test LABEL unit LINKS aerostat::bvh)
 aerostat_test(bvh_traversal_test LABEL unit LINKS aerostat::bvh)

@@ -1,0 +1,49 @@
+#pragma once
+
+#include "planes.hpp"
+
+namespace aerostat::bvh {
+
+template <bool kWide>
+struct Lanes;
+template <>
+struct Lanes<false> {
+  static constexpr int kCount = 4;
+  using Float = Float4;
+  using Int = Int4;
+};
+template <>
+struct Lanes<true> {
+  static constexpr int kCount = 8;
+  using Float = Float8;
+  using Int = Int8;
+};
+
+/// Up to kMost numbers, and how many of them come before each.
+template <bool kWide, int kMost>
+struct Ranks {
+  alignas(32) float key[kMost];
+  alignas(32) std::int32_t rank[kMost];
+
+  /// Compares all with all, so that there is no branch to mispredict; of equal ones the first comes
+  /// first.
+  AEROSTAT_INLINE void count(int n) {
+    using Float = typename Lanes<kWide>::Float;
+    using Int = typename Lanes<kWide>::Int;
+    constexpr int kLanes = Lanes<kWide>::kCount;
+    static_assert(kMost % kLanes == 0);
+    for (int begin = 0; begin < n; begin += kLanes) {
+      Float own;
+      Int before{}, place;
+      std::memcpy(&own, key + begin, sizeof(own));
+      for (int lane = 0; lane < kLanes; ++lane) place[lane] = begin + lane;
+      for (int i = 0; i < n; ++i) {
+        const Float other = Float{} + key[i];
+        before -= place > i ? other <= own : other < own;
+      }
+      std::memcpy(rank + begin, &before, sizeof(before));
+    }
+  }
+};
+
+}  // namespace aerostat::bvh
