@@ -26,8 +26,12 @@ WarningsAbove::~WarningsAbove() {
 }
 
 render::Options session_options_of(const DeviceOptions& options) {
-  return {opencl::select_devices(opencl::effective_selector(options.selector)), options.lanes,
-          options.memory_limit_bytes, 0, true};
+  render::Options session;
+  session.devices = opencl::select_devices(opencl::effective_selector(options.selector));
+  session.lanes = options.lanes;
+  session.memory_limit_bytes = options.memory_limit_bytes;
+  session.plants_in_sight_alone = true;
+  return session;
 }
 
 std::string names_of(const std::vector<opencl::Device>& devices) {

@@ -24,10 +24,10 @@ struct Part {
   throw Error(ErrorKind::internal, "zlib failed to compress a picture");
 }
 
-/// zlib's state and room for a part, for one thread.
+/// zlib's state and room for what comes out, for one thread.
 class Compressor {
  public:
-  Compressor() : data_(kPartBytes) {
+  Compressor() {
     if (deflateInit2(&stream_, Z_BEST_SPEED, Z_DEFLATED, kRaw, 9, Z_DEFAULT_STRATEGY) != Z_OK)
       fail();
     // Room for the mark of a flush beside what the data may need.
@@ -38,14 +38,14 @@ class Compressor {
   Compressor& operator=(const Compressor&) = delete;
 
   /// One part, ended on a byte so that parts can follow each other (or as the stream's end).
-  Part compress(std::size_t first, std::size_t length, bool last, const FillPart& fill) {
-    fill(first, std::span(data_).first(length));
+  Part compress(std::span<const std::uint8_t> data, bool last) {
+    const auto length = static_cast<uInt>(data.size());
     Part part;
-    part.length = length;
-    part.checksum = adler32(adler32(0, nullptr, 0), data_.data(), static_cast<uInt>(length));
+    part.length = data.size();
+    part.checksum = adler32(adler32(0, nullptr, 0), data.data(), length);
     if (deflateReset(&stream_) != Z_OK) fail();
-    stream_.next_in = data_.data();
-    stream_.avail_in = static_cast<uInt>(length);
+    stream_.next_in = const_cast<Bytef*>(data.data());
+    stream_.avail_in = length;
     stream_.next_out = room_.data();
     stream_.avail_out = static_cast<uInt>(room_.size());
     const int status = ::deflate(&stream_, last ? Z_FINISH : Z_FULL_FLUSH);
@@ -57,34 +57,29 @@ class Compressor {
 
  private:
   z_stream stream_{};
-  std::vector<std::uint8_t> data_, room_;
+  std::vector<std::uint8_t> room_;
 };
 
 }  // namespace
 
-void append_deflated(std::vector<std::uint8_t>& to, std::size_t length, const FillPart& fill) {
-  const std::size_t count = std::max<std::size_t>(1, (length + kPartBytes - 1) / kPartBytes);
+std::vector<std::uint8_t> deflate(std::span<const std::uint8_t> data) {
+  const std::size_t count = std::max<std::size_t>(1, (data.size() + kPartBytes - 1) / kPartBytes);
   std::vector<Part> parts(count);
   tbb::enumerable_thread_specific<Compressor> compressors;
   tbb::parallel_for(std::size_t{0}, count, [&](std::size_t i) {
     const std::size_t first = i * kPartBytes;
-    parts[i] = compressors.local().compress(first, std::min(kPartBytes, length - first),
-                                            i + 1 == count, fill);
+    const std::size_t length = std::min(kPartBytes, data.size() - first);
+    parts[i] = compressors.local().compress(data.subspan(first, length), i + 1 == count);
   });
-  to.insert(to.end(), {0x78, 0x01});  // deflate, window of 32 KiB, fastest
+  std::vector<std::uint8_t> stream{0x78, 0x01};  // deflate, window of 32 KiB, fastest
   uLong checksum = adler32(0, nullptr, 0);
   for (const Part& part : parts) {
-    to.insert(to.end(), part.bytes.begin(), part.bytes.end());
+    stream.insert(stream.end(), part.bytes.begin(), part.bytes.end());
     checksum = adler32_combine(checksum, part.checksum, static_cast<z_off_t>(part.length));
   }
-  for (const int shift : {24, 16, 8, 0}) to.push_back(static_cast<std::uint8_t>(checksum >> shift));
-}
-
-std::vector<std::uint8_t> deflate(std::span<const std::uint8_t> data) {
-  std::vector<std::uint8_t> stream;
-  append_deflated(stream, data.size(), [data](std::size_t first, std::span<std::uint8_t> part) {
-    std::copy_n(data.begin() + static_cast<std::ptrdiff_t>(first), part.size(), part.begin());
-  });
+  for (const int shift : {24, 16, 8, 0}) {
+    stream.push_back(static_cast<std::uint8_t>(checksum >> shift));
+  }
   return stream;
 }
 
