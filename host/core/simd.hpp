@@ -6,8 +6,10 @@
 /// give the same bits. On other processors than x86-64 all three are plain.
 #if defined(__GNUC__)
 #define AEROSTAT_INLINE inline __attribute__((always_inline))
+#define AEROSTAT_INLINE_LAMBDA __attribute__((always_inline))
 #else
 #define AEROSTAT_INLINE inline
+#define AEROSTAT_INLINE_LAMBDA
 #endif
 
 #if defined(__x86_64__) && defined(__GNUC__)
@@ -31,6 +33,32 @@ Loop widest([[maybe_unused]] Loop plain, [[maybe_unused]] Loop avx2, [[maybe_unu
   if (__builtin_cpu_supports("avx2") != 0) return avx2;
 #endif
   return plain;
+}
+
+namespace simd {
+
+template <typename Work>
+void run_plain(const Work& work) {
+  work();
+}
+template <typename Work>
+AEROSTAT_FOR_AVX2 void run_avx2(const Work& work) {
+  work();
+}
+template <typename Work>
+AEROSTAT_FOR_AVX512 void run_avx512(const Work& work) {
+  work();
+}
+
+}  // namespace simd
+
+/// Runs `work()`, compiled for the widest vectors that this processor has. It is a lambda marked
+/// AEROSTAT_INLINE_LAMBDA: `in_vectors([&]() AEROSTAT_INLINE_LAMBDA { ... })`.
+template <typename Work>
+void in_vectors(const Work& work) {
+  static void (*const run)(const Work&) =
+      widest(simd::run_plain<Work>, simd::run_avx2<Work>, simd::run_avx512<Work>);
+  run(work);
 }
 
 }  // namespace aerostat

@@ -15,6 +15,12 @@ inline float mix(float a, float b, float t) {
   return a + t * (b - a);
 }
 
+/// std::hypot of values that are far from the ends of their range, in loops that are vectorised.
+inline float length_of(float x, float y) {
+  const double dx = x, dy = y;
+  return static_cast<float>(std::sqrt(dx * dx + dy * dy));
+}
+
 /// The lesser of two values, rounded where they differ by less than `radius` (never greater).
 inline float smooth_min(float a, float b, float radius) {
   if (!(radius > 0.0f)) return std::min(a, b);

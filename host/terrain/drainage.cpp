@@ -48,7 +48,7 @@ class Carver {
   }
 
   void run(int rounds, float& strength) {
-    const Erosion erosion(options_, grid_, rock_);
+    Erosion erosion(options_, grid_, rock_);
     for (int round = 0; round < rounds; ++round) {
       stop_if_asked(stop_);
       if (round == 0) {

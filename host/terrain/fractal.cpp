@@ -1,7 +1,12 @@
 #include "fractal.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
+#include <cstdint>
+#include <limits>
+
+#include "core/simd.hpp"
 
 namespace aerostat::terrain {
 namespace {
@@ -14,14 +19,40 @@ float amplitude_sum(const std::vector<Octave>& octaves) {
   return sum > 0.0f ? sum : 1.0f;
 }
 
-/// Shares of a layer at each point; false if it vanishes at all of them.
-bool band_shares(const NoiseLayer& layer, const Points& points, Block& share) {
-  float most = 0.0f;
-  for (int i = 0; i < points.count; ++i) {
-    share[i] = band_share(layer.wavelength_m, points.spacing[i]);
-    most = std::max(most, share[i]);
+/// The least and the most of what is not negative.
+struct Range {
+  float least = 0.0f, most = 0.0f;
+};
+
+Range range_of(const Block& values, int count) {
+  Range range;
+  in_vectors([&]() AEROSTAT_INLINE_LAMBDA {
+    // The bits order as the values do, and compilers find the least of integers in vectors.
+    std::int32_t least = std::numeric_limits<std::int32_t>::max(), most = 0;
+    for (int i = 0; i < count; ++i) {
+      least = std::min(least, std::bit_cast<std::int32_t>(values[i]));
+      most = std::max(most, std::bit_cast<std::int32_t>(values[i]));
+    }
+    range = {std::bit_cast<float>(least), std::bit_cast<float>(most)};
+  });
+  return range;
+}
+
+/// Shares of a layer at each point, whose spacings lie in `range`; false if it vanishes at all.
+bool band_shares(const NoiseLayer& layer, const Points& points, const Range& range, Block& share) {
+  const float wavelength_m = layer.wavelength_m;
+  if (band_share(wavelength_m, range.least) <= 0.0f) {
+    std::fill_n(share.begin(), points.count, 0.0f);
+    return false;
   }
-  return most > 0.0f;
+  if (band_share(wavelength_m, range.most) >= 1.0f) {
+    std::fill_n(share.begin(), points.count, 1.0f);
+    return true;
+  }
+  in_vectors([&]() AEROSTAT_INLINE_LAMBDA {
+    for (int i = 0; i < points.count; ++i) share[i] = band_share(wavelength_m, points.spacing[i]);
+  });
+  return true;
 }
 
 }  // namespace
@@ -49,31 +80,45 @@ std::vector<Octave> make_soft_octaves(double first_m, std::uint32_t seed, int co
 void fbm(const std::vector<Octave>& octaves, const Points& points, Block& value) {
   const float scale = kNoiseScale / amplitude_sum(octaves);
   std::fill_n(value.begin(), points.count, 0.0f);
+  const Range spacings = range_of(points.spacing, points.count);
   Block noise;
   Block share;
   for (const Octave& octave : octaves) {
-    if (!band_shares(octave.layer, points, share)) continue;
+    if (!band_shares(octave.layer, points, spacings, share)) continue;
     sample(octave.layer, points, noise);
-    for (int i = 0; i < points.count; ++i)
-      value[i] += scale * octave.amplitude * share[i] * noise[i];
+    in_vectors([&]() AEROSTAT_INLINE_LAMBDA {
+      const float weight = scale * octave.amplitude;
+      for (int i = 0; i < points.count; ++i) value[i] += weight * share[i] * noise[i];
+    });
   }
 }
 
 void fbm(const std::vector<Octave>& octaves, const Points& points, Block& value, Block& dx,
          Block& dz) {
   const float scale = kNoiseScale / amplitude_sum(octaves);
-  for (Block* sum : {&value, &dx, &dz}) std::fill_n(sum->begin(), points.count, 0.0f);
-  Block noise, noise_dx, noise_dz, share;
+  // In one place each, so that compilers see that they lie apart.
+  struct {
+    Block value, dx, dz;
+  } sum, noise;
+  const Range spacings = range_of(points.spacing, points.count);
+  for (Block* one : {&sum.value, &sum.dx, &sum.dz}) std::fill_n(one->begin(), points.count, 0.0f);
+  Block share;
   for (const Octave& octave : octaves) {
-    if (!band_shares(octave.layer, points, share)) continue;
-    sample(octave.layer, points, noise, noise_dx, noise_dz);
-    for (int i = 0; i < points.count; ++i) {
-      const float weight = scale * octave.amplitude * share[i];
-      value[i] += weight * noise[i];
-      dx[i] += weight * noise_dx[i];
-      dz[i] += weight * noise_dz[i];
-    }
+    if (!band_shares(octave.layer, points, spacings, share)) continue;
+    sample(octave.layer, points, noise.value, noise.dx, noise.dz);
+    in_vectors([&]() AEROSTAT_INLINE_LAMBDA {
+      const float most = scale * octave.amplitude;
+      for (int i = 0; i < points.count; ++i) {
+        const float weight = most * share[i];
+        sum.value[i] += weight * noise.value[i];
+        sum.dx[i] += weight * noise.dx[i];
+        sum.dz[i] += weight * noise.dz[i];
+      }
+    });
   }
+  std::copy_n(sum.value.begin(), points.count, value.begin());
+  std::copy_n(sum.dx.begin(), points.count, dx.begin());
+  std::copy_n(sum.dz.begin(), points.count, dz.begin());
 }
 
 void ridged(const std::vector<Octave>& octaves, float offset, const Points& points, Block& value) {
@@ -81,18 +126,22 @@ void ridged(const std::vector<Octave>& octaves, float offset, const Points& poin
   const float mean = (offset - 0.25f) * (offset - 0.25f);
   const float scale = 1.0f / (amplitude_sum(octaves) * std::max(offset * offset, 1e-3f));
   std::fill_n(value.begin(), points.count, 0.0f);
+  const Range spacings = range_of(points.spacing, points.count);
   Block noise{};
   Block share;
   Block weight;
   std::fill_n(weight.begin(), points.count, 1.0f);
   for (const Octave& octave : octaves) {
-    if (band_shares(octave.layer, points, share)) sample(octave.layer, points, noise);
-    for (int i = 0; i < points.count; ++i) {
-      const float ridge = offset - std::fabs(kNoiseScale * noise[i]);
-      const float signal = (mean + share[i] * (ridge * ridge - mean)) * weight[i];
-      value[i] += scale * octave.amplitude * signal;
-      weight[i] = std::clamp(2.0f * signal, 0.0f, 1.0f);
-    }
+    if (band_shares(octave.layer, points, spacings, share)) sample(octave.layer, points, noise);
+    in_vectors([&]() AEROSTAT_INLINE_LAMBDA {
+      const float most = scale * octave.amplitude, middle = mean, from = offset;
+      for (int i = 0; i < points.count; ++i) {
+        const float ridge = from - std::fabs(kNoiseScale * noise[i]);
+        const float signal = (middle + share[i] * (ridge * ridge - middle)) * weight[i];
+        value[i] += most * signal;
+        weight[i] = std::clamp(2.0f * signal, 0.0f, 1.0f);
+      }
+    });
   }
 }
 

@@ -15,6 +15,12 @@ struct Waves {
   Block cosine, sine;
 };
 
+/// The slope that an octave finds: the direction across it, how deep gullies are there and how much
+/// of that is to be seen.
+struct Fall {
+  Block side_x, side_z, depth, share;
+};
+
 /// One octave's lattice and what its waves run across.
 struct Wave {
   float scale;  // squares per metre
@@ -60,8 +66,8 @@ AEROSTAT_INLINE void add_wave(const Square& at, float& cosines, float& sines) {
   sines += weight * sine;
 }
 
-AEROSTAT_INLINE void wave_loop(const Wave& wave, const Points& points, const Block& side_x,
-                               const Block& side_z, Waves& out) {
+AEROSTAT_INLINE void wave_loop(const Wave& wave, const Points& points, const Fall& fall,
+                               Waves& out) {
   const Wave w = wave;
   const int count = points.count;
   Waves sum;
@@ -75,7 +81,7 @@ AEROSTAT_INLINE void wave_loop(const Wave& wave, const Points& points, const Blo
     const float u = x - static_cast<float>(ix), v = z - static_cast<float>(iz);
     float cosines = 0.0f, sines = 0.0f;
     // Written out: compilers vectorise no loop within this one.
-    const Square at{w.seed, ix, iz, u, v, side_x[k], side_z[k]};
+    const Square at{w.seed, ix, iz, u, v, fall.side_x[k], fall.side_z[k]};
     add_wave<-1, -1>(at, cosines, sines);
     add_wave<0, -1>(at, cosines, sines);
     add_wave<1, -1>(at, cosines, sines);
@@ -92,38 +98,51 @@ AEROSTAT_INLINE void wave_loop(const Wave& wave, const Points& points, const Blo
   std::copy_n(sum.sine.begin(), points.count, out.sine.begin());
 }
 
-using Loop = void (*)(const Wave&, const Points&, const Block&, const Block&, Waves&);
-
-void wave_plain(const Wave& wave, const Points& points, const Block& side_x, const Block& side_z,
-                Waves& out) {
-  wave_loop(wave, points, side_x, side_z, out);
-}
-
-AEROSTAT_FOR_AVX2 void wave_avx2(const Wave& wave, const Points& points, const Block& side_x,
-                                 const Block& side_z, Waves& out) {
-  wave_loop(wave, points, side_x, side_z, out);
-}
-
-AEROSTAT_FOR_AVX512 void wave_avx512(const Wave& wave, const Points& points, const Block& side_x,
-                                     const Block& side_z, Waves& out) {
-  wave_loop(wave, points, side_x, side_z, out);
-}
-
-Loop loop() {
-  static const Loop chosen = widest(wave_plain, wave_avx2, wave_avx512);
-  return chosen;
-}
-
 /// A wave's height by its phase, from 1 on the crest to -1 on the floor, and its slope by the
 /// phase in radians. `round` > 0 takes the edge off the crest.
 struct Profile {
   float height, slope;
 };
 
-Profile ribbed(float cosine, float sine, float round) {
+AEROSTAT_INLINE Profile ribbed(float cosine, float sine, float round) {
   // |sin(phase / 2)|: a crest like a roof, a floor like a trough.
   const float half = std::sqrt(std::max(0.5f * (1.0f - cosine), 0.0f) + round);
   return {1.0f - 2.0f * half, -0.5f * sine / half};
+}
+
+/// False if nothing is to be seen.
+AEROSTAT_INLINE bool find_fall(const Points& points, const Block& strength, const Slopes& ground,
+                               float width, float relative_depth, Fall& fall) {
+  int some = 0;
+  for (int i = 0; i < points.count; ++i) {
+    fall.share[i] = band_share(width, points.spacing[i]) * strength[i];
+    some |= static_cast<int>(fall.share[i] > 0.0f);
+    const float steep = std::sqrt(ground.dx[i] * ground.dx[i] + ground.dz[i] * ground.dz[i]);
+    const float inverse = 1.0f / std::max(steep, 1e-6f);
+    fall.side_x[i] = -ground.dz[i] * inverse;
+    fall.side_z[i] = ground.dx[i] * inverse;
+    // Gentle ground has none; walls keep to what is their due.
+    fall.depth[i] = 0.5f * relative_depth * width * std::min(steep * steep / (steep + 0.35f), 1.1f);
+  }
+  return some != 0;
+}
+
+AEROSTAT_INLINE void cut(const Points& points, const Fall& fall, const Waves& waves, float width,
+                         Slopes& ground) {
+  constexpr float kTwoPi = 6.28318531f;
+  for (int i = 0; i < points.count; ++i) {
+    const float size = std::sqrt(waves.cosine[i] * waves.cosine[i] + waves.sine[i] * waves.sine[i]);
+    // Where waves cancel out, neither is the right one: the slope is left even.
+    const float kept = 1.0f / std::max(size, 0.25f);
+    const float full = std::min(4.0f * size, 1.0f);
+    const float round = 0.02f + 0.2f * points.spacing[i] / width;
+    const Profile profile = ribbed(waves.cosine[i] * kept, waves.sine[i] * kept, round);
+    const float metres = fall.share[i] * fall.depth[i] * full;
+    const float slope = metres * profile.slope * kTwoPi / width;
+    ground.height[i] += metres * profile.height;
+    ground.dx[i] += slope * fall.side_x[i];
+    ground.dz[i] += slope * fall.side_z[i];
+  }
 }
 
 }  // namespace
@@ -132,42 +151,19 @@ Gullies::Gullies(double widest_m, int octaves, float depth, std::uint32_t seed)
     : widest_m_(widest_m), octaves_(octaves), depth_(depth), seed_(seed) {}
 
 void Gullies::add(const Points& points, const Block& strength, Slopes& ground) const {
-  constexpr float kTwoPi = 6.28318531f;
   double width_m = widest_m_;
-  Block side_x, side_z, depth, share;
-  Waves waves;
   for (int octave = 0; octave < octaves_; ++octave, width_m *= 0.5) {
     const auto width = static_cast<float>(width_m);
-    float most = 0.0f;
-    for (int i = 0; i < points.count; ++i) {
-      share[i] = band_share(width, points.spacing[i]) * strength[i];
-      most = std::max(most, share[i]);
-      const float steep = std::sqrt(ground.dx[i] * ground.dx[i] + ground.dz[i] * ground.dz[i]);
-      const float inverse = 1.0f / std::max(steep, 1e-6f);
-      side_x[i] = -ground.dz[i] * inverse;
-      side_z[i] = ground.dx[i] * inverse;
-      // Gentle ground has none; walls keep to what is their due.
-      depth[i] = 0.5f * depth_ * width * std::min(steep * steep / (steep + 0.35f), 1.1f);
-    }
-    if (!(most > 0.0f)) continue;
     // One wave in every square.
     const Wave wave{1.0f / width, 0.31f * static_cast<float>(octave),
                     seed_ + 0x9E3779B9u * static_cast<std::uint32_t>(octave)};
-    loop()(wave, points, side_x, side_z, waves);
-    for (int i = 0; i < points.count; ++i) {
-      const float size =
-          std::sqrt(waves.cosine[i] * waves.cosine[i] + waves.sine[i] * waves.sine[i]);
-      // Where waves cancel out, neither is the right one: the slope is left even.
-      const float kept = 1.0f / std::max(size, 0.25f);
-      const float full = std::min(4.0f * size, 1.0f);
-      const float round = 0.02f + 0.2f * points.spacing[i] / width;
-      const Profile profile = ribbed(waves.cosine[i] * kept, waves.sine[i] * kept, round);
-      const float metres = share[i] * depth[i] * full;
-      const float slope = metres * profile.slope * kTwoPi / width;
-      ground.height[i] += metres * profile.height;
-      ground.dx[i] += slope * side_x[i];
-      ground.dz[i] += slope * side_z[i];
-    }
+    in_vectors([&]() AEROSTAT_INLINE_LAMBDA {
+      Fall fall;
+      if (!find_fall(points, strength, ground, width, depth_, fall)) return;
+      Waves waves;
+      wave_loop(wave, points, fall, waves);
+      cut(points, fall, waves, width, ground);
+    });
   }
 }
 

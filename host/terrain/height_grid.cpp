@@ -1,37 +1,86 @@
 #include "height_grid.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include <tbb/parallel_for.h>
 
+#include "core/simd.hpp"
+
 namespace aerostat::terrain {
 namespace {
 
-using Weights = std::array<float, 4>;
+/// Of the four control values around a point.
+struct Weights {
+  float w0, w1, w2, w3;
+};
 
-Weights spline(float t) {
+AEROSTAT_INLINE Weights spline(float t) {
   const float s = 1.0f - t;
   return {s * s * s / 6.0f, (3.0f * t * t * t - 6.0f * t * t + 4.0f) / 6.0f,
           (3.0f * s * s * s - 6.0f * s * s + 4.0f) / 6.0f, t * t * t / 6.0f};
 }
 
-Weights spline_slope(float t) {
+AEROSTAT_INLINE Weights spline_slope(float t) {
   const float s = 1.0f - t;
   return {-0.5f * s * s, 1.5f * t * t - 2.0f * t, -1.5f * s * s + 2.0f * s, 0.5f * t * t};
 }
 
+/// Where a point lies along one axis, and the nodes of the four control values there.
 struct Position {
-  int cell;
+  std::int32_t n0, n1, n2, n3;
   float fraction;
 };
 
-Position locate(const HeightGrid& grid, float metres) {
-  const auto last = static_cast<float>(grid.nodes - 1);
-  const float p = std::clamp(metres / grid.spacing_m + 0.5f * last, 0.0f, last);
-  const int cell = std::min(static_cast<int>(p), grid.nodes - 2);
-  return {cell, p - static_cast<float>(cell)};
+AEROSTAT_INLINE Position locate(int nodes, float spacing_m, float metres) {
+  const std::int32_t last = nodes - 1;
+  const auto end = static_cast<float>(last);
+  const float p = std::clamp(metres / spacing_m + 0.5f * end, 0.0f, end);
+  const std::int32_t cell = std::min(static_cast<std::int32_t>(p), last - 1);
+  return {std::max(cell - 1, 0), cell, cell + 1, std::min(cell + 2, last),
+          p - static_cast<float>(cell)};
+}
+
+/// The spline along x at one of the four rows.
+struct Along {
+  float value, slope;
+};
+
+AEROSTAT_INLINE Along along(const float* values, std::int32_t row, const Position& x,
+                            const Weights& w, const Weights& dw) {
+  const float v0 = values[row + x.n0], v1 = values[row + x.n1], v2 = values[row + x.n2],
+              v3 = values[row + x.n3];
+  return {0.0f + w.w0 * v0 + w.w1 * v1 + w.w2 * v2 + w.w3 * v3,
+          0.0f + dw.w0 * v0 + dw.w1 * v1 + dw.w2 * v2 + dw.w3 * v3};
+}
+
+/// What sample fills in.
+struct Sampled {
+  Block value, dx, dz;
+};
+
+AEROSTAT_INLINE void sample_loop(const HeightGrid& grid, const Points& points, Sampled& out) {
+  const int nodes = grid.nodes, count = points.count;
+  const float spacing_m = grid.spacing_m;
+  const float* values = grid.values.data();
+  for (int k = 0; k < count; ++k) {
+    const Position px = locate(nodes, spacing_m, points.x[k]);
+    const Position pz = locate(nodes, spacing_m, points.z[k]);
+    const Weights wx = spline(px.fraction), wz = spline(pz.fraction);
+    const Weights dwx = spline_slope(px.fraction), dwz = spline_slope(pz.fraction);
+    // Written out: compilers vectorise no loop within this one.
+    const Along r0 = along(values, pz.n0 * nodes, px, wx, dwx);
+    const Along r1 = along(values, pz.n1 * nodes, px, wx, dwx);
+    const Along r2 = along(values, pz.n2 * nodes, px, wx, dwx);
+    const Along r3 = along(values, pz.n3 * nodes, px, wx, dwx);
+    out.value[k] = 0.0f + wz.w0 * r0.value + wz.w1 * r1.value + wz.w2 * r2.value + wz.w3 * r3.value;
+    const float dx =
+        0.0f + wz.w0 * r0.slope + wz.w1 * r1.slope + wz.w2 * r2.slope + wz.w3 * r3.slope;
+    const float dz =
+        0.0f + dwz.w0 * r0.value + dwz.w1 * r1.value + dwz.w2 * r2.value + dwz.w3 * r3.value;
+    out.dx[k] = dx / spacing_m;
+    out.dz[k] = dz / spacing_m;
+  }
 }
 
 }  // namespace
@@ -45,34 +94,16 @@ HeightGrid make_grid(int nodes, double size_m) {
 }
 
 void sample(const HeightGrid& grid, const Points& points, Block& value, Block& dx, Block& dz) {
-  const int last = grid.nodes - 1;
-  for (int k = 0; k < points.count; ++k) {
-    const Position px = locate(grid, points.x[k]);
-    const Position pz = locate(grid, points.z[k]);
-    const Weights wx = spline(px.fraction);
-    const Weights wz = spline(pz.fraction);
-    const Weights dwx = spline_slope(px.fraction);
-    const Weights dwz = spline_slope(pz.fraction);
-    float h = 0.0f;
-    float along_x = 0.0f;
-    float along_z = 0.0f;
-    for (int j = 0; j < 4; ++j) {
-      const float* row = &grid.values[grid.index(0, std::clamp(pz.cell + j - 1, 0, last))];
-      float sum = 0.0f;
-      float slope_sum = 0.0f;
-      for (int i = 0; i < 4; ++i) {
-        const float v = row[std::clamp(px.cell + i - 1, 0, last)];
-        sum += wx[i] * v;
-        slope_sum += dwx[i] * v;
-      }
-      h += wz[j] * sum;
-      along_x += wz[j] * slope_sum;
-      along_z += dwz[j] * sum;
-    }
-    value[k] = h;
-    dx[k] = along_x / grid.spacing_m;
-    dz[k] = along_z / grid.spacing_m;
-  }
+  Sampled all;
+  in_vectors([&]() AEROSTAT_INLINE_LAMBDA {
+    // What is written is local: otherwise it might be the grid.
+    Sampled out;
+    sample_loop(grid, points, out);
+    all = out;
+  });
+  std::copy_n(all.value.begin(), points.count, value.begin());
+  std::copy_n(all.dx.begin(), points.count, dx.begin());
+  std::copy_n(all.dz.begin(), points.count, dz.begin());
 }
 
 HeightGrid sharpen(const HeightGrid& grid) {

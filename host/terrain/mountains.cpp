@@ -1,6 +1,7 @@
 #include <numbers>
 
 #include "blend.hpp"
+#include "core/simd.hpp"
 #include "drainage.hpp"
 #include "fractal.hpp"
 #include "gullies.hpp"
@@ -116,18 +117,29 @@ void Mountains::carved_ground(const Points& points, Slopes& ground) const {
   Points bent = points;
   Jacobian bends;
   bends_.apply(bent, bends);
-  Block dx, dz;
-  sample(carved_, bent, ground.height, dx, dz);
+  // In one place, so that compilers see that they lie apart.
+  struct {
+    Block dx, dz, bent_share;
+  } carved;
+  sample(carved_, bent, ground.height, carved.dx, carved.dz);
   const float top = std::max(static_cast<float>(terrain_.height_m), kLeastHeight);
   const auto sharpness = static_cast<float>(terrain_.sharpness);
   for (int i = 0; i < points.count; ++i) {
     const float share = std::max(ground.height[i], 0.0f) / top;
-    const float bent_share = std::pow(share, sharpness);
-    ground.height[i] = top * bent_share;
-    const float factor = share > 1e-4f ? sharpness * bent_share / share : 1.0f;
-    ground.dx[i] = factor * (dx[i] * bends.x_by_x[i] + dz[i] * bends.z_by_x[i]);
-    ground.dz[i] = factor * (dx[i] * bends.x_by_z[i] + dz[i] * bends.z_by_z[i]);
+    carved.bent_share[i] = sharpness == 1.0f ? share : std::pow(share, sharpness);
   }
+  in_vectors([&]() AEROSTAT_INLINE_LAMBDA {
+    for (int i = 0; i < points.count; ++i) {
+      const float share = std::max(ground.height[i], 0.0f) / top;
+      const float least = share > 1e-4f ? share : 1.0f;
+      const float steeper = sharpness * carved.bent_share[i] / least;
+      const float factor = share > 1e-4f ? steeper : 1.0f;
+      const float dx = carved.dx[i], dz = carved.dz[i];
+      ground.height[i] = top * carved.bent_share[i];
+      ground.dx[i] = factor * (dx * bends.x_by_x[i] + dz * bends.z_by_x[i]);
+      ground.dz[i] = factor * (dx * bends.x_by_z[i] + dz * bends.z_by_z[i]);
+    }
+  });
 }
 
 void Mountains::heights(const Points& points, Block& height) const {
@@ -139,12 +151,16 @@ void Mountains::heights(const Points& points, Block& height) const {
   fbm(floor_, points, floor);
   Block strength;
   const auto erosion = static_cast<float>(terrain_.erosion);
-  for (int i = 0; i < points.count; ++i) {
-    const float rough = ramp(0.1f, 0.8f, std::hypot(ground.dx[i], ground.dz[i]));
-    strength[i] = erosion * ramp(0.12f, 0.5f, std::hypot(ground.dx[i], ground.dz[i]));
-    ground.height[i] += detail_m_ * rough * (1.0f - 0.5f * erosion) * (detail[i] - 0.4f) +
-                        kFloorRelief * (1.0f - rough) * floor[i];
-  }
+  in_vectors([&]() AEROSTAT_INLINE_LAMBDA {
+    const float detail_m = detail_m_;
+    for (int i = 0; i < points.count; ++i) {
+      const float slope = length_of(ground.dx[i], ground.dz[i]);
+      const float rough = ramp(0.1f, 0.8f, slope);
+      strength[i] = erosion * ramp(0.12f, 0.5f, slope);
+      ground.height[i] += detail_m * rough * (1.0f - 0.5f * erosion) * (detail[i] - 0.4f) +
+                          kFloorRelief * (1.0f - rough) * floor[i];
+    }
+  });
   gullies_.add(points, strength, ground);
   std::copy_n(ground.height.begin(), points.count, height.begin());
 }

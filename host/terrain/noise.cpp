@@ -36,81 +36,135 @@ AEROSTAT_INLINE Real lerp(Real a, Real b, Real t) {
   return a + t * (b - a);
 }
 
+template <class Real>
+struct Gradient {
+  Real x, y;
+};
+
 // sin t = cos(t - pi / 2): one table serves both. The index is signed because compilers gather
 // with signed indices only.
 template <class Real>
-struct Corner {
-  Real gx, gy, dot;
+AEROSTAT_INLINE Gradient<Real> gradient(const Real* table, std::uint32_t hash) {
+  const auto angle = static_cast<std::int32_t>(hash >> (32 - kAngleBits));
+  return {table[angle], table[(angle + 3 * kAngles / 4) & (kAngles - 1)]};
+}
 
-  AEROSTAT_INLINE Corner(const Real* table, std::uint32_t hash, Real u, Real v) {
-    const auto angle = static_cast<std::int32_t>(hash >> (32 - kAngleBits));
-    gx = table[angle];
-    gy = table[(angle + 3 * kAngles / 4) & (kAngles - 1)];
-    dot = gx * u + gy * v;
+/// The gradients at the corners of a cell of the lattice, which begins at ix, iy.
+template <class Real>
+struct Cell {
+  Gradient<Real> g00, g10, g01, g11;
+
+  AEROSTAT_INLINE Cell(const Real* table, std::uint32_t seed, std::int32_t ix, std::int32_t iy) {
+    const auto jx = static_cast<std::int32_t>(static_cast<std::uint32_t>(ix) + 1u);
+    const auto jy = static_cast<std::int32_t>(static_cast<std::uint32_t>(iy) + 1u);
+    g00 = gradient(table, lattice_hash(seed, ix, iy));
+    g10 = gradient(table, lattice_hash(seed, jx, iy));
+    g01 = gradient(table, lattice_hash(seed, ix, jy));
+    g11 = gradient(table, lattice_hash(seed, jx, jy));
   }
 };
 
+// Truncation corrected to the floor, because SSE2 has no instruction for the latter.
 template <class Real>
-AEROSTAT_INLINE Sample<Real> evaluate(const Real* table, Real x, Real y, std::uint32_t seed) {
-  // Truncation corrected to the floor, because SSE2 has no instruction for the latter.
-  auto ix = static_cast<std::int32_t>(x);
-  auto iy = static_cast<std::int32_t>(y);
-  ix -= static_cast<std::int32_t>(static_cast<Real>(ix) > x);
-  iy -= static_cast<std::int32_t>(static_cast<Real>(iy) > y);
-  const Real u = x - static_cast<Real>(ix);
-  const Real v = y - static_cast<Real>(iy);
-  const auto jx = static_cast<std::int32_t>(static_cast<std::uint32_t>(ix) + 1u);
-  const auto jy = static_cast<std::int32_t>(static_cast<std::uint32_t>(iy) + 1u);
+AEROSTAT_INLINE std::int32_t floor_of(Real x) {
+  const auto i = static_cast<std::int32_t>(x);
+  return i - static_cast<std::int32_t>(static_cast<Real>(i) > x);
+}
 
-  const Corner<Real> c00(table, lattice_hash(seed, ix, iy), u, v);
-  const Corner<Real> c10(table, lattice_hash(seed, jx, iy), u - 1, v);
-  const Corner<Real> c01(table, lattice_hash(seed, ix, jy), u, v - 1);
-  const Corner<Real> c11(table, lattice_hash(seed, jx, jy), u - 1, v - 1);
-
+/// The noise at u, v in a cell.
+template <class Real>
+AEROSTAT_INLINE Sample<Real> blend(const Cell<Real>& cell, Real u, Real v) {
+  const Real d00 = cell.g00.x * u + cell.g00.y * v;
+  const Real d10 = cell.g10.x * (u - 1) + cell.g10.y * v;
+  const Real d01 = cell.g01.x * u + cell.g01.y * (v - 1);
+  const Real d11 = cell.g11.x * (u - 1) + cell.g11.y * (v - 1);
   const Real fu = u * u * u * (u * (u * 6 - 15) + 10);
   const Real fv = v * v * v * (v * (v * 6 - 15) + 10);
   const Real du = 30 * u * u * (u - 1) * (u - 1);
   const Real dv = 30 * v * v * (v - 1) * (v - 1);
-  const Real low = lerp(c00.dot, c10.dot, fu);
-  const Real high = lerp(c01.dot, c11.dot, fu);
-  const Real gx = lerp(lerp(c00.gx, c10.gx, fu), lerp(c01.gx, c11.gx, fu), fv);
-  const Real gy = lerp(lerp(c00.gy, c10.gy, fu), lerp(c01.gy, c11.gy, fu), fv);
-  return {lerp(low, high, fv), gx + du * lerp(c10.dot - c00.dot, c11.dot - c01.dot, fv),
-          gy + dv * (high - low)};
+  const Real low = lerp(d00, d10, fu);
+  const Real high = lerp(d01, d11, fu);
+  const Real gx = lerp(lerp(cell.g00.x, cell.g10.x, fu), lerp(cell.g01.x, cell.g11.x, fu), fv);
+  const Real gy = lerp(lerp(cell.g00.y, cell.g10.y, fu), lerp(cell.g01.y, cell.g11.y, fu), fv);
+  return {lerp(low, high, fv), gx + du * lerp(d10 - d00, d11 - d01, fv), gy + dv * (high - low)};
 }
 
-// Everything that is written is local: otherwise it might be the table or the points, and no
-// compiler would vectorise the loops.
-AEROSTAT_INLINE void value_loop(const NoiseLayer& layer, const Points& points, Block& value) {
-  const NoiseLayer l = layer;
+template <class Real>
+AEROSTAT_INLINE Sample<Real> evaluate(const Real* table, Real x, Real y, std::uint32_t seed) {
+  const std::int32_t ix = floor_of(x), iy = floor_of(y);
+  return blend(Cell<Real>(table, seed, ix, iy), x - static_cast<Real>(ix),
+               y - static_cast<Real>(iy));
+}
+
+/// Points that are worked out together: where a lattice is wide they share a cell, whose corners
+/// are then found once.
+constexpr int kGroup = 16;
+
+struct Group {
+  std::array<std::int32_t, kGroup> ix, iy;
+  std::array<float, kGroup> u, v;
+  bool shares_a_cell;
+
+  AEROSTAT_INLINE Group(const NoiseLayer& l, const float* px, const float* pz) {
+    const std::int32_t x0 = floor_of(l.along_x * px[0] - l.along_z * pz[0] + l.offset_x);
+    const std::int32_t y0 = floor_of(l.along_z * px[0] + l.along_x * pz[0] + l.offset_y);
+    std::int32_t differing = 0;
+    for (int k = 0; k < kGroup; ++k) {
+      const float x = l.along_x * px[k] - l.along_z * pz[k] + l.offset_x;
+      const float y = l.along_z * px[k] + l.along_x * pz[k] + l.offset_y;
+      ix[k] = floor_of(x);
+      iy[k] = floor_of(y);
+      u[k] = x - static_cast<float>(ix[k]);
+      v[k] = y - static_cast<float>(iy[k]);
+      differing |= (ix[k] ^ x0) | (iy[k] ^ y0);
+    }
+    shares_a_cell = differing == 0;
+  }
+};
+
+/// Calls `put(i, noise)` for each point. Everything that is written is local: otherwise it might be
+/// the table or the points, and no compiler would vectorise the loops.
+template <class Put>
+AEROSTAT_INLINE void each_point(const NoiseLayer& l, const Points& points, const Put& put) {
   const float* table = cosines<float>();
-  const int count = points.count;
-  Block out;
-  for (int i = 0; i < count; ++i) {
+  const int whole = points.count / kGroup * kGroup;
+  for (int i = 0; i < whole; i += kGroup) {
+    const Group group(l, &points.x[i], &points.z[i]);
+    if (group.shares_a_cell) {
+      const Cell<float> cell(table, l.seed, group.ix[0], group.iy[0]);
+      for (int k = 0; k < kGroup; ++k) put(i + k, blend(cell, group.u[k], group.v[k]));
+    } else {
+      for (int k = 0; k < kGroup; ++k)
+        put(i + k,
+            blend(Cell<float>(table, l.seed, group.ix[k], group.iy[k]), group.u[k], group.v[k]));
+    }
+  }
+  for (int i = whole; i < points.count; ++i) {
     const float x = l.along_x * points.x[i] - l.along_z * points.z[i] + l.offset_x;
     const float y = l.along_z * points.x[i] + l.along_x * points.z[i] + l.offset_y;
-    out[i] = evaluate(table, x, y, l.seed).value;
+    put(i, evaluate(table, x, y, l.seed));
   }
-  std::copy_n(out.begin(), count, value.begin());
+}
+
+AEROSTAT_INLINE void value_loop(const NoiseLayer& layer, const Points& points, Block& value) {
+  const NoiseLayer l = layer;
+  Block out;
+  each_point(l, points, [&](int i, const Sample<float>& n) { out[i] = n.value; });
+  std::copy_n(out.begin(), points.count, value.begin());
 }
 
 AEROSTAT_INLINE void slope_loop(const NoiseLayer& layer, const Points& points, Block& value,
                                 Block& dx, Block& dz) {
   const NoiseLayer l = layer;
-  const float* table = cosines<float>();
-  const int count = points.count;
   Block out, out_dx, out_dz;
-  for (int i = 0; i < count; ++i) {
-    const float x = l.along_x * points.x[i] - l.along_z * points.z[i] + l.offset_x;
-    const float y = l.along_z * points.x[i] + l.along_x * points.z[i] + l.offset_y;
-    const Sample<float> n = evaluate(table, x, y, l.seed);
+  each_point(l, points, [&](int i, const Sample<float>& n) {
     out[i] = n.value;
     out_dx[i] = l.along_x * n.dx + l.along_z * n.dy;
     out_dz[i] = l.along_x * n.dy - l.along_z * n.dx;
-  }
-  std::copy_n(out.begin(), count, value.begin());
-  std::copy_n(out_dx.begin(), count, dx.begin());
-  std::copy_n(out_dz.begin(), count, dz.begin());
+  });
+  std::copy_n(out.begin(), points.count, value.begin());
+  std::copy_n(out_dx.begin(), points.count, dx.begin());
+  std::copy_n(out_dz.begin(), points.count, dz.begin());
 }
 
 struct Loops {

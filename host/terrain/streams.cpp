@@ -1,13 +1,14 @@
 #include "streams.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 
 #include <tbb/blocked_range.h>
-#include <tbb/enumerable_thread_specific.h>
 #include <tbb/parallel_for.h>
 
 #include "blend.hpp"
+#include "core/simd.hpp"
 #include "receivers.hpp"
 
 namespace aerostat::terrain {
@@ -21,42 +22,32 @@ struct Round {
   const DrainageOptions& options;
   const RimmedGrid& grid;
   const RimmedRock& rock;
-  const Rimmed<std::uint8_t>& directions;
-  const int* ranks;  // may be null
+  const Rimmed<std::uint8_t>& sources;  // by node, a bit for each neighbour that runs into it
+  const int* ranks;                     // may be null
   float strength;
 };
 
 /// A stream system at a time: its nodes from the mouth upwards, each after its receiver.
 class System {
  public:
-  System(const Round& round, Rimmed<float>& heights) : round_(round), heights_(heights) {
+  System(const Round& round, Rimmed<float>& heights, std::vector<StreamNode>& room)
+      : round_(round), heights_(heights), nodes_(room) {
     for (int d = 0; d < 8; ++d) steps_[d] = round.grid.step(d);
   }
 
   void raise(int mouth) {
     gather(mouth);
-    if (nodes_.size() == 1) return;
     accumulate();
     climb();
     for (std::size_t i = 1; i < nodes_.size(); ++i) heights_[nodes_[i].place] = nodes_[i].height;
   }
 
  private:
-  struct Node {
-    int place;
-    int receiver;      // its number in `nodes_`
-    float length;      // of the way to it, metres
-    float discharge;   // m^2 of catchment, weighted by uplift
-    float floor;       // half width of the valley's floor, 0 if it has none
-    float remoteness;  // metres from the floor's river, along the stream
-    float height;
-  };
-
   void gather(int mouth);
   void gather_above(int number);
   void accumulate();
   void climb();
-  float stream_slope(const Node& node) const;
+  float stream_slope(const StreamNode& node) const;
 
   bool comes_before(int a, int b) const {
     if (round_.ranks != nullptr) return round_.ranks[a] < round_.ranks[b];
@@ -66,7 +57,7 @@ class System {
   Round round_;
   Rimmed<float>& heights_;
   std::array<int, 8> steps_;
-  std::vector<Node> nodes_;
+  std::vector<StreamNode>& nodes_;
 };
 
 void System::gather(int mouth) {
@@ -80,8 +71,8 @@ void System::gather_above(int number) {
   const int place = nodes_[number].place;
   std::array<int, 8> found;  // directions
   int count = 0;
-  for (int d = 0; d < 8; ++d) {
-    if (round_.directions[place + steps_[d]] != opposite(d)) continue;
+  for (unsigned rest = round_.sources[place]; rest != 0; rest &= rest - 1) {
+    const int d = std::countr_zero(rest);
     int at = count++;
     for (; at > 0 && comes_before(place + steps_[d], place + steps_[found[at - 1]]); --at)
       found[at] = found[at - 1];
@@ -100,7 +91,7 @@ void System::accumulate() {
   }
 }
 
-float System::stream_slope(const Node& node) const {
+float System::stream_slope(const StreamNode& node) const {
   const float slope = round_.strength * round_.rock.uplift[node.place] *
                       std::pow(node.discharge * 1e-6f, -round_.options.concavity);
   return std::clamp(slope, kLeastSlope, round_.rock.steepest[node.place]);
@@ -108,12 +99,12 @@ float System::stream_slope(const Node& node) const {
 
 void System::climb() {
   const DrainageOptions& options = round_.options;
-  for (Node& node : nodes_) {
+  for (StreamNode& node : nodes_) {
     const float area_km2 = node.discharge * 1e-6f;
     if (area_km2 > options.floor_area_km2)
       node.floor = options.floor_m * std::pow(area_km2, options.floor_growth);
     if (node.receiver < 0) continue;
-    const Node& receiver = nodes_[node.receiver];
+    const StreamNode& receiver = nodes_[node.receiver];
     if (node.floor == 0.0f) {
       node.floor = receiver.floor;
       node.remoteness = receiver.remoteness + node.length;
@@ -125,19 +116,40 @@ void System::climb() {
   }
 }
 
+/// For each node, a bit for each of its neighbours whose water runs into it.
+Rimmed<std::uint8_t> sources_of(const RimmedGrid& grid, const Rimmed<std::uint8_t>& directions) {
+  Rimmed<std::uint8_t> sources(grid.size(), 0);
+  tbb::parallel_for(tbb::blocked_range<int>(0, grid.nodes, 64), [&](const auto& rows) {
+    for (int j = rows.begin(); j != rows.end(); ++j) {
+      const std::uint8_t* from = &directions[grid.at(0, j)];
+      std::uint8_t* to = &sources[grid.at(0, j)];
+      in_vectors([&]() AEROSTAT_INLINE_LAMBDA {
+        for (int d = 0; d < 8; ++d) {
+          const std::uint8_t* neighbor = from + grid.step(d);
+          const auto back = static_cast<std::uint8_t>(opposite(d));
+          const auto bit = static_cast<std::uint8_t>(1u << d);
+          for (int i = 0; i < grid.nodes; ++i)
+            to[i] = static_cast<std::uint8_t>(to[i] | (neighbor[i] == back ? bit : 0));
+        }
+      });
+    }
+  });
+  return sources;
+}
+
 }  // namespace
 
 void Erosion::raise(const Rimmed<std::uint8_t>& directions, const Rimmed<int>* ranks,
-                    float strength, Rimmed<float>& heights) const {
-  const Round round{options_, grid_, rock_, directions, ranks == nullptr ? nullptr : ranks->data(),
+                    float strength, Rimmed<float>& heights) {
+  const Rimmed<std::uint8_t> sources = sources_of(grid_, directions);
+  const Round round{options_, grid_, rock_, sources, ranks == nullptr ? nullptr : ranks->data(),
                     strength};
   std::vector<int> mouths;
   for (int j = 0; j < grid_.nodes; ++j)
     for (int place = grid_.at(0, j); place < grid_.at(grid_.nodes, j); ++place)
-      if (directions[place] == kNoReceiver) mouths.push_back(place);
-  tbb::enumerable_thread_specific<System> systems([&] { return System(round, heights); });
+      if (directions[place] == kNoReceiver && sources[place] != 0) mouths.push_back(place);
   tbb::parallel_for(tbb::blocked_range<std::size_t>(0, mouths.size(), 16), [&](const auto& range) {
-    System& system = systems.local();
+    System system(round, heights, rooms_.local());
     for (std::size_t k = range.begin(); k != range.end(); ++k) system.raise(mouths[k]);
   });
 }
