@@ -214,6 +214,48 @@ TEST_P(SolidNoiseProbe, RidgesFoldEachOctaveAtZero) {
   EXPECT_EQ(sample(points, 4, true, 1.0f).values, sample(points, 2, true, 0.0f).values);
 }
 
+/// Values of the plane's noise, its fBm, the noise in space and its fBm, one after the other.
+std::vector<float> four_values(int lanes, const char* kernel, const std::vector<vec3>& points) {
+  const std::size_t count = whole_packets(points.size());
+  const auto values = output<float>(4 * count);
+  const Probe probe{"noise.cl", lanes};
+  probe.run(kernel, count, 23u, 4, input(planes(points)), input(std::vector<float>(count, 0.7f)),
+            values);
+  return values.read();
+}
+
+TEST_P(SolidNoiseProbe, ValuesAloneAreTheSameBits) {
+  const std::vector<vec3> points = random_space(89, 300.0f);
+  EXPECT_EQ(four_values(GetParam(), "probe_noise_values", points),
+            four_values(GetParam(), "probe_noise_with_slopes", points));
+}
+
+/// Packets within one cell take another way; neighbours that are packed with strangers do not.
+TEST_P(SolidNoiseProbe, NeighboursInAPacketChangeNothing) {
+  constexpr std::size_t kNeighbours = 16;
+  std::vector<vec3> close = random_space(90, 40.0f);
+  for (std::size_t i = 0; i < kPoints; ++i) {
+    const vec3 centre = glm::floor(close[i - i % kNeighbours]) + 0.5f;
+    close[i] = centre + 0.0122f * close[i];
+  }
+  std::vector<std::size_t> order(kPoints);
+  for (std::size_t i = 0; i < kPoints; ++i) {
+    order[i] = (i % (kPoints / kNeighbours)) * kNeighbours + i / (kPoints / kNeighbours);
+  }
+  std::vector<vec3> apart;
+  for (const std::size_t i : order) apart.push_back(close[i]);
+  for (const char* kernel : {"probe_noise_values", "probe_noise_with_slopes"}) {
+    const auto together = four_values(GetParam(), kernel, close);
+    const auto alone = four_values(GetParam(), kernel, apart);
+    for (std::size_t value = 0; value < 4 * kPoints; value += kPoints) {
+      for (std::size_t i = 0; i < kPoints; ++i) {
+        ASSERT_EQ(alone[value + i], together[value + order[i]])
+            << kernel << ' ' << value << ' ' << i;
+      }
+    }
+  }
+}
+
 AEROSTAT_AT_EVERY_WIDTH(NoiseProbe);
 AEROSTAT_AT_EVERY_WIDTH(SolidNoiseProbe);
 

@@ -7,7 +7,7 @@ __kernel void probe_ground(__global const AeroGround* ground, __global const flo
                            __global float* noises, __global float* mixes) {
   const Lane3 p = load3(points);
   const GroundNoise noise = ground_noise(ground, p, (lane_float)footprint);
-  store3_planes(lane3(noise.broad.value, noise.fine.value, noise.rough.value), noises);
+  store3_planes(lane3(noise.broad, noise.fine, noise.rough.value), noises);
   const GroundMix mix = ground_mix(ground, p, LOAD(slopes), LOAD(slopes), &noise);
   store3_planes(lane3(mix.rock, mix.beach, mix.snow), mixes);
   STORE(mix.forest, mixes + 3u * PLANE);

@@ -7,6 +7,33 @@ __kernel void probe_perlin(const uint seed, __global const float* x, __global co
   store3_planes(lane3(n.value, n.dx, n.dy), noise);
 }
 
+/* Values alone: of the plane's noise, of its fBm, of the noise in space and of its fBm, folded. */
+__kernel void probe_noise_values(const uint seed, const int octaves, __global const float* points,
+                                 __global const float* footprints, __global float* values) {
+  const Lane3 p = load3(points);
+  const lane_float footprint = LOAD(footprints);
+  const lane_float plane = perlin_value(p.x, p.y, seed);
+  const lane_float fbm = filtered_fbm_value(p.x, p.y, seed, 8.0f, octaves, 0.5f, footprint);
+  const lane_float solid = solid_noise_value(p, seed);
+  const lane_float solid_fbm = filtered_solid_fbm_value(p, seed, 8.0f, octaves, 0.5f, 1, footprint);
+  store3_planes(lane3(plane, fbm, solid), values);
+  STORE(solid_fbm, values + 3u * PLANE);
+}
+
+/* The same values, from functions that give slopes too. */
+__kernel void probe_noise_with_slopes(const uint seed, const int octaves,
+                                      __global const float* points,
+                                      __global const float* footprints, __global float* values) {
+  const Lane3 p = load3(points);
+  const lane_float footprint = LOAD(footprints);
+  const Noise plane = perlin(p.x, p.y, seed);
+  const Noise fbm = filtered_fbm(p.x, p.y, seed, 8.0f, octaves, 0.5f, footprint);
+  const SolidNoise solid = solid_noise(p, seed);
+  const SolidNoise solid_fbm = filtered_solid_fbm(p, seed, 8.0f, octaves, 0.5f, 1, footprint);
+  store3_planes(lane3(plane.value, fbm.value, solid.value), values);
+  STORE(solid_fbm.value, values + 3u * PLANE);
+}
+
 __kernel void probe_resolved(const float wavelength, __global const float* footprint,
                              __global float* share) {
   STORE(resolved(wavelength, LOAD(footprint)), share);
