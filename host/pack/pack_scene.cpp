@@ -7,6 +7,7 @@
 
 #include "air/atmosphere.hpp"
 #include "core/error.hpp"
+#include "pack/cloud_chart.hpp"
 #include "pack/copy.hpp"
 #include "pack/pack_air.hpp"
 #include "pack/pack_balloon.hpp"
@@ -29,7 +30,7 @@ float cumulus_threshold(double cover) {
   return static_cast<float>(0.155 * std::log((1.0 - share) / share));
 }
 
-AeroCumulus pack_cumulus(const scene::Cumulus& from) {
+AeroCumulus pack_cumulus(const scene::Cumulus& from, const dvec3& eye) {
   AeroCumulus cumulus{};
   cumulus.base = static_cast<float>(from.base_m);
   cumulus.thickness = static_cast<float>(from.thickness_m);
@@ -37,6 +38,7 @@ AeroCumulus pack_cumulus(const scene::Cumulus& from) {
   cumulus.threshold = cumulus_threshold(from.cover);
   cumulus.extinction = from.cover > 0.0 ? kCumulusExtinction : 0.0f;
   cumulus.seed = from.seed * 2654435761u;
+  cumulus.chart = cloud_chart(cumulus, vec3(eye));
   return cumulus;
 }
 
@@ -52,7 +54,7 @@ AeroSky pack_sky(const scene::Scene& scene) {
   sky.ambient_reach =
       scene.sky.ambient_occlusion ? static_cast<float>(scene.sky.occlusion_m) : 0.0f;
   sky.bounced = scene.sky.bounced_light ? 1u : 0u;
-  sky.cumulus = pack_cumulus(scene.sky.cumulus);
+  sky.cumulus = pack_cumulus(scene.sky.cumulus, scene.camera.position);
   return sky;
 }
 

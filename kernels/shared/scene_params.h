@@ -41,6 +41,21 @@ typedef struct AeroPointLight {
 
 AERO_ASSERT_LAYOUT(AeroPointLight, 28);
 
+/* Where over the plane there are no heaped clouds: a square of cells around the eye. */
+#define AERO_CHART_SIDE 512
+#define AERO_CHART_WORDS 65536
+
+typedef struct AeroCloudChart {
+  aero_float x0, z0; /* its lower corner */
+  aero_float cell;   /* metres */
+  aero_uint side;    /* AERO_CHART_SIDE, or 0: no chart */
+  /* A byte for each cell, rows along x, lowest first: 0 where there may be clouds, elsewhere how
+   * many cells farther along x or z the next such cell is. */
+  aero_uint cells[AERO_CHART_WORDS];
+} AeroCloudChart;
+
+AERO_ASSERT_LAYOUT(AeroCloudChart, 262160);
+
 /* Heaped clouds over flat bases; none if the extinction is 0. */
 typedef struct AeroCumulus {
   aero_float base, thickness; /* metres above the sea */
@@ -48,9 +63,10 @@ typedef struct AeroCumulus {
   aero_float threshold;       /* of the noise that says where they are */
   aero_float extinction;
   aero_uint seed;
+  AeroCloudChart chart;
 } AeroCumulus;
 
-AERO_ASSERT_LAYOUT(AeroCumulus, 24);
+AERO_ASSERT_LAYOUT(AeroCumulus, 262184);
 
 /* Sun and clouds. */
 typedef struct AeroSky {
@@ -66,7 +82,7 @@ typedef struct AeroSky {
   AeroCumulus cumulus;
 } AeroSky;
 
-AERO_ASSERT_LAYOUT(AeroSky, 76);
+AERO_ASSERT_LAYOUT(AeroSky, 262236);
 
 /* Colour rules of the ground. */
 typedef struct AeroGround {
@@ -120,6 +136,6 @@ typedef struct AeroScene {
   AeroAir air;
 } AeroScene;
 
-AERO_ASSERT_LAYOUT(AeroScene, 33896);
+AERO_ASSERT_LAYOUT(AeroScene, 296056);
 
 #endif

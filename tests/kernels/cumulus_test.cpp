@@ -14,7 +14,7 @@ constexpr float kBase = 1000.0f, kThickness = 800.0f, kExtinction = 1e-3f;
 /// A deck without gaps whose bulges no footprint of 20 m resolves.
 AeroScene closed_deck() {
   AeroScene scene = bare_scene();
-  scene.sky.cumulus = {kBase, kThickness, 10.0f, -1e6f, kExtinction, 7u};
+  scene.sky.cumulus = {kBase, kThickness, 10.0f, -1e6f, kExtinction, 7u, {}};
   return scene;
 }
 
@@ -55,6 +55,28 @@ class Cumulus : public LaneTest {
               input(std::vector<float>(count, footprint)), share);
     auto values = share.read();
     values.resize(positions.size());
+    return values;
+  }
+
+  std::vector<float> density(const AeroScene& scene, const std::vector<vec3>& positions,
+                             float footprint) const {
+    const std::size_t count = whole_packets(positions.size());
+    const auto found = output<float>(count);
+    probe.run("probe_cloud_density", count, uploaded(scene), input(planes(positions)),
+              input(std::vector<float>(count, footprint)), found);
+    return found.read();
+  }
+
+  /// As `left`, for rays to the sky.
+  std::vector<float> left_finely(const AeroScene& scene, const std::vector<vec3>& directions,
+                                 float height) const {
+    const std::size_t count = whole_packets(directions.size());
+    const auto arriving = output<float>(3 * count);
+    probe.run("probe_clouds_finely", count, uploaded(scene),
+              input(planes(std::vector<vec3>(directions.size(), {0.0f, height, 0.0f}))),
+              input(planes(directions)), 4.0f, arriving);
+    auto values = arriving.read();
+    values.resize(directions.size());
     return values;
   }
 
@@ -141,6 +163,113 @@ TEST_P(Cumulus, CoversTheShareOfTheSkyThatIsAskedFor) {
       shaded += share < 0.6f ? 1.0 : 0.0;
     }
     EXPECT_NEAR(shaded / 4096.0, cover, 0.09) << cover;
+  }
+}
+
+/// Points around the eye, some beyond the chart, at all heights of the layer.
+std::vector<vec3> points_among(const AeroScene& scene, std::size_t count) {
+  const AeroCumulus& clouds = scene.sky.cumulus;
+  const AeroCloudChart& chart = clouds.chart;
+  const float side = static_cast<float>(chart.side) * chart.cell;
+  std::mt19937 random(31);
+  std::uniform_real_distribution<float> share(-0.02f, 1.02f), height(-0.1f, 1.2f);
+  std::vector<vec3> points;
+  for (std::size_t i = 0; i < count; ++i) {
+    const float x = chart.x0 + share(random) * side, z = chart.z0 + share(random) * side;
+    points.push_back({x, clouds.base + height(random) * clouds.thickness, z});
+  }
+  return points;
+}
+
+AeroScene without_chart(AeroScene scene) {
+  scene.sky.cumulus.chart.side = 0u;
+  return scene;
+}
+
+// Where the chart says that there are none, density is not evaluated.
+TEST_P(Cumulus, ChartHidesNoCloud) {
+  for (const double cover : {0.05, 0.3}) {
+    const AeroScene scene = broken_clouds(cover);
+    ASSERT_EQ(scene.sky.cumulus.chart.side, std::uint32_t{AERO_CHART_SIDE});
+    const std::vector<vec3> points = points_among(scene, 60000);
+    for (const float footprint : {0.5f, 30.0f, 120.0f}) {
+      const auto charted = density(scene, points, footprint);
+      const auto asked = density(without_chart(scene), points, footprint);
+      std::size_t cloudy = 0;
+      for (std::size_t i = 0; i < points.size(); ++i) {
+        ASSERT_EQ(charted[i], asked[i]) << i << ' ' << cover << ' ' << footprint;
+        cloudy += asked[i] > 0.0f ? 1 : 0;
+      }
+      EXPECT_GT(cloudy, 500u);
+    }
+    const auto shade = shadow(scene, points, 5.0f);
+    EXPECT_EQ(shade, shadow(without_chart(scene), points, 5.0f));
+  }
+}
+
+/// Of the chart's bytes: whether there may be clouds.
+std::size_t cloudy_cells(const AeroCloudChart& chart) {
+  std::size_t count = 0;
+  for (const std::uint32_t word : chart.cells) {
+    for (int byte = 0; byte < 4; ++byte) count += ((word >> (8 * byte)) & 255u) == 0u ? 1 : 0;
+  }
+  return count;
+}
+
+TEST(CloudChart, TellsMostClearAirFromClouds) {
+  constexpr double kCells = double{AERO_CHART_SIDE} * AERO_CHART_SIDE;
+  const double few = static_cast<double>(cloudy_cells(broken_clouds(0.05).sky.cumulus.chart));
+  EXPECT_GT(few / kCells, 0.06);
+  EXPECT_LT(few / kCells, 0.25);
+  EXPECT_EQ(broken_clouds(0.7).sky.cumulus.chart.side, 0u) << "hardly any air is clear";
+  EXPECT_EQ(broken_clouds(0.0).sky.cumulus.chart.side, 0u);
+}
+
+TEST(CloudChart, LiesTheSameWhateverTheEye) {
+  scene::Scene scene = scene::defaults(scene::BiomeKind::tropical, scene::View::outside);
+  const AeroCloudChart here = pack::pack_scene(scene).sky.cumulus.chart;
+  scene.camera.position.x += 3.0;
+  EXPECT_EQ(pack::pack_scene(scene).sky.cumulus.chart.x0, here.x0);
+  scene.camera.position.x += 40.0 * static_cast<double>(here.cell);
+  const AeroCloudChart there = pack::pack_scene(scene).sky.cumulus.chart;
+  const auto moved = static_cast<int>(std::lround((there.x0 - here.x0) / here.cell));
+  ASSERT_TRUE(moved == 32 || moved == 64) << moved;
+  const auto is_cloudy = [](const AeroCloudChart& chart, int x, int z) {
+    const int cell = z * AERO_CHART_SIDE + x;
+    return ((chart.cells[cell / 4] >> (8 * (cell % 4))) & 255u) == 0u;
+  };
+  for (int z = 0; z < AERO_CHART_SIDE; ++z) {
+    for (int x = 0; x < AERO_CHART_SIDE - moved; ++x) {
+      ASSERT_EQ(is_cloudy(there, x, z), is_cloudy(here, x + moved, z)) << x << ' ' << z;
+    }
+  }
+}
+
+// The march leaps, steps and lights in three places; small even steps take a thousand times as
+// long.
+TEST_P(Cumulus, MarchSeesWhatSmallStepsSee) {
+  AeroScene scene = broken_clouds(0.3);
+  set3(scene.sky.sun_direction, tilted(60.0f));
+  std::mt19937 random(41);
+  std::uniform_real_distribution<float> azimuth(0.0f, 6.2831853f), elevation(0.15f, 0.9f);
+  std::vector<vec3> directions(768);
+  for (vec3& d : directions) {
+    const float a = azimuth(random), up = elevation(random);
+    d = {std::cos(a) * std::cos(up), std::sin(up), std::sin(a) * std::cos(up)};
+  }
+  const auto fine = left_finely(scene, directions, 2.0f);
+  for (const AeroScene& asked : {scene, without_chart(scene)}) {
+    const auto seen = left(asked, directions, 2.0f, INFINITY);
+    double mean = 0.0, difference = 0.0, squared = 0.0;
+    for (std::size_t i = 0; i < directions.size(); ++i) {
+      const double error = double{seen[i]} - double{fine[i]};
+      mean += error / 768.0;
+      difference += std::abs(error) / 768.0;
+      squared += error * error / 768.0;
+    }
+    EXPECT_LT(std::abs(mean), 0.003);
+    EXPECT_LT(difference, 0.01);
+    EXPECT_LT(std::sqrt(squared), 0.03);
   }
 }
 

@@ -13,7 +13,7 @@ __kernel void probe_noise_values(const uint seed, const int octaves, __global co
   const Lane3 p = load3(points);
   const lane_float footprint = LOAD(footprints);
   const lane_float plane = perlin_value(p.x, p.y, seed);
-  const lane_float fbm = filtered_fbm_value(p.x, p.y, seed, 8.0f, octaves, 0.5f, footprint);
+  const lane_float fbm = filtered_fbm_value(p.x, p.y, fbm_of(seed, 8.0f, octaves, 0.5f), footprint);
   const lane_float solid = solid_noise_value(p, seed);
   const lane_float solid_fbm = filtered_solid_fbm_value(p, seed, 8.0f, octaves, 0.5f, 1, footprint);
   store3_planes(lane3(plane, fbm, solid), values);

@@ -96,6 +96,48 @@ __kernel void probe_clouds(__global const AeroScene* scene, __global const float
                 arriving);
 }
 
+__kernel void probe_cloud_density(__global const AeroScene* scene, __global const float* positions,
+                                  __global const float* footprints, __global float* density) {
+  const Lane3 p = load3(positions);
+  STORE(cumulus_density(&scene->sky.cumulus, p, p.y, LOAD(footprints)), density);
+}
+
+/* What probe_clouds finds for rays to the sky, by small, even steps that are lit one by one. */
+__kernel void probe_clouds_finely(__global const AeroScene* scene, __global const float* origins,
+                                  __global const float* directions, const float step,
+                                  __global float* arriving) {
+  __global const AeroCumulus* clouds = &scene->sky.cumulus;
+  Ray ray;
+  ray.origin = load3(origins);
+  ray.direction = load3(directions);
+  ray.t_max = (lane_float)INFINITY;
+  const lane_float towards = dot3(ray.direction, lane3_from(scene->sky.sun_direction));
+  CloudMarch march = start_march(clouds, &ray, ray.t_max);
+  Lane3 light = lane3((lane_float)0.0f, (lane_float)0.0f, (lane_float)0.0f);
+  for (int i = 0; i < 1000000; ++i) {
+    const lane_int on = lane_mask(march.t < march.end) & lane_mask(march.through > 1e-3f);
+    if (!lane_any(on)) break;
+    Lane3 p = madd3(ray.origin, ray.direction, march.t);
+    p.y = height_on_way(&ray, march.t);
+    const lane_float footprint = 0.05f * march.t;
+    const lane_float found = cumulus_density(clouds, p, p.y, footprint);
+    const lane_float density = lane_select(on, found, (lane_float)0.0f);
+    const lane_float left = march.through * exp(-clouds->extinction * density * step);
+    const lane_float hidden = march.through - left;
+    if (lane_any(lane_mask(hidden > 0.0f))) {
+      const lane_float height = (p.y - clouds->base) / clouds->thickness;
+      light = madd3(light, cloud_source(scene, p, height, towards, footprint), hidden);
+      march.way = lane_fma(hidden, march.t, march.way);
+    }
+    march.through = left;
+    march.t += step;
+  }
+  const lane_float inverse = 1.0f / lane_max(1.0f - march.through, (lane_float)1e-6f);
+  const Lane3 seen = through_air(scene, scale3(light, inverse), &ray, march.way * inverse);
+  const Lane3 white = lane3((lane_float)1.0f, (lane_float)1.0f, (lane_float)1.0f);
+  store3_planes(mix3(white, seen, 1.0f - march.through), arriving);
+}
+
 /* A line of half a width of 2 cm. */
 __kernel void probe_line(__global const float* distances, __global const float* pixels,
                          __global float* covers) {
