@@ -116,30 +116,6 @@ TEST_P(GridTrace, MeetsTheSameTrianglesAsASoupToTheBit) {
     ASSERT_EQ(occluded[i].met(), expected[i].met()) << "ray " << i;
 }
 
-/// Whether a ray enters the ground from above: 1 yes, 0 no, -1 too near an edge to tell.
-int enters(const mesh::TriangleMesh& ground, const Ray& ray) {
-  int answer = 0;
-  for (const uvec3& t : ground.triangles) {
-    AeroTriangle triangle;
-    for (int axis = 0; axis < 3; ++axis) {
-      triangle.v0[axis] = ground.positions[t.x][axis];
-      triangle.v1[axis] = ground.positions[t.y][axis];
-      triangle.v2[axis] = ground.positions[t.z][axis];
-    }
-    const ExactHit hit = exact_hit(triangle, ray);
-    if (hit.slack < -1e-4 || hit.t < -1e-4 || hit.t > ray.t_max * 1.0001) continue;
-    const dvec3 a(ground.positions[t.x]);
-    const dvec3 n = glm::normalize(
-        glm::cross(dvec3(ground.positions[t.y]) - a, dvec3(ground.positions[t.z]) - a));
-    const double facing = -glm::dot(n, dvec3(ray.direction));
-    if (facing < -1e-4) continue;
-    const bool sure = hit.slack > 1e-4 && hit.t > 1e-4 && hit.t < ray.t_max * 0.9999;
-    if (sure && facing > 1e-4) return 1;
-    answer = -1;
-  }
-  return answer;
-}
-
 // With beams of one direction, as the sun's, of one origin, and with rays of all directions.
 TEST_P(GridTrace, FromAboveMeetsWhatARayEnters) {
   const auto& [shape, lanes] = GetParam();

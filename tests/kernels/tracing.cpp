@@ -194,4 +194,27 @@ ExactHit exact_hit(const AeroTriangle& triangle, const Ray& ray) {
   return hit;
 }
 
+int enters(const mesh::TriangleMesh& ground, const Ray& ray) {
+  int answer = 0;
+  for (const uvec3& t : ground.triangles) {
+    AeroTriangle triangle;
+    for (int axis = 0; axis < 3; ++axis) {
+      triangle.v0[axis] = ground.positions[t.x][axis];
+      triangle.v1[axis] = ground.positions[t.y][axis];
+      triangle.v2[axis] = ground.positions[t.z][axis];
+    }
+    const ExactHit hit = exact_hit(triangle, ray);
+    if (hit.slack < -1e-4 || hit.t < -1e-4 || hit.t > ray.t_max * 1.0001) continue;
+    const dvec3 a(ground.positions[t.x]);
+    const dvec3 n = glm::normalize(
+        glm::cross(dvec3(ground.positions[t.y]) - a, dvec3(ground.positions[t.z]) - a));
+    const double facing = -glm::dot(n, dvec3(ray.direction));
+    if (facing < -1e-4) continue;
+    const bool sure = hit.slack > 1e-4 && hit.t > 1e-4 && hit.t < ray.t_max * 0.9999;
+    if (sure && facing > 1e-4) return 1;
+    answer = -1;
+  }
+  return answer;
+}
+
 }  // namespace aerostat::test

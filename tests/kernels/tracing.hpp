@@ -104,4 +104,8 @@ struct ExactHit {
 
 ExactHit exact_hit(const AeroTriangle& triangle, const Ray& ray);
 
+/// Whether a ray enters the ground from above, by brute force: 1 yes, 0 no, -1 too near an edge, or
+/// too level with the ground, to tell.
+int enters(const mesh::TriangleMesh& ground, const Ray& ray);
+
 }  // namespace aerostat::test

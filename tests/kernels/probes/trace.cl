@@ -68,7 +68,7 @@ __kernel void probe_bundle(__global const AeroBvhNode* nodes,
 inline void hit_triangle(__global const AeroTriangle* triangle, uint slot, const Ray* ray,
                          const RayFrame* frame, Hit* hit) {
   const Crossing crossing = cross_triangle(triangle, frame);
-  take_hit(&crossing, slot, ray, frame, hit);
+  take_hit(&crossing, (lane_uint)slot, ray, frame, hit);
 }
 
 /* Every ray against the same triangles in their order, without a tree. */
