@@ -25,10 +25,11 @@ struct Arguments {
   std::size_t soup = 0;  // triangles; 0: the scene
   std::string device;
   std::vector<std::string> set;
+  std::vector<std::string> kinds;  // of rays; empty: all
   int width = 1920, height = 1080;
   int lanes = 0;
   int rounds = 7;
-  std::string against;  // a folder of kernels
+  std::vector<std::string> against;  // folders of kernels
   bool peers = true;
   bool json = false;
 };
@@ -104,13 +105,13 @@ ordered_json describe(const Arguments& arguments, const bench::DeviceBench& devi
 /// A kind of ray; `coherent` is what the peer is told.
 struct Kind {
   std::string name;
-  const bench::RaySet& rays;
+  std::reference_wrapper<const bench::RaySet> rays;
   bool any_hit, coherent;
 };
 
 #ifdef AEROSTAT_HAVE_EMBREE
 void add_peer(const bench::EmbreePeer& embree, const Kind& kind, std::vector<Entry>& entries) {
-  const bench::RaySet& rays = kind.rays;
+  const bench::RaySet& rays = kind.rays.get();
   const std::string name = kind.any_hit ? "Embree rtcOccluded" : "Embree rtcIntersect";
   const auto coherence = kind.coherent ? bench::Coherence::coherent : bench::Coherence::incoherent;
   entries.push_back({kind.name, name + "1", rays.active(), [&, any_hit = kind.any_hit] {
@@ -135,6 +136,41 @@ ordered_json time_builds(const mesh::TriangleMesh& mesh, const bench::EmbreePeer
 }
 #endif
 
+/// The kinds of rays that are asked for.
+std::vector<Kind> kinds_of(const Arguments& arguments, const bench::RaySet& camera,
+                           const bench::RaySet& shadow, const bench::RaySet& bounce) {
+  std::vector<Kind> kinds{{"primary", camera, false, true},
+                          {"shadow", shadow, true, true},
+                          {"incoherent", bounce, false, false},
+                          {"occlusion", bounce, true, false}};
+  const auto& asked = arguments.kinds;
+  std::erase_if(kinds, [&](const Kind& kind) {
+    return !asked.empty() && std::find(asked.begin(), asked.end(), kind.name) == asked.end();
+  });
+  return kinds;
+}
+
+void add_kernels(bench::DeviceBench& device, const std::string& name,
+                 const std::vector<Kind>& kinds, std::vector<Entry>& entries) {
+  for (const Kind& kind : kinds) {
+    entries.push_back({kind.name, name, kind.rays.get().active(),
+                       [&] { return device.time_rays(kind.rays, kind.any_hit); }});
+  }
+}
+
+void add_renderers_kernels(bench::DeviceBench& device, const std::vector<Kind>& kinds,
+                           std::vector<Entry>& entries) {
+  for (const Kind& kind : kinds) {
+    const std::string name = "aerostat, renderer's kernel";
+    const std::uint64_t count = kind.rays.get().active();
+    if (kind.name == "primary") {
+      entries.push_back({kind.name, name, count, [&] { return device.time_camera_kernel(); }});
+    } else if (kind.name == "shadow") {
+      entries.push_back({kind.name, name, count, [&] { return device.time_shadow_kernel(); }});
+    }
+  }
+}
+
 void run(const Arguments& arguments) {
   const auto device = opencl::select_device(opencl::effective_selector(arguments.device));
   const auto geometry = build(arguments);
@@ -142,28 +178,16 @@ void run(const Arguments& arguments) {
   const bench::RaySet camera = own.camera_rays(), shadow = own.shadow_rays();
   const bench::RaySet bounce = own.bounce_rays();
   ordered_json figures = describe(arguments, own, device.name, *geometry);
-  const std::vector<Kind> kinds{{"primary", camera, false, true},
-                                {"shadow", shadow, true, true},
-                                {"incoherent", bounce, false, false},
-                                {"occlusion", bounce, true, false}};
+  const std::vector<Kind> kinds = kinds_of(arguments, camera, shadow, bounce);
 
   std::vector<Entry> entries;
-  for (const Kind& kind : kinds) {
-    entries.push_back({kind.name, "aerostat", kind.rays.active(),
-                       [&own, &kind] { return own.time_rays(kind.rays, kind.any_hit); }});
-  }
-  entries.push_back({"primary", "aerostat, renderer's kernel", camera.active(),
-                     [&] { return own.time_camera_kernel(); }});
-  entries.push_back({"shadow", "aerostat, renderer's kernel", shadow.active(),
-                     [&] { return own.time_shadow_kernel(); }});
-  std::unique_ptr<bench::DeviceBench> other;
-  if (!arguments.against.empty()) {
-    other = std::make_unique<bench::DeviceBench>(device, arguments.lanes, *geometry,
-                                                 opencl::kernel_sources(arguments.against));
-    for (const Kind& kind : kinds) {
-      entries.push_back({kind.name, "kernels of " + arguments.against, kind.rays.active(),
-                         [&other, &kind] { return other->time_rays(kind.rays, kind.any_hit); }});
-    }
+  add_kernels(own, "aerostat", kinds, entries);
+  add_renderers_kernels(own, kinds, entries);
+  std::vector<std::unique_ptr<bench::DeviceBench>> others;
+  for (const auto& folder : arguments.against) {
+    others.push_back(std::make_unique<bench::DeviceBench>(device, arguments.lanes, *geometry,
+                                                          opencl::kernel_sources(folder)));
+    add_kernels(*others.back(), "kernels of " + folder, kinds, entries);
   }
 #ifdef AEROSTAT_HAVE_EMBREE
   std::unique_ptr<bench::EmbreePeer> embree;
@@ -199,11 +223,14 @@ int main(int argc, char** argv) {
   app.add_option("--lanes", arguments.lanes, "Rays per work-item")
       ->check(CLI::IsMember({1, 4, 8, 16}));
   app.add_option("--set", arguments.set, "/json/pointer=value");
+  app.add_option("--kinds", arguments.kinds, "The kinds of rays to time, such as primary,shadow")
+      ->delimiter(',')
+      ->check(CLI::IsMember({"primary", "shadow", "incoherent", "occlusion"}));
   app.add_option("--width", arguments.width, "Pixels")->check(CLI::Range(16, 16384));
   app.add_option("--height", arguments.height, "Pixels")->check(CLI::Range(16, 16384));
   app.add_option("--rounds", arguments.rounds, "Timed rounds")->check(CLI::Range(1, 1000));
   app.add_option("--against", arguments.against,
-                 "A folder of kernels to time in turn with the renderer's");
+                 "Folders of kernels to time in turn with the renderer's");
   app.add_flag("!--no-peers", arguments.peers, "Time the renderer's rays alone");
   app.add_flag("--json", arguments.json, "Figures as JSON");
   CLI11_PARSE(app, argc, argv);
