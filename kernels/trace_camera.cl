@@ -16,7 +16,7 @@ __kernel void trace_camera_rays(const AeroLaunch launch, __global const AeroBvhN
   for (uint i = 0u; i < BUNDLE; ++i) {
     /* Blocks beyond the tile's last lie below it: their lanes are off. */
     PixelPacket packet = pixel_packet(&tile, first + i);
-    leave_settled(film, frame.width, &packet);
+    leave_settled(film, frame.width, tile.first_sample, &packet);
     const Ray ray = generate_rays(&frame, &packet);
     start_packet(packets + i, &ray);
   }
