@@ -6,6 +6,7 @@
 #include <string>
 
 #include "core/error.hpp"
+#include "core/simd.hpp"
 #include "height_grid.h"
 
 namespace aerostat::mesh {
@@ -34,8 +35,16 @@ float* put_lines(std::span<const float> lines, std::uint32_t padded_cells, float
   return end;
 }
 
-std::uint32_t as_short(float share) {
-  return static_cast<std::uint16_t>(static_cast<std::int16_t>(std::lround(share * 32767.0f)));
+/// Rounded to the nearest as std::lround does, in loops that are vectorised.
+AEROSTAT_INLINE std::uint32_t as_short(float share) {
+  const double scaled = share * 32767.0f;
+  const auto nearest = static_cast<std::int32_t>(scaled + (scaled < 0.0 ? -0.5 : 0.5));
+  return static_cast<std::uint32_t>(nearest) & 0xffffu;
+}
+
+AEROSTAT_INLINE float packed(const vec3& normal) {
+  const float sum = std::fabs(normal.x) + std::fabs(normal.y) + std::fabs(normal.z);
+  return std::bit_cast<float>(as_short(normal.x / sum) | as_short(normal.z / sum) << 16);
 }
 
 float from_short(std::uint32_t bits) {
@@ -62,16 +71,35 @@ GridMesh::GridMesh(std::span<const float> x, std::span<const float> z)
 }
 
 void GridMesh::set(std::uint32_t i, std::uint32_t j, float height, const vec3& normal) {
-  const vec3 share = normal / (std::fabs(normal.x) + std::fabs(normal.y) + std::fabs(normal.z));
-  const float packed = std::bit_cast<float>(as_short(share.x) | as_short(share.z) << 16);
+  const float word = packed(normal);
   // The rim's vertices are repeated to fill up the last blocks.
   const std::uint32_t last_i = i == columns_ ? padded_columns_ : i;
   const std::uint32_t last_j = j == rows_ ? padded_rows_ : j;
   for (std::uint32_t row = j; row <= last_j; ++row) {
     for (std::uint32_t column = i; column <= last_i; ++column) {
       words_[first_height_ + at(column, row)] = height;
-      words_[first_normal_ + at(column, row)] = packed;
+      words_[first_normal_ + at(column, row)] = word;
     }
+  }
+}
+
+void GridMesh::set_row(std::uint32_t j, std::span<const float> heights,
+                       std::span<const vec3> normals) {
+  float* const to_heights = &words_[first_height_ + at(0, j)];
+  float* const to_normals = &words_[first_normal_ + at(0, j)];
+  std::copy(heights.begin(), heights.end(), to_heights);
+  in_vectors([&]() AEROSTAT_INLINE_LAMBDA {
+    const float* from = &normals[0].x;
+    const auto count = static_cast<std::int32_t>(normals.size());
+    for (std::int32_t i = 0; i < count; ++i)
+      to_normals[i] = packed({from[3 * i], from[3 * i + 1], from[3 * i + 2]});
+  });
+  // The rim's vertices are repeated to fill up the last blocks.
+  std::fill(to_heights + heights.size(), to_heights + stride_, heights.back());
+  std::fill(to_normals + normals.size(), to_normals + stride_, to_normals[normals.size() - 1]);
+  for (std::uint32_t row = j + 1; j == rows_ && row <= padded_rows_; ++row) {
+    std::copy_n(to_heights, stride_, &words_[first_height_ + at(0, row)]);
+    std::copy_n(to_normals, stride_, &words_[first_normal_ + at(0, row)]);
   }
 }
 

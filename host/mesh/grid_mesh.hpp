@@ -28,6 +28,9 @@ class GridMesh {
   /// vertices may be set from different threads.
   void set(std::uint32_t i, std::uint32_t j, float height, const vec3& normal);
 
+  /// The same for a whole row, columns() + 1 vertices of it.
+  void set_row(std::uint32_t j, std::span<const float> heights, std::span<const vec3> normals);
+
   float x(std::uint32_t i) const { return x_[i]; }
   float z(std::uint32_t j) const { return z_[j]; }
   float height(std::uint32_t i, std::uint32_t j) const { return words_[first_height_ + at(i, j)]; }

@@ -19,7 +19,7 @@ inline constexpr float kScreeTangent = 0.7f;
 /// aprons at the angle of repose. Wherever this raises the ground it lies loose, and from there no
 /// neighbour, of eight, is lower by more than kScreeTangent times its distance (within rounding).
 /// Nothing is lowered. Aprons climb to `share` (0 to 1) of the height of the wall above them within
-/// some cells. One pass after another over the rows, on one core: some 20 ms at 1024 x 1024.
+/// some cells. Stones run out one row after another, on one core; the rest is done on all.
 void lay_scree(GradedHeights& ground, float share);
 
 }  // namespace aerostat::terrain

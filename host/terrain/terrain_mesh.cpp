@@ -1,11 +1,15 @@
 #include "terrain_mesh.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <span>
 
+#include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
 
 #include "core/error.hpp"
+#include "core/simd.hpp"
 #include "core/stop_scope.hpp"
 #include "terrain/scree.hpp"
 
@@ -26,35 +30,56 @@ class Samples {
     for (const double value : axis) ground_.lines.push_back(static_cast<float>(value));
     ground_.lines.push_back(static_cast<float>(axis.back() + rim));
     ground_.values.resize(static_cast<std::size_t>(stride_) * static_cast<std::size_t>(stride_));
-    tbb::parallel_for(0, stride_, [this, stop = current_stop()](int row) {
+    for (int line = 0; line < stride_; ++line) spacings_.push_back(spacing(line));
+    tbb::parallel_for(0, (stride_ + kTile - 1) / kTile, [this, stop = current_stop()](int rows) {
       stop_if_asked(stop);
-      sample_row(row);
+      sample_rows(rows * kTile);
     });
     // Dunes slump by themselves.
     if (terrain.kind != scene::TerrainKind::dunes)
       lay_scree(ground_, kScreeShare * static_cast<float>(terrain.erosion));
   }
 
-  /// i, j count from -1, the ring, to cells + 1.
-  float height(int i, int j) const {
-    return ground_.values[static_cast<std::size_t>(j + 1) * static_cast<std::size_t>(stride_) +
-                          static_cast<std::size_t>(i + 1)];
+  /// Row j of the mesh, which is row j + 1 with the ring.
+  std::span<const float> heights(int j) const {
+    return std::span(row(j + 1) + 1, static_cast<std::size_t>(stride_) - 2);
   }
 
   std::vector<float> x() const { return lines(center_.x); }
   std::vector<float> z() const { return lines(center_.y); }
 
-  vec3 normal(int i, int j) const {
-    return glm::normalize(vec3(-slope(i, height(i - 1, j), height(i, j), height(i + 1, j)), 1.0f,
-                               -slope(j, height(i, j - 1), height(i, j), height(i, j + 1))));
+  /// The normals of row j of the mesh.
+  void normals(int j, std::span<vec3> normals) const {
+    const float *above = row(j), *here = row(j + 1), *below = row(j + 2);
+    const float* x = ground_.lines.data();
+    const Gaps along_z{x[j + 1] - x[j], x[j + 2] - x[j + 1]};
+    in_vectors([&]() AEROSTAT_INLINE_LAMBDA {
+      const int count = stride_ - 2;
+      for (int i = 0; i < count; ++i) {
+        const Gaps along_x{x[i + 1] - x[i], x[i + 2] - x[i + 1]};
+        const float dx = slope(along_x, here[i], here[i + 1], here[i + 2]);
+        const float dz = slope(along_z, above[i + 1], here[i + 1], below[i + 1]);
+        const float share = 1.0f / std::sqrt(dx * dx + 1.0f + dz * dz);
+        normals[i] = vec3(-dx * share, share, -dz * share);
+      }
+    });
   }
 
  private:
-  /// Slope at line k of the parabola through three heights: second order on unequal cells too.
-  float slope(int k, float before, float here, float after) const {
-    const float a = ground_.lines[k + 1] - ground_.lines[k];
-    const float b = ground_.lines[k + 2] - ground_.lines[k + 1];
+  /// Between three lines.
+  struct Gaps {
+    float a, b;
+  };
+
+  /// Slope at the middle of three lines of the parabola through three heights: second order on
+  /// unequal cells too.
+  AEROSTAT_INLINE static float slope(const Gaps& gaps, float before, float here, float after) {
+    const float a = gaps.a, b = gaps.b;
     return ((after - here) * a * a + (here - before) * b * b) / (a * b * (a + b));
+  }
+
+  const float* row(int j) const {
+    return ground_.values.data() + static_cast<std::size_t>(j) * static_cast<std::size_t>(stride_);
   }
 
   /// The lines without the ring, in world coordinates.
@@ -70,26 +95,35 @@ class Samples {
     return 0.5f * (ground_.lines[k + 1] - ground_.lines[k - 1]);
   }
 
-  void sample_row(int row) {
+  /// kTile rows from `first` on, in squares of kTile x kTile points: they lie closer together than
+  /// points of a row and more often share a cell of a noise.
+  void sample_rows(int first) {
+    const int end = std::min(first + kTile, stride_);
     Points points;
     Block height;
-    for (int begin = 0; begin < stride_; begin += kBlockSize) {
-      points.count = std::min(kBlockSize, stride_ - begin);
-      for (int k = 0; k < points.count; ++k) {
-        points.x[k] = ground_.lines[begin + k];
-        points.z[k] = ground_.lines[row];
-        points.spacing[k] = std::max(spacing(begin + k), spacing(row));
-      }
+    std::array<int, kBlockSize> places;
+    for (int i = 0; i < stride_; i += kTile) {
+      for (int j = first; j < end; ++j)
+        for (int k = i; k < std::min(i + kTile, stride_); ++k) {
+          points.x[points.count] = ground_.lines[k];
+          points.z[points.count] = ground_.lines[j];
+          points.spacing[points.count] = std::max(spacings_[k], spacings_[j]);
+          places[points.count++] = j * stride_ + k;
+        }
+      if (points.count + kTile * kTile <= kBlockSize && i + kTile < stride_) continue;
       field_.heights(points, height);
-      std::copy_n(height.begin(), points.count,
-                  ground_.values.begin() + static_cast<std::ptrdiff_t>(row) * stride_ + begin);
+      for (int k = 0; k < points.count; ++k) ground_.values[places[k]] = height[k];
+      points.count = 0;
     }
   }
+
+  static constexpr int kTile = 4;
 
   int stride_;
   dvec2 center_;
   const HeightField& field_;
   GradedHeights ground_;
+  std::vector<float> spacings_;  // of lines
 };
 
 }  // namespace
@@ -127,10 +161,11 @@ mesh::GridMesh terrain_mesh(const scene::Terrain& terrain) {
 mesh::GridMesh terrain_mesh(const scene::Terrain& terrain, const HeightField& field) {
   const Samples samples(terrain, field);
   mesh::GridMesh mesh(samples.x(), samples.z());
-  tbb::parallel_for(0, terrain.cells + 1, [&](int j) {
-    for (int i = 0; i <= terrain.cells; ++i) {
-      mesh.set(static_cast<std::uint32_t>(i), static_cast<std::uint32_t>(j), samples.height(i, j),
-               samples.normal(i, j));
+  tbb::parallel_for(tbb::blocked_range<int>(0, terrain.cells + 1, 8), [&](const auto& rows) {
+    std::vector<vec3> normals(static_cast<std::size_t>(terrain.cells) + 1);
+    for (int j = rows.begin(); j != rows.end(); ++j) {
+      samples.normals(j, normals);
+      mesh.set_row(static_cast<std::uint32_t>(j), samples.heights(j), normals);
     }
   });
   return mesh;

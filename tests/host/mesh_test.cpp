@@ -1,5 +1,7 @@
 #include <charconv>
+#include <cmath>
 #include <cstring>
+#include <numeric>
 #include <sstream>
 #include <string>
 
@@ -7,6 +9,7 @@
 
 #include "core/error.hpp"
 #include "mesh/export.hpp"
+#include "mesh/grid_mesh.hpp"
 
 namespace aerostat::mesh {
 namespace {
@@ -181,6 +184,29 @@ TEST(Obj, ReadsBackExactly) {
   for (std::size_t i = 0; i < 4; ++i) EXPECT_EQ(positions[i], first.positions[i]);
   EXPECT_EQ(positions[6], second.positions[2]);
   EXPECT_EQ(faces, (std::vector<uvec3>{{1, 2, 3}, {1, 3, 4}, {5, 6, 7}, {5, 7, 8}}));
+}
+
+TEST(GridMesh, RowsAreSetAsVerticesAre) {
+  // 41 x 12 vertices: whole vectors and a rest, and a rim that fills up blocks.
+  std::vector<float> x(41), z(12);
+  std::iota(x.begin(), x.end(), 0.0f);
+  std::iota(z.begin(), z.end(), 0.0f);
+  GridMesh one_by_one(x, z), by_rows(x, z);
+  for (std::uint32_t j = 0; j < z.size(); ++j) {
+    std::vector<float> heights(x.size());
+    std::vector<vec3> normals(x.size());
+    for (std::uint32_t i = 0; i < x.size(); ++i) {
+      const auto wave = static_cast<float>(i * 7 + j * 13);
+      heights[i] = 100.0f * std::sin(wave);
+      normals[i] = glm::normalize(vec3(2.0f * std::cos(wave), 1.0f, 3.0f * std::sin(2.0f * wave)));
+      one_by_one.set(i, j, heights[i], normals[i]);
+    }
+    by_rows.set_row(j, heights, normals);
+  }
+  ASSERT_EQ(by_rows.words().size(), one_by_one.words().size());
+  EXPECT_EQ(std::memcmp(by_rows.words().data(), one_by_one.words().data(),
+                        one_by_one.words().size_bytes()),
+            0);
 }
 
 }  // namespace
