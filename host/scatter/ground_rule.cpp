@@ -42,22 +42,36 @@ GroundRule::GroundRule(const scene::Ground& ground, std::uint32_t seed, float fo
 
 std::vector<GroundNoise> GroundRule::noise(std::span<const vec3> points) const {
   std::vector<GroundNoise> noise(points.size());
-  Block broad, fine, rough;
+  fill_smooth(points, noise);
+  fill_rough(points, noise);
+  return noise;
+}
+
+void GroundRule::fill_smooth(std::span<const vec3> points, std::span<GroundNoise> noise) const {
+  Block broad, fine;
   for (std::size_t first = 0; first < points.size(); first += kBlockSize) {
-    Spots spots, flat;
+    Spots flat;
     const std::size_t end = std::min(first + kBlockSize, points.size());
-    for (std::size_t i = first; i < end; ++i) {
-      spots.add(points[i]);
+    for (std::size_t i = first; i < end; ++i)
       flat.add({points[i].x, points[i].y * 0.4f, points[i].z});
-    }
     broad_.at(flat, footprint_m_, broad);
     fine_.at(flat, footprint_m_, fine);
-    rough_.at(spots, footprint_m_, rough);
     for (std::size_t i = first; i < end; ++i) {
-      noise[i] = {broad[i - first], fine[i - first], rough[i - first]};
+      noise[i].broad = broad[i - first];
+      noise[i].fine = fine[i - first];
     }
   }
-  return noise;
+}
+
+void GroundRule::fill_rough(std::span<const vec3> points, std::span<GroundNoise> noise) const {
+  Block rough;
+  for (std::size_t first = 0; first < points.size(); first += kBlockSize) {
+    Spots spots;
+    const std::size_t end = std::min(first + kBlockSize, points.size());
+    for (std::size_t i = first; i < end; ++i) spots.add(points[i]);
+    rough_.at(spots, footprint_m_, rough);
+    for (std::size_t i = first; i < end; ++i) noise[i].rough = rough[i - first];
+  }
 }
 
 float GroundRule::highest_tree() const {
@@ -93,6 +107,10 @@ float GroundRule::forest(const vec3& p, float slope_cos, const GroundNoise& nois
   if (!(ground_.forest_share > 0.0)) return 0.0f;
   const float fray = ragged(noise);
   return woods(p, noise) * tree_hold(slope_cos, fray) * (1.0f - beach(p.y, fray));
+}
+
+float GroundRule::forest_at_most(const vec3& p, const GroundNoise& noise) const {
+  return ground_.forest_share > 0.0 ? woods(p, noise) : 0.0f;
 }
 
 GroundMix GroundRule::mix(const vec3& p, float slope_cos, const GroundNoise& noise) const {

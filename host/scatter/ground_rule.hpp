@@ -29,8 +29,13 @@ class GroundRule {
 
   /// One for each point. The same bits as one by one.
   std::vector<GroundNoise> noise(std::span<const vec3> points) const;
+  /// The same but for `rough`, which is left as it is, and then that by itself.
+  void fill_smooth(std::span<const vec3> points, std::span<GroundNoise> noise) const;
+  void fill_rough(std::span<const vec3> points, std::span<GroundNoise> noise) const;
   /// mix.forest of ground_mix() there.
   float forest(const vec3& p, float slope_cos, const GroundNoise& noise) const;
+  /// No less, whatever the slope and the noise's `rough` are.
+  float forest_at_most(const vec3& p, const GroundNoise& noise) const;
   GroundMix mix(const vec3& p, float slope_cos, const GroundNoise& noise) const;
 
   /// How much the upper limit of trees thins them out, 0 below it, 1 above.

@@ -39,6 +39,9 @@ struct Layer {
   float most = 1.0f;          // bound of `chance`
   /// The probability that a candidate grows, by its site.
   std::function<float(const Site&)> chance;
+  /// No less than that, by all but the noise's `rough`, which is dear; null: `most` is all that is
+  /// known.
+  std::function<float(const Site&)> chance_at_most;
   std::function<Choice(const Site&, plant::Random&)> choose;
 };
 

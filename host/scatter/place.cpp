@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <optional>
 
 #include <fmt/format.h>
 #include <tbb/parallel_for.h>
@@ -15,14 +16,21 @@ namespace {
 // How far candidates stray from the middles of their squares, in squares.
 constexpr double kJitter = 0.9;
 
-/// A stream of its own for every square.
-plant::Random square_random(std::uint32_t seed, std::uint32_t layer, std::int64_t i,
-                            std::int64_t j) {
-  plant::Random mixer((std::uint64_t{seed} << 32) ^ (layer * 0x9e3779b9u));
-  const std::uint64_t row = mixer.bits() ^ (static_cast<std::uint64_t>(j) * 0xd1b54a32d192ed03u);
-  return plant::Random(plant::Random(row).bits() ^
-                       (static_cast<std::uint64_t>(i) * 0x8cb92ba72f3d8dd7u));
-}
+/// A stream of its own for every square of the row with z number j.
+class RowRandom {
+ public:
+  RowRandom(std::uint32_t seed, std::uint32_t layer, std::int64_t j) {
+    plant::Random mixer((std::uint64_t{seed} << 32) ^ (layer * 0x9e3779b9u));
+    const std::uint64_t row = mixer.bits() ^ (static_cast<std::uint64_t>(j) * 0xd1b54a32d192ed03u);
+    bits_ = plant::Random(row).bits();
+  }
+  plant::Random square(std::int64_t i) const {
+    return plant::Random(bits_ ^ (static_cast<std::uint64_t>(i) * 0x8cb92ba72f3d8dd7u));
+  }
+
+ private:
+  std::uint64_t bits_;
+};
 
 /// The share of candidates that stays at a distance from the centre.
 double kept_at(double distance, double reach) {
@@ -37,14 +45,15 @@ class Planter {
   /// What grows in the row of squares with z number j.
   std::vector<Instance> plant_row(std::int64_t j) const {
     std::vector<Candidate> candidates = candidates_of_row(j);
-    std::vector<vec3> positions;
-    for (const Candidate& candidate : candidates) positions.push_back(candidate.site.position);
-    const std::vector<GroundNoise> noise = place_.rule.noise(positions);
-    std::vector<Instance> row;
-    for (std::size_t i = 0; i < candidates.size(); ++i) {
-      candidates[i].site.noise = noise[i];
-      grow(candidates[i], row);
+    add_noise(candidates, &GroundRule::fill_smooth);
+    if (layer_.chance_at_most) {
+      std::erase_if(candidates, [this](const Candidate& candidate) {
+        return !(candidate.fate < static_cast<double>(layer_.chance_at_most(candidate.site)));
+      });
     }
+    add_noise(candidates, &GroundRule::fill_rough);
+    std::vector<Instance> row;
+    for (Candidate& candidate : candidates) grow(candidate, row);
     return row;
   }
 
@@ -52,9 +61,25 @@ class Planter {
   /// A square whose plant has passed all that costs little.
   struct Candidate {
     Site site;
+    Surface::Spot spot;
     plant::Random random;
     double fate;
   };
+
+  using FillNoise = void (GroundRule::*)(std::span<const vec3>, std::span<GroundNoise>) const;
+
+  void add_noise(std::vector<Candidate>& candidates, FillNoise fill) const {
+    std::vector<vec3> positions;
+    std::vector<GroundNoise> noise;
+    positions.reserve(candidates.size());
+    noise.reserve(candidates.size());
+    for (const Candidate& candidate : candidates) {
+      positions.push_back(candidate.site.position);
+      noise.push_back(candidate.site.noise);
+    }
+    (place_.rule.*fill)(positions, noise);
+    for (std::size_t i = 0; i < candidates.size(); ++i) candidates[i].site.noise = noise[i];
+  }
 
   std::vector<Candidate> candidates_of_row(std::int64_t j) const {
     std::vector<Candidate> candidates;
@@ -66,18 +91,22 @@ class Planter {
       return static_cast<std::int64_t>(std::floor(x / layer_.spacing_m));
     };
     const std::int64_t last = square(place_.center.x + half);
+    const RowRandom random(place_.seed, layer_.id, j);
+    std::optional<Sight::Row> sight;
+    if (place_.sight != nullptr) sight = place_.sight->row(middle(j));
     for (std::int64_t i = square(place_.center.x - half); i <= last; ++i) {
-      add_candidate(i, j, candidates);
+      if (sight && !sight->matters(middle(i))) continue;
+      add_candidate(i, j, random.square(i), candidates);
     }
     return candidates;
   }
 
-  void add_candidate(std::int64_t i, std::int64_t j, std::vector<Candidate>& candidates) const {
-    const auto middle = [&](std::int64_t cell) {
-      return (static_cast<double>(cell) + 0.5) * layer_.spacing_m;
-    };
-    if (place_.sight != nullptr && !place_.sight->matters(middle(i), middle(j))) return;
-    plant::Random random = square_random(place_.seed, layer_.id, i, j);
+  double middle(std::int64_t cell) const {
+    return (static_cast<double>(cell) + 0.5) * layer_.spacing_m;
+  }
+
+  void add_candidate(std::int64_t i, std::int64_t j, plant::Random random,
+                     std::vector<Candidate>& candidates) const {
     const auto stray = [&](std::int64_t cell) {
       return (static_cast<double>(cell) + 0.5 + kJitter * (random.unit() - 0.5)) * layer_.spacing_m;
     };
@@ -88,16 +117,21 @@ class Planter {
     const double fate = random.unit();
     if (!(fate < static_cast<double>(layer_.most))) return;
     if (!place_.surface.covers(x, z)) return;
-    const SurfacePoint ground = place_.surface.at(x, z);
-    const float height = ground.position.y;
+    const Surface::Spot spot = place_.surface.spot_at(x, z);
+    const float height = spot.position.y;
     if (height < layer_.lowest || height > layer_.highest) return;
-    if (ground.normal.y < layer_.steepest_cos) return;
-    candidates.push_back(
-        {{ground.position, ground.normal, height - place_.sea_level_m, {}}, random, fate});
+    Site site{spot.position, {}, height - place_.sea_level_m, {}};
+    if (layer_.steepest_cos > 0.0f) {
+      site.normal = place_.surface.normal(spot);
+      if (site.normal.y < layer_.steepest_cos) return;
+    }
+    candidates.push_back({site, spot, random, fate});
   }
 
   void grow(Candidate& candidate, std::vector<Instance>& row) const {
-    const Site& site = candidate.site;
+    Site& site = candidate.site;
+    // Others have theirs.
+    if (!(layer_.steepest_cos > 0.0f)) site.normal = place_.surface.normal(candidate.spot);
     if (!(candidate.fate < static_cast<double>(layer_.chance(site)))) return;
     const Choice choice = layer_.choose(site, candidate.random);
     const double height = plant::model_height(choice.model) * static_cast<double>(choice.scale);

@@ -31,9 +31,12 @@ Layer floor_layer(const Nature& nature, std::uint32_t id, double spacing_m, doub
   layer.reach_m = reach_of(nature, reach_m);
   layer.steepest_cos = std::cos(radians_from_degrees(18.0f));
   layer.most = chance;
-  layer.chance = [&surface = nature.surface, chance, bare_below](const Site& site) {
-    const float clump = ramp(bare_below, bare_below + 0.7f, site.noise.fine + site.noise.broad);
-    return clump > 0.0f ? chance * clump * hollow(surface, site) : 0.0f;
+  layer.chance_at_most = [chance, bare_below](const Site& site) {
+    return chance * ramp(bare_below, bare_below + 0.7f, site.noise.fine + site.noise.broad);
+  };
+  layer.chance = [&surface = nature.surface, clump = layer.chance_at_most](const Site& site) {
+    const float likely = clump(site);
+    return likely > 0.0f ? likely * hollow(surface, site) : 0.0f;
   };
   return layer;
 }

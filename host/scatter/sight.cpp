@@ -44,9 +44,10 @@ class Survey {
     }
     if (!scene_.sun.shadows) return matters;
     const std::vector<char> lit = any_around(map_, seen, kSunWidth);
+    const Shadows shadows = this->shadows();
     each_tile([&](int column, int row) {
       char& one = matters[map_.at(column, row)];
-      if (one == 0) one = may_shade(column, row, lit) ? 1 : 0;
+      if (one == 0) one = may_shade(column, row, shadows, lit) ? 1 : 0;
     });
     return matters;
   }
@@ -76,7 +77,7 @@ class Survey {
     const dvec3& eye = scene_.camera.position;
     const double half = 0.5 * map_.tile_m + extent_.aside_m;
     if (view_ && !view_->touches(middle - dvec2(eye.x, eye.z), half)) return false;
-    return !is_hidden(middle, top_of(column, row));
+    return !is_hidden(column, row, top_of(column, row));
   }
 
   bool holds_balloon(const dvec2& middle) const {
@@ -98,38 +99,51 @@ class Survey {
     return (water.enabled ? std::max(ground, water.level_m) : ground) + extent_.above_m + 1.0;
   }
 
-  /// Whether ground stands before all of a tile.
-  bool is_hidden(const dvec2& middle, double top) const {
-    const dvec3& eye = scene_.camera.position;
-    const dvec2 from(eye.x, eye.z);
-    const int steps = static_cast<int>(glm::distance(from, middle) / map_.tile_m);
+  /// Whether ground stands before all of a tile. The eye is in the map's middle, so all ways to
+  /// tiles lie on the map.
+  bool is_hidden(int column, int row, double top) const {
+    const double eye = scene_.camera.position.y;
+    const double from = 0.5 * map_.side;  // in tiles, as all that follows
+    const dvec2 way = dvec2(column + 0.5, row + 0.5) - from;
+    const int steps = static_cast<int>(std::hypot(way.x, way.y));
+    const dvec2 step = way / static_cast<double>(steps);
+    const double rise = (top - eye) / static_cast<double>(steps);
     for (int k = 1; k < steps; ++k) {
-      const double share = static_cast<double>(k) / steps;
-      const dvec2 at = glm::mix(from, middle, share);
-      const int column = map_.column(at.x), row = map_.row(at.y);
-      if (!map_.holds(column, row)) continue;
-      const auto ground = static_cast<double>(barrier_[map_.at(column, row)]);
-      if (ground > std::lerp(eye.y, top, share)) return true;
+      const auto i = static_cast<int>(from + k * step.x), j = static_cast<int>(from + k * step.y);
+      if (static_cast<double>(barrier_[map_.at(i, j)]) > eye + k * rise) return true;
     }
     return false;
   }
 
-  /// Whether the shadow of what stands in the tile may fall on something that is seen, before it
-  /// has fallen on the ground.
-  bool may_shade(int column, int row, const std::vector<char>& seen) const {
+  /// Shadows, in tiles and metres: where they go on, and how much lower, tile by tile.
+  struct Shadows {
+    dvec2 step{0.0};
+    double drop = 0.0;
+    int most = 0;  // the sun's disc makes the bundle wider on its way: a tile in so many
+  };
+
+  Shadows shadows() const {
     const dvec3 sun = glm::normalize(scene_.sun.direction);
     const double level = std::hypot(sun.x, sun.z);
-    const dvec2 step = level > 0.0 ? dvec2(sun.x, sun.z) * (-map_.tile_m / level) : dvec2(0.0);
-    const double drop = std::tan(std::asin(sun.y) - kSunSpread_rad) * map_.tile_m;
-    dvec2 at = map_.middle(column, row);
+    Shadows shadows;
+    if (level > 0.0) shadows.step = dvec2(sun.x, sun.z) * (-1.0 / level);
+    shadows.drop = std::tan(std::asin(sun.y) - kSunSpread_rad) * map_.tile_m;
+    shadows.most = static_cast<int>(0.5 / kSunSpread_rad * std::max(level, 0.02));
+    return shadows;
+  }
+
+  /// Whether the shadow of what stands in the tile may fall on something that is seen, before it
+  /// has fallen on the ground.
+  bool may_shade(int column, int row, const Shadows& shadows, const std::vector<char>& seen) const {
+    dvec2 at(column + 0.5, row + 0.5);
     double height = top_of(column, row);
-    // The sun's disc makes the bundle wider on its way: a tile in so many.
-    const int most = static_cast<int>(0.5 / kSunSpread_rad * std::max(level, 0.02));
-    for (int k = 0; k < most; ++k, at += step, height -= drop) {
-      const int i = map_.column(at.x), j = map_.row(at.y);
+    const bool stays = shadows.step == dvec2(0.0);
+    for (int k = 0; k < shadows.most; ++k, at += shadows.step, height -= shadows.drop) {
+      if (at.x < 0.0 || at.y < 0.0) return true;
+      const int i = static_cast<int>(at.x), j = static_cast<int>(at.y);
       if (!map_.holds(i, j) || seen[map_.at(i, j)] != 0) return true;
       if (height < static_cast<double>(sun_barrier_[map_.at(i, j)])) return false;
-      if (level <= 0.0) return false;
+      if (stays) return false;
     }
     return true;
   }

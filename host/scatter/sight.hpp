@@ -22,11 +22,31 @@ class Sight {
   Sight(const scene::Scene& scene, const mesh::GridMesh& ground, double reach_m,
         const Extent& extent);
 
-  /// Whether something that stands at (x, z), within the extent, can matter. A quick look-up.
-  bool matters(double x, double z) const {
-    const int column = map_.column(x), row = map_.row(z);
-    return !map_.holds(column, row) || matters_[map_.at(column, row)] != 0;
+  /// What stands at some z.
+  class Row {
+   public:
+    bool matters(double x) const {
+      const int column = map_->column(x);
+      return !map_->holds(column, row_) || of_row_[column] != 0;
+    }
+
+   private:
+    friend class Sight;
+    const TileMap* map_;
+    int row_;
+    const char* of_row_;  // if the map holds it
+  };
+
+  Row row(double z) const {
+    Row result;
+    result.map_ = &map_;
+    result.row_ = map_.row(z);
+    result.of_row_ = map_.holds(0, result.row_) ? &matters_[map_.at(0, result.row_)] : nullptr;
+    return result;
   }
+
+  /// Whether something that stands at (x, z), within the extent, can matter. A quick look-up.
+  bool matters(double x, double z) const { return row(z).matters(x); }
 
  private:
   TileMap map_;

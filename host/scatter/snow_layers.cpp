@@ -42,6 +42,9 @@ Layer woods(const Nature& nature) {
   layer.chance = [&rule = nature.rule](const Site& site) {
     return rule.forest(site.position, site.normal.y, site.noise);
   };
+  layer.chance_at_most = [&rule = nature.rule](const Site& site) {
+    return rule.forest_at_most(site.position, site.noise);
+  };
   layer.choose = [nature](const Site& site, Random& random) {
     return choose_spruce(nature, site, random, 0.55, 1.25);
   };
@@ -62,6 +65,7 @@ Layer outskirts(const Nature& nature) {
     if (close > 0.0f || close < -0.45f) return 0.0f;
     return 0.45f * ramp(-0.45f, 0.0f, close) * ramp(-0.3f, 0.5f, site.noise.fine);
   };
+  layer.chance_at_most = layer.chance;
   layer.choose = [nature](const Site& site, Random& random) {
     return choose_spruce(nature, site, random, 0.15, 0.75);
   };

@@ -12,10 +12,10 @@ namespace aerostat::scatter {
 inline constexpr int kBlockSize = 128;
 using Block = std::array<float, kBlockSize>;
 
-/// Up to kBlockSize points in space, in metres.
+/// Up to kBlockSize points in space, in metres; those beyond `count` are nobody's, but numbers.
 struct Spots {
   int count = 0;
-  Block x, y, z;
+  Block x{}, y{}, z{};
 
   void add(const vec3& p) {
     x[static_cast<std::size_t>(count)] = p.x;

@@ -4,44 +4,48 @@
 #include <cmath>
 
 namespace aerostat::scatter {
-namespace {
+void Lines::index() {
+  const std::size_t parts = lines_.size() - 1;
+  const double extent = double{lines_.back()} - lines_.front();
+  parts_per_m_ = static_cast<double>(parts) / extent;
+  std::uint32_t cell = 0;
+  for (std::size_t k = 0; k < parts; ++k) {
+    const double from = lines_.front() + static_cast<double>(k) / parts_per_m_;
+    while (cell + 2 < lines_.size() && static_cast<double>(lines_[cell + 1]) <= from) ++cell;
+    first_.push_back(cell);
+  }
+}
 
-/// The cell of ascending lines that holds a value, and where in it, 0 to 1.
-struct Place {
-  std::uint32_t cell;
-  float share;
-};
-
-Place place_between(const std::vector<float>& lines, double value) {
-  const auto next = std::upper_bound(lines.begin() + 1, lines.end() - 1, value,
-                                     [](double v, float line) { return v < line; });
-  const auto cell = static_cast<std::uint32_t>(next - lines.begin()) - 1;
-  const double share = (value - lines[cell]) / (double{lines[cell + 1]} - lines[cell]);
+Lines::Place Lines::at(double value) const {
+  const double part = (value - static_cast<double>(lines_.front())) * parts_per_m_;
+  const auto most = static_cast<double>(first_.size() - 1);
+  std::uint32_t cell = first_[static_cast<std::size_t>(std::clamp(part, 0.0, most))];
+  while (cell + 2 < lines_.size() && static_cast<double>(lines_[cell + 1]) <= value) ++cell;
+  // What a part's end is rounded to may be beyond the value.
+  while (cell > 0 && static_cast<double>(lines_[cell]) > value) --cell;
+  const double share = (value - lines_[cell]) / (double{lines_[cell + 1]} - lines_[cell]);
   return {cell, static_cast<float>(std::clamp(share, 0.0, 1.0))};
 }
 
-}  // namespace
-
 Surface::Surface(const mesh::GridMesh& ground) : ground_(ground) {
-  for (std::uint32_t i = 0; i <= ground.columns(); ++i) x_.push_back(ground.x(i));
-  for (std::uint32_t j = 0; j <= ground.rows(); ++j) z_.push_back(ground.z(j));
+  for (std::uint32_t i = 0; i <= ground.columns(); ++i) x_.add(ground.x(i));
+  for (std::uint32_t j = 0; j <= ground.rows(); ++j) z_.add(ground.z(j));
+  x_.index();
+  z_.index();
 }
 
 bool Surface::covers(double x, double z) const {
-  const auto within = [](const std::vector<float>& lines, double value) {
-    return value >= static_cast<double>(lines.front()) &&
-           value <= static_cast<double>(lines.back());
-  };
-  return within(x_, x) && within(z_, z);
+  return x_.cover(x) && z_.cover(z);
 }
 
-SurfacePoint Surface::at(double x, double z) const {
-  const Place u = place_between(x_, x), v = place_between(z_, z);
-  const std::uint32_t i = u.cell, j = v.cell;
+Surface::Spot Surface::spot_at(double x, double z) const {
+  const Lines::Place u = x_.at(x), v = z_.at(z);
+  Spot spot;
+  const std::uint32_t i = spot.i = u.cell, j = spot.j = v.cell;
   const float a = ground_.height(i, j), b = ground_.height(i + 1, j);
   const float c = ground_.height(i, j + 1), d = ground_.height(i + 1, j + 1);
   // Cells are split along the diagonal that is less steep.
-  float weight[4];  // of a, b, c, d
+  float(&weight)[4] = spot.weight;
   if (std::fabs(a - d) <= std::fabs(b - c)) {
     const float both = std::min(u.share, v.share);
     weight[0] = 1.0f - std::max(u.share, v.share);
@@ -55,14 +59,18 @@ SurfacePoint Surface::at(double x, double z) const {
     weight[2] = v.share - beyond;
     weight[3] = beyond;
   }
-  SurfacePoint point;
-  point.position = {static_cast<float>(x),
-                    weight[0] * a + weight[1] * b + weight[2] * c + weight[3] * d,
-                    static_cast<float>(z)};
-  point.normal = glm::normalize(
-      weight[0] * ground_.normal(i, j) + weight[1] * ground_.normal(i + 1, j) +
-      weight[2] * ground_.normal(i, j + 1) + weight[3] * ground_.normal(i + 1, j + 1));
-  return point;
+  spot.position = {static_cast<float>(x),
+                   weight[0] * a + weight[1] * b + weight[2] * c + weight[3] * d,
+                   static_cast<float>(z)};
+  return spot;
+}
+
+vec3 Surface::normal(const Spot& spot) const {
+  const std::uint32_t i = spot.i, j = spot.j;
+  const auto& weight = spot.weight;
+  return glm::normalize(weight[0] * ground_.normal(i, j) + weight[1] * ground_.normal(i + 1, j) +
+                        weight[2] * ground_.normal(i, j + 1) +
+                        weight[3] * ground_.normal(i + 1, j + 1));
 }
 
 }  // namespace aerostat::scatter

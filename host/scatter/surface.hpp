@@ -12,19 +12,56 @@ struct SurfacePoint {
   vec3 normal{0.0f, 1.0f, 0.0f};  // unit, interpolated as in shading
 };
 
+/// Ascending lines, among which the cell that holds a value is found in a step or two.
+class Lines {
+ public:
+  void add(float line) { lines_.push_back(line); }
+  /// To be called when all are there, two at least.
+  void index();
+
+  /// The cell, and where in it, 0 to 1; beyond all lines the first or last cell.
+  struct Place {
+    std::uint32_t cell;
+    float share;
+  };
+  Place at(double value) const;
+  bool cover(double value) const {
+    return value >= static_cast<double>(lines_.front()) &&
+           value <= static_cast<double>(lines_.back());
+  }
+
+ private:
+  std::vector<float> lines_;
+  std::vector<std::uint32_t> first_;  // cells that hold the lower ends of as many even parts
+  double parts_per_m_ = 0.0;
+};
+
 /// The ground's mesh as a function of the place; `ground` must outlive this.
 class Surface {
  public:
   explicit Surface(const mesh::GridMesh& ground);
 
   /// The point of the triangle over or under (x, z); outside the mesh its rim goes on level.
-  SurfacePoint at(double x, double z) const;
+  SurfacePoint at(double x, double z) const {
+    const Spot spot = spot_at(x, z);
+    return {spot.position, normal(spot)};
+  }
+
+  /// The same without its normal, which takes most of the time.
+  struct Spot {
+    vec3 position;
+    std::uint32_t i, j;  // the cell
+    float weight[4];     // of its vertices (i, j), (i + 1, j), (i, j + 1), (i + 1, j + 1)
+  };
+  Spot spot_at(double x, double z) const;
+  vec3 normal(const Spot& spot) const;
+
   bool covers(double x, double z) const;
-  float height(double x, double z) const { return at(x, z).position.y; }
+  float height(double x, double z) const { return spot_at(x, z).position.y; }
 
  private:
   const mesh::GridMesh& ground_;
-  std::vector<float> x_, z_;  // the grid's lines
+  Lines x_, z_;  // the grid's
 };
 
 }  // namespace aerostat::scatter

@@ -46,6 +46,9 @@ Layer woods(const Nature& nature) {
   layer.chance = [&rule = nature.rule](const Site& site) {
     return rule.forest(site.position, site.normal.y, site.noise);
   };
+  layer.chance_at_most = [&rule = nature.rule](const Site& site) {
+    return rule.forest_at_most(site.position, site.noise);
+  };
   layer.choose = [nature, canopy](const Site& site, Random& random) {
     const float shore = ramp(30.0f, 4.0f, site.above_sea);
     if (random.chance(0.45 * static_cast<double>(shore))) return choose_palm(nature, site, random);
@@ -75,6 +78,7 @@ Layer palms(const Nature& nature) {
         ramp(1.3f, 2.2f, site.above_sea) * ramp(top + 9.0f, top + 3.0f, site.above_sea);
     return 0.75f * band * ramp(-0.35f, 0.55f, site.noise.fine + 0.5f * site.noise.broad);
   };
+  layer.chance_at_most = layer.chance;
   layer.choose = [nature](const Site& site, Random& random) {
     return choose_palm(nature, site, random);
   };
@@ -93,6 +97,9 @@ Layer shrubs(const Nature& nature) {
   layer.chance = [&rule = nature.rule](const Site& site) {
     const float open = 1.0f - rule.forest(site.position, site.normal.y, site.noise);
     return 0.55f * (0.15f + 0.85f * open) * ramp(-0.25f, 0.6f, site.noise.fine);
+  };
+  layer.chance_at_most = [](const Site& site) {
+    return 0.551f * ramp(-0.25f, 0.6f, site.noise.fine);  // the last bits are rounding's
   };
   layer.choose = [nature](const Site&, Random& random) {
     Choice choice;
@@ -117,6 +124,7 @@ Layer driftwood(const Nature& nature) {
   layer.chance = [](const Site& site) {
     return 0.3f * ramp(0.5f, 0.9f, site.above_sea) * ramp(3.0f, 2.0f, site.above_sea);
   };
+  layer.chance_at_most = layer.chance;
   layer.choose = [nature](const Site&, Random& random) {
     Choice choice;
     choice.model = any_variant(Species::driftwood, random);
