@@ -46,6 +46,22 @@ FieldRule read_rule(const Json& rule) {
   return field;
 }
 
+void collect_pointers(const Json& rule, const std::string& pointer,
+                      std::vector<std::string>& pointers) {
+  const Json& resolved = detail::resolve_rule(rule, detail::schema_document(), Json::object());
+  if (resolved.contains("properties")) {
+    for (const auto& [key, child] : resolved["properties"].items()) {
+      collect_pointers(child, pointer + "/" + key, pointers);
+    }
+  } else if (resolved.contains("items") &&
+             detail::resolve_rule(resolved["items"], detail::schema_document(), Json::object())
+                 .contains("properties")) {
+    collect_pointers(resolved["items"], pointer + "/0", pointers);
+  } else {
+    pointers.push_back(pointer);
+  }
+}
+
 }  // namespace
 
 FieldRule field_rule(const std::string& pointer) {
@@ -63,6 +79,12 @@ FieldRule field_rule(const std::string& pointer) {
   FieldRule field = read_rule(*rule);
   if (field.description.empty()) field.description = description;
   return field;
+}
+
+std::vector<std::string> field_pointers() {
+  std::vector<std::string> pointers;
+  collect_pointers(detail::schema_document(), "", pointers);
+  return pointers;
 }
 
 }  // namespace aerostat::scene

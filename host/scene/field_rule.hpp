@@ -20,4 +20,8 @@ struct FieldRule {
 /// Error{usage} if scenes have no such value.
 FieldRule field_rule(const std::string& pointer);
 
+/// The pointers of all values that a scene can have, of lists of objects those of the first one; an
+/// array of numbers or colours is one value.
+std::vector<std::string> field_pointers();
+
 }  // namespace aerostat::scene

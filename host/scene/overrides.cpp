@@ -65,6 +65,16 @@ Json& element(Json& array, const std::string& token, const std::string& name,
   return array[index];
 }
 
+/// What a further balloon is that says nothing of itself.
+const Json& usual_balloon() {
+  static const Json usual = [] {
+    Scene scene;
+    scene.balloons.emplace_back();
+    return Json(to_json(scene))["balloons"][0];
+  }();
+  return usual;
+}
+
 /// The node that `pointer` names, created if need be.
 Json& reach(Json& document, const Json& defaults, const Pointer& pointer, const std::string& name) {
   Json* node = &document;
@@ -79,6 +89,7 @@ Json& reach(Json& document, const Json& defaults, const Pointer& pointer, const 
     so_far.push_back(token);
     const bool known = fallback->is_object() && fallback->contains(token);
     fallback = known ? &(*fallback)[token] : &kNothing;
+    if (so_far.size() == 2 && so_far[0] == "balloons") fallback = &usual_balloon();
     node = node->is_array() ? &element(*node, token, name, so_far) : &(*node)[token];
   }
   return *node;

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "scene/overrides.hpp"
+#include "scene/palettes.hpp"
 #include "scene/read.hpp"
 #include "scene/sun_angles.hpp"
 #include "scene/write.hpp"
@@ -71,12 +72,19 @@ void erase(Json& document, const Pointer& pointer, std::size_t depth, const Json
   const std::string& token = pointer[depth];
   if (document.is_array()) {
     const auto at = Json::json_pointer("/" + token);
-    if (document.contains(at) && usual.contains(at)) document[at] = usual.at(at);
+    if (!document.contains(at) || !usual.contains(at)) return;
+    if (depth + 1 == pointer.size()) {
+      document[at] = usual.at(at);
+    } else {
+      erase(document[at], pointer, depth + 1, usual.at(at));
+    }
     return;
   }
   if (!document.is_object() || !document.contains(token)) return;
   if (depth + 1 == pointer.size()) {
-    document.erase(token);
+    // A lamp must say where it is.
+    const bool required = pointer[0] == "lights" && token == "position";
+    required ? void(document[token] = usual.at(token)) : void(document.erase(token));
     return;
   }
   const bool known = usual.is_object() && usual.contains(token);
@@ -126,6 +134,10 @@ struct SceneSource::State {
   void fill_in() {
     Scene usual = defaults(scene.biome.kind, scene.camera.view);
     set_quality(usual, scene.quality);
+    for (std::size_t i = 0; i < scene.balloons.size(); ++i) {
+      dress(usual.balloons.emplace_back(), palette_of_place(i));
+    }
+    usual.lights.resize(scene.lights.size());
     usual_values = shown(usual);
     // These choose what the other defaults are; their own are these.
     usual_values["biome"]["kind"] = "snow";
@@ -187,6 +199,8 @@ std::string SceneSource::text() const {
   Json usual = state_->usual_values;
   // Always said: it makes the rest readable.
   usual.erase("version");
+  // A list is what it says, element by element.
+  usual["balloons"] = usual["lights"] = Json::array();
   usual["biome"].erase("kind");
   left["biome"]["kind"] = state_->values["biome"]["kind"];
   // One angle of two stays: read back, it must not come from a direction.

@@ -188,19 +188,24 @@ void CameraControl::aim_at(const QPointF& place) {
   document_.end_gesture();
 }
 
-void CameraControl::put_balloon(const QPointF& place) {
+void CameraControl::put_balloon(const QPointF& place, const QString& pointer) {
   const auto at = point_at(place);
   const auto now = pose();
   if (!at || !now) return;
-  const scene::Balloon& seen = shown_->look.scene.balloon;
+  const scene::Scene& scene = shown_->look.scene;
+  const bool first = pointer == QLatin1String("/balloon");
+  const auto index = pointer.section(QLatin1Char('/'), 2, 2).toUInt();
+  if (!first && index >= scene.balloons.size()) return;
+  const scene::Balloon& seen = first ? scene.balloon : scene.balloons[index];
   const auto& surface = *shown_->look.surface;
   const double height = seen.position.y - surface.height(seen.position.x, seen.position.z);
+  const std::string name = pointer.toStdString();
   std::vector<Override> changes = {
-      {"/balloon/enabled", "true"},
-      {"/balloon/height_above", "ground"},
-      {"/balloon/position", point({at->x, std::max(height, 0.0), at->z})}};
+      {name + "/enabled", "true"},
+      {name + "/height_above", "ground"},
+      {name + "/position", point({at->x, std::max(height, 0.0), at->z})}};
   // The view stays, though it was counted from the balloon.
-  if (kind() != ViewKind::basket && !is_absolute()) {
+  if (first && kind() != ViewKind::basket && !is_absolute()) {
     changes.push_back({"/camera/height_above", "sea"});
     changes.push_back({"/camera/position", point(now->position)});
     changes.push_back({"/camera/target", point(now->target)});
@@ -208,6 +213,10 @@ void CameraControl::put_balloon(const QPointF& place) {
   document_.end_gesture();
   document_.change(tr("Put the Balloon"), changes);
   document_.end_gesture();
+}
+
+dvec3 CameraControl::balloon_place() const {
+  return shown_ ? shown_->look.scene.balloon.position : document_.scene().balloon.position;
 }
 
 QStringList CameraControl::preset_names() {

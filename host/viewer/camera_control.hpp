@@ -33,8 +33,11 @@ class CameraControl : public QObject {
   void fly_by(const Flight& flight, double seconds, bool fast);
   /// Aims at what is seen at a place of the picture.
   void aim_at(const QPointF& place);
-  /// Puts the balloon above what is seen there, as high above the ground as it is now.
-  void put_balloon(const QPointF& place);
+  /// Puts a balloon above what is seen there, as high above the ground as it is now: the one at
+  /// `pointer`, by default the first.
+  void put_balloon(const QPointF& place, const QString& pointer = QStringLiteral("/balloon"));
+  /// Where the first balloon is, above the sea, as far as that is known yet.
+  dvec3 balloon_place() const;
   void apply_preset(int index);
   static QStringList preset_names();
 

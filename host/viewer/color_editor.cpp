@@ -45,10 +45,11 @@ QIcon swatch(const QColor& color, const QWidget& on) {
 
 }  // namespace
 
-ColorEditor::ColorEditor(int least, int most, QWidget* parent)
+ColorEditor::ColorEditor(int least, int most, const QString& title, QWidget* parent)
     : QWidget(parent),
       least_(least),
       most_(most),
+      title_(title),
       layout_(new QHBoxLayout(this)),
       more_(new QToolButton),
       fewer_(new QToolButton) {
@@ -61,6 +62,8 @@ ColorEditor::ColorEditor(int least, int most, QWidget* parent)
   layout_->addWidget(more_);
   layout_->addWidget(fewer_);
   layout_->addStretch(1);
+  more_->setVisible(most > least);
+  fewer_->setVisible(most > least);
   connect(more_, &QToolButton::clicked, this, [this] {
     colors_.push_back(colors_.empty() ? QColor(Qt::white) : colors_.back());
     tell();
@@ -104,7 +107,7 @@ void ColorEditor::arrange() {
 
 void ColorEditor::choose(int index) {
   QColor& color = colors_[static_cast<std::size_t>(index)];
-  const QColor chosen = QColorDialog::getColor(color, this, tr("Colour of the Balloon"));
+  const QColor chosen = QColorDialog::getColor(color, this, title_);
   if (!chosen.isValid()) return;
   colors_[static_cast<std::size_t>(index)] = chosen;
   tell();

@@ -15,7 +15,8 @@ class ColorEditor : public QWidget {
   Q_OBJECT
 
  public:
-  ColorEditor(int least, int most, QWidget* parent = nullptr);
+  /// `title` is that of the colour dialog.
+  ColorEditor(int least, int most, const QString& title, QWidget* parent = nullptr);
 
   void show_colors(const QString& json);
 
@@ -28,6 +29,7 @@ class ColorEditor : public QWidget {
   void arrange();
 
   int least_, most_;
+  QString title_;
   std::vector<QColor> colors_;
   std::vector<QToolButton*> buttons_;
   QHBoxLayout* layout_;

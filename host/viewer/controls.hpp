@@ -6,10 +6,11 @@
 /// What the window lets one change, said once: the panels, the tests and the manual follow it.
 namespace aerostat::viewer {
 
-enum class Editor { number, integer, seed, toggle, choice, colors };
-enum class Panel { land, light, balloon, view, picture };
+enum class Editor { number, integer, seed, toggle, choice, color, colors, triple };
+enum class Panel { land, light, balloon, materials, view, picture };
 
-/// A control of one value of the scene. Range, words and tooltip come from the schema.
+/// A control of one value of the scene. Range, words and tooltip come from the schema. Of the lists
+/// of balloons, lamps and materials the table names one; the panels bind its controls to others.
 struct Control {
   const char* pointer;
   const char* label;  // English, context "Controls"
@@ -20,6 +21,7 @@ struct Control {
   double from = 0.0, to = 1.0;  // of the slider; the schema's range can be typed
   int decimals = 0;
   bool logarithmic = false;
+  bool folded = false;  // the group that begins here is, until one asks for it
 };
 
 std::span<const Control> controls();

@@ -12,6 +12,7 @@
 
 #include "viewer/color_editor.hpp"
 #include "viewer/number_editor.hpp"
+#include "viewer/triple_editor.hpp"
 
 namespace aerostat::viewer {
 namespace {
@@ -134,11 +135,45 @@ class ChoiceRow : public ControlRow {
   QComboBox* box_;
 };
 
+class ColorRow : public ControlRow {
+ public:
+  ColorRow(const Control& control, Document& document, QObject* parent)
+      : ControlRow(control, document, parent), color_(new ColorEditor(1, 1, label_of(control))) {
+    connect(color_, &ColorEditor::edited, this, [this, &document](const QString& json) {
+      document.end_gesture();
+      set(json.mid(1, json.size() - 2));
+    });
+    adopt(color_);
+  }
+
+ protected:
+  void show(const QString& json) override { color_->show_colors("[" + json + "]"); }
+
+ private:
+  ColorEditor* color_;
+};
+
+class TripleRow : public ControlRow {
+ public:
+  TripleRow(const Control& control, Document& document, QObject* parent)
+      : ControlRow(control, document, parent),
+        triple_(new TripleEditor(rule().minimum, rule().maximum, control.decimals)) {
+    connect(triple_, &TripleEditor::edited, this, &TripleRow::set);
+    adopt(triple_);
+  }
+
+ protected:
+  void show(const QString& json) override { triple_->show_values(json); }
+
+ private:
+  TripleEditor* triple_;
+};
+
 class ColorsRow : public ControlRow {
  public:
   ColorsRow(const Control& control, Document& document, QObject* parent)
       : ControlRow(control, document, parent),
-        colors_(new ColorEditor(rule().least_items, rule().most_items)) {
+        colors_(new ColorEditor(rule().least_items, rule().most_items, label_of(control))) {
     connect(colors_, &ColorEditor::edited, this, [this, &document](const QString& json) {
       document.end_gesture();
       set(json);
@@ -166,8 +201,12 @@ ControlRow* ControlRow::make(const Control& control, Document& document, QObject
       return new ToggleRow(control, document, parent);
     case Editor::choice:
       return new ChoiceRow(control, document, parent);
+    case Editor::color:
+      return new ColorRow(control, document, parent);
     case Editor::colors:
       return new ColorsRow(control, document, parent);
+    case Editor::triple:
+      return new TripleRow(control, document, parent);
   }
   return nullptr;
 }
@@ -175,6 +214,7 @@ ControlRow* ControlRow::make(const Control& control, Document& document, QObject
 ControlRow::ControlRow(const Control& control, Document& document, QObject* parent)
     : QObject(parent),
       control_(control),
+      pointer_(QString::fromLatin1(control.pointer)),
       document_(document),
       rule_(scene::field_rule(control.pointer)),
       label_(new QLabel(label_of(control))) {}
@@ -207,25 +247,33 @@ void ControlRow::adopt(QWidget* editor) {
 }
 
 void ControlRow::set(const QString& json) {
-  document_.set(tr("Change %1").arg(label_of(control_)), QString::fromLatin1(control_.pointer),
-                json);
+  if (!pointer_.isEmpty()) document_.set(tr("Change %1").arg(label_of(control_)), pointer_, json);
 }
 
 void ControlRow::reset() {
+  if (pointer_.isEmpty()) return;
   document_.end_gesture();
-  document_.reset(tr("Reset %1").arg(label_of(control_)), {QString::fromLatin1(control_.pointer)});
+  document_.reset(tr("Reset %1").arg(label_of(control_)), {pointer_});
 }
 
 void ControlRow::refresh() {
   const QList<QWidget*> parts = editor_->findChildren<QWidget*>();
   editor_->blockSignals(true);
   for (QWidget* part : parts) part->blockSignals(true);
-  show(document_.value(QString::fromLatin1(control_.pointer)));
+  show(pointer_.isEmpty() ? QString() : document_.value(pointer_));
   for (QWidget* part : parts) part->blockSignals(false);
   editor_->blockSignals(false);
   QFont font = label_->font();
-  font.setBold(document_.source().differs(control_.pointer));
+  font.setBold(!pointer_.isEmpty() && document_.source().differs(pointer_.toStdString()));
   label_->setFont(font);
+}
+
+void ControlRow::bind_to(const QString& pointer) {
+  pointer_ = pointer;
+  for (QWidget* widget : {static_cast<QWidget*>(label_), editor_}) {
+    widget->setEnabled(!pointer.isEmpty());
+  }
+  refresh();
 }
 
 bool ControlRow::eventFilter(QObject* watched, QEvent* event) {

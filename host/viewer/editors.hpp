@@ -21,6 +21,10 @@ class ControlRow : public QObject {
   static ControlRow* make(const Control& control, Document& document, QObject* parent);
 
   const Control& control() const { return control_; }
+  /// Where its value is.
+  const QString& pointer() const { return pointer_; }
+  /// Binds it to the like value of another object of its list; an empty one to none.
+  void bind_to(const QString& pointer);
   QLabel* label() const { return label_; }
   QWidget* editor() const { return editor_; }
 
@@ -40,6 +44,7 @@ class ControlRow : public QObject {
 
  private:
   const Control control_;
+  QString pointer_;
   Document& document_;
   scene::FieldRule rule_;
   QLabel* label_;

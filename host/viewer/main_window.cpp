@@ -81,7 +81,7 @@ void MainWindow::connect_view() {
   connect(view_, &PictureView::aimed, &camera_, &CameraControl::aim_at);
   connect(view_, &PictureView::gesture_ended, &document_, &Document::end_gesture);
   connect(view_, &PictureView::placed, this, [this](const QPointF& place) {
-    camera_.put_balloon(place);
+    camera_.put_balloon(place, panels_->balloons().chosen());
     view_->set_placing(false);
   });
   connect(panels_, &Panels::placing_asked, this, [this] {

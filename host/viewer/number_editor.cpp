@@ -1,28 +1,16 @@
 #include "viewer/number_editor.hpp"
 
-#include <QDoubleSpinBox>
 #include <QHBoxLayout>
 #include <QSlider>
 #include <algorithm>
 #include <cmath>
 
+#include "viewer/number_box.hpp"
+
 namespace aerostat::viewer {
 namespace {
 
 constexpr int kSteps = 1000;
-
-/// A number box that shows no more digits than its value has.
-class NumberBox : public QDoubleSpinBox {
- public:
-  QString textFromValue(double value) const override {
-    QString text = locale().toString(value, 'f', decimals());
-    const QString point = locale().decimalPoint();
-    if (!text.contains(point)) return text;
-    while (text.endsWith(locale().zeroDigit())) text.chop(1);
-    if (text.endsWith(point)) text.chop(point.size());
-    return text;
-  }
-};
 
 /// Two significant digits of a slider's step, so that it gives round numbers.
 double rounded_to(double value, double step) {

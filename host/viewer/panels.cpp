@@ -4,6 +4,7 @@
 #include <QFormLayout>
 #include <QPushButton>
 #include <QScrollArea>
+#include <QToolButton>
 #include <cmath>
 #include <numbers>
 
@@ -23,6 +24,12 @@ QLabel* heading(const QString& text) {
   return label;
 }
 
+void hide_with(QToolButton& fold, QFormLayout& form, QWidget* field) {
+  form.setRowVisible(field, fold.isChecked());
+  QObject::connect(&fold, &QToolButton::toggled, &form,
+                   [&form, field](bool open) { form.setRowVisible(field, open); });
+}
+
 /// Does not change when the wheel scrolls over it.
 QComboBox* steady_box() {
   auto* box = new QComboBox;
@@ -39,6 +46,10 @@ Panels::Panels(Document& document, CameraControl& camera, QWidget* parent)
       document_(document),
       camera_(camera),
       sun_(new SunPanel(document)),
+      balloons_(new ItemPicker(ItemPicker::Kind::balloon, document)),
+      lamps_(new ItemPicker(ItemPicker::Kind::lamp, document,
+                            [&camera] { return camera.balloon_place(); })),
+      materials_(new ItemPicker(ItemPicker::Kind::material, document)),
       view_(steady_box()),
       sizes_(steady_box()),
       devices_(steady_box()) {
@@ -49,11 +60,16 @@ Panels::Panels(Document& document, CameraControl& camera, QWidget* parent)
   light->addRow(sun_);
   add_rows(light, Panel::light);
   add_rows(add_panel(tr("&Balloon")), Panel::balloon);
+  add_rows(add_panel(tr("&Materials")), Panel::materials);
   QFormLayout* picture = add_panel(tr("&Picture"));
   add_view(picture);
   add_rows(picture, Panel::view);
   add_rows(picture, Panel::picture);
   add_device(picture);
+  for (ItemPicker* picker : {balloons_, lamps_, materials_}) {
+    connect(picker, &ItemPicker::chosen_changed, this, [this, picker] { bind_rows(*picker); });
+    bind_rows(*picker);
+  }
   connect(&document, &Document::changed, this, &Panels::refresh);
   refresh();
 }
@@ -73,13 +89,58 @@ QFormLayout* Panels::add_panel(const QString& title) {
 }
 
 void Panels::add_rows(QFormLayout* form, Panel panel) {
+  fold_ = nullptr;
   for (const Control& control : controls()) {
     if (control.panel != panel) continue;
-    if (control.group != nullptr) form->addRow(heading(group_of(control)));
+    if (control.group != nullptr) begin_group(form, control);
     ControlRow* row = ControlRow::make(control, document_, this);
     form->addRow(row->label(), row->editor());
     rows_.push_back(row);
+    if (fold_ != nullptr) hide_with(*fold_, *form, row->editor());
     if (QLatin1String(control.pointer) == QLatin1String("/image/height")) add_sizes(form);
+  }
+}
+
+/// Its heading, and what chooses the object that it is about.
+void Panels::begin_group(QFormLayout* form, const Control& control) {
+  fold_ = control.folded ? add_fold(form, group_of(control)) : nullptr;
+  if (fold_ == nullptr) form->addRow(heading(group_of(control)));
+  const std::pair<ItemPicker*, QString> pickers[] = {
+      {balloons_, tr("Balloon")}, {lamps_, tr("Lamp")}, {materials_, tr("Material of")}};
+  for (const auto& [picker, text] : pickers) {
+    if (picker->prefix_of(QString::fromLatin1(control.pointer)).isEmpty()) continue;
+    if (picker->parentWidget() != nullptr) continue;  // it has its place
+    auto* label = new QLabel(text);
+    label->setBuddy(picker);
+    form->addRow(label, picker);
+    if (fold_ != nullptr) hide_with(*fold_, *form, picker);
+  }
+}
+
+/// A heading that shows and hides the rows below.
+QToolButton* Panels::add_fold(QFormLayout* form, const QString& title) {
+  auto* fold = new QToolButton;
+  fold->setText(title);
+  fold->setCheckable(true);
+  fold->setAutoRaise(true);
+  fold->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+  fold->setArrowType(Qt::RightArrow);
+  QFont font = fold->font();
+  font.setBold(true);
+  fold->setFont(font);
+  connect(fold, &QToolButton::toggled, fold,
+          [fold](bool open) { fold->setArrowType(open ? Qt::DownArrow : Qt::RightArrow); });
+  form->addRow(fold);
+  return fold;
+}
+
+/// The controls of the picker's kind are about the object that it chose.
+void Panels::bind_rows(const ItemPicker& picker) {
+  for (ControlRow* row : rows_) {
+    const QString own = QString::fromLatin1(row->control().pointer);
+    const QString prefix = picker.prefix_of(own);
+    if (prefix.isEmpty()) continue;
+    row->bind_to(picker.chosen().isEmpty() ? QString() : picker.chosen() + own.mid(prefix.size()));
   }
 }
 

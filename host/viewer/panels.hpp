@@ -4,9 +4,11 @@
 #include <vector>
 
 #include "viewer/editors.hpp"
+#include "viewer/item_picker.hpp"
 #include "viewer/render_thread.hpp"
 
 class QComboBox;
+class QToolButton;
 class QFormLayout;
 
 namespace aerostat::viewer {
@@ -23,6 +25,9 @@ class Panels : public QTabWidget {
 
   const std::vector<ControlRow*>& rows() const { return rows_; }
   SunPanel& sun() { return *sun_; }
+  ItemPicker& balloons() { return *balloons_; }
+  ItemPicker& lamps() { return *lamps_; }
+  ItemPicker& materials() { return *materials_; }
 
   void show_devices(const std::vector<DeviceChoice>& devices);
   void show_device(const QString& selector);
@@ -36,6 +41,9 @@ class Panels : public QTabWidget {
  private:
   QFormLayout* add_panel(const QString& title);
   void add_rows(QFormLayout* form, Panel panel);
+  void begin_group(QFormLayout* form, const Control& control);
+  QToolButton* add_fold(QFormLayout* form, const QString& title);
+  void bind_rows(const ItemPicker& picker);
   void add_view(QFormLayout* form);
   void add_sizes(QFormLayout* form);
   void add_device(QFormLayout* form);
@@ -45,6 +53,10 @@ class Panels : public QTabWidget {
   CameraControl& camera_;
   std::vector<ControlRow*> rows_;
   SunPanel* sun_;
+  ItemPicker* balloons_;
+  ItemPicker* lamps_;
+  ItemPicker* materials_;
+  QToolButton* fold_ = nullptr;  // that hides the rows which are being added
   QComboBox* view_;
   QComboBox* sizes_;
   QComboBox* devices_;

@@ -77,6 +77,24 @@ TEST(SceneSource, ElementsOfArraysGoBackToTheirDefaults) {
   EXPECT_FALSE(back.differs("/balloon/position/0"));
 }
 
+TEST(SceneSource, ObjectsOfAListGoBackToTheirDefaults) {
+  const auto two = source(R"("balloons": [{}, {"position": [10, 20, 30], "gores": 12}])");
+  EXPECT_FALSE(two.differs("/balloons/1/heading_deg"));
+  EXPECT_TRUE(two.differs("/balloons/1/gores"));
+  const auto plain = two.without({"/balloons/1/gores", "/balloons/1/position/1"});
+  EXPECT_EQ(plain.scene().balloons[1].gores, scene::Balloon().gores);
+  EXPECT_EQ(plain.scene().balloons[1].position, dvec3(10.0, 0.0, 30.0));
+  EXPECT_FALSE(plain.differs("/balloons/1/gores"));
+  // One that says nothing of its place is moved along one axis.
+  EXPECT_EQ(two.with({{"/balloons/0/position/1", "70"}}).scene().balloons[0].position,
+            dvec3(0.0, 70.0, 0.0));
+  expect_kept(two);
+  const auto lamp = SceneSource().with({{"/lights/0", R"({"position": [1, 2, 3]})"}});
+  EXPECT_FALSE(lamp.differs("/lights/0/intensity"));
+  EXPECT_TRUE(lamp.differs("/lights/0/position/1"));
+  expect_kept(lamp);
+}
+
 TEST(SceneSource, TheSunByAnglesOrByDate) {
   EXPECT_EQ(SceneSource().value("/sun/azimuth_deg"), "-130.0");
   const auto turned =
@@ -114,6 +132,15 @@ TEST(SceneSource, ChangesLeadFromOneToTheOther) {
   EXPECT_TRUE(here.changes_from(here)->empty());
   const auto basket = source(R"("camera": {"view": "basket", "target": [0, 0, -9]})");
   EXPECT_FALSE(basket.without({"/camera/target"}).changes_from(basket));
+}
+
+TEST(FieldRule, AllValuesAreNamed) {
+  const auto pointers = field_pointers();
+  for (const char* const one : {"/image/width", "/biome/ground/snow", "/materials/rim/specular",
+                                "/balloons/0/position", "/lights/0/color", "/sky/cumulus/seed"}) {
+    EXPECT_EQ(std::count(pointers.begin(), pointers.end(), one), 1) << one;
+  }
+  for (const std::string& one : pointers) EXPECT_NO_THROW(field_rule(one)) << one;
 }
 
 TEST(FieldRule, SaysWhatTheSchemaSays) {

@@ -10,6 +10,7 @@
 
 #include "scene/field_rule.hpp"
 #include "viewer/camera_control.hpp"
+#include "viewer/color_editor.hpp"
 #include "viewer/command_text.hpp"
 #include "viewer/panels.hpp"
 #include "viewer/sun_disc.hpp"
@@ -37,6 +38,11 @@ QJsonValue at(const QJsonObject& scene, const QString& pointer) {
   return value;
 }
 
+/// "/balloons/1" of "/balloons/1/gores", "/balloon" of "/balloon/gores".
+QString object_of(const QString& pointer) {
+  return pointer.section('/', 0, pointer.startsWith("/balloon/") ? 1 : 2);
+}
+
 /// Another value than the one that is shown, made by the widget a user would take.
 void change_by_hand(const ControlRow& row) {
   QWidget* editor = row.editor();
@@ -59,6 +65,14 @@ void change_by_hand(const ControlRow& row) {
       Q_EMIT box->activated(next);
       break;
     }
+    case Editor::color:
+      Q_EMIT qobject_cast<ColorEditor*>(editor)->edited("[[0.25, 0.5, 0.125]]");
+      break;
+    case Editor::triple: {
+      auto* box = editor->findChildren<QDoubleSpinBox*>().at(2);
+      box->setValue(box->value() + 0.5);
+      break;
+    }
     case Editor::colors:
       for (auto* button : editor->findChildren<QAbstractButton*>()) {
         if (button->text() == "+") button->click();
@@ -76,6 +90,8 @@ class ControlsTest : public QObject {
   void init();
   void every_control_data();
   void every_control();
+  void every_value_of_a_scene_can_be_set();
+  void lists_grow_and_shrink();
   void every_control_has_a_text_and_a_unit_that_fits();
   void sun_by_disc();
   void sun_by_date();
@@ -89,6 +105,7 @@ class ControlsTest : public QObject {
 
  private:
   ControlRow* row(const QString& pointer) const;
+  void fill_lists();
 
   std::unique_ptr<Document> document_;
   std::unique_ptr<CameraControl> camera_;
@@ -113,13 +130,43 @@ ControlRow* ControlsTest::row(const QString& pointer) const {
 
 void ControlsTest::every_control_data() {
   QTest::addColumn<QString>("pointer");
-  for (const Control& control : controls()) QTest::newRow(control.pointer) << control.pointer;
+  QTest::addColumn<QString>("bound_to");
+  for (const Control& control : controls()) {
+    const QString own = control.pointer;
+    QTest::newRow(control.pointer) << own << own;
+    // The same control, bound to another object of its list.
+    const std::pair<QString, QString> others[] = {{"/balloon/", "/balloons/1/"},
+                                                  {"/materials/envelope/", "/materials/rim/"},
+                                                  {"/lights/0/", "/lights/1/"}};
+    for (const auto& [first, other] : others) {
+      if (!own.startsWith(first)) continue;
+      const QString bound = other + own.mid(first.size());
+      QTest::newRow(qPrintable(bound)) << own << bound;
+    }
+  }
+}
+
+/// Two further balloons, two lamps.
+void ControlsTest::fill_lists() {
+  for (int i = 0; i < 2; ++i) panels_->balloons().add();
+  for (int i = 0; i < 2; ++i) panels_->lamps().add();
+  panels_->balloons().choose("/balloon");
+  panels_->lamps().choose("/lights/0");
+  document_->start(document_->source(), {});
 }
 
 void ControlsTest::every_control() {
   QFETCH(QString, pointer);
+  QFETCH(QString, bound_to);
+  fill_lists();
   ControlRow* control = row(pointer);
   QVERIFY(control != nullptr);
+  for (ItemPicker* picker : {&panels_->balloons(), &panels_->lamps(), &panels_->materials()}) {
+    if (!picker->prefix_of(pointer).isEmpty()) picker->choose(object_of(bound_to));
+  }
+  pointer = bound_to;
+  control->reset();  // what was just put somewhere goes to the usual place
+  document_->start(document_->source(), {});
   const QJsonObject before = dump(*document_);
   change_by_hand(*control);
   const QJsonObject changed = dump(*document_);
@@ -146,13 +193,77 @@ void ControlsTest::every_control_has_a_text_and_a_unit_that_fits() {
   for (const Control& control : controls()) {
     QVERIFY2(!description_of(control).isEmpty(), control.pointer);
     const QString pointer = control.pointer;
-    if (pointer.endsWith("_m")) QCOMPARE(unit_of(control), QString("m"));
+    if (pointer.endsWith("_m") && !pointer.endsWith("_per_m"))
+      QCOMPARE(unit_of(control), QString("m"));
     if (pointer.endsWith("_deg")) QCOMPARE(unit_of(control), QString("°"));
     const scene::FieldRule rule = scene::field_rule(control.pointer);
     const bool numeric = control.editor == Editor::number || control.editor == Editor::integer;
     QVERIFY2(!numeric || (control.from >= rule.minimum && control.to <= rule.maximum),
              control.pointer);
   }
+}
+
+void ControlsTest::every_value_of_a_scene_can_be_set() {
+  QSet<QString> reached;
+  for (const Control& control : controls()) {
+    QString pointer = control.pointer;
+    // An array's element stands for the array.
+    static const QRegularExpression kElement("/[0-9]$");
+    pointer.remove(kElement);
+    reached << pointer;
+    if (pointer.startsWith("/balloon/")) reached << "/balloons/0" + pointer.mid(8);
+    for (std::size_t i = 1; i < scene::kObjectCount; ++i) {
+      const auto name = QString::fromStdString(scene::object_name(static_cast<scene::ObjectId>(i)));
+      if (pointer.startsWith("/materials/envelope/")) {
+        reached << "/materials/" + name + pointer.mid(19);
+      }
+    }
+  }
+  const QMap<QString, QString> otherwise = {{"/$schema", "names the schema, for text editors"},
+                                            {"/version", "of the format"},
+                                            {"/camera/view", "the view's own box"},
+                                            {"/sun/azimuth_deg", "the sun's panel"},
+                                            {"/sun/elevation_deg", "the sun's panel"},
+                                            {"/sun/direction", "the same as the two angles"},
+                                            {"/sun/date", "the sun's panel"},
+                                            {"/sun/time", "the sun's panel"},
+                                            {"/sun/latitude_deg", "the sun's panel"},
+                                            {"/sun/longitude_deg", "the sun's panel"}};
+  for (const std::string& one : scene::field_pointers()) {
+    const QString pointer = QString::fromStdString(one);
+    QVERIFY2(reached.contains(pointer) || otherwise.contains(pointer),
+             qPrintable(pointer + " has no control"));
+  }
+  for (auto at = otherwise.begin(); at != otherwise.end(); ++at) {
+    QVERIFY2(!reached.contains(at.key()), qPrintable(at.key() + " has a control"));
+  }
+}
+
+void ControlsTest::lists_grow_and_shrink() {
+  ItemPicker& balloons = panels_->balloons();
+  ItemPicker& lamps = panels_->lamps();
+  QCOMPARE(balloons.chosen(), QString("/balloon"));
+  QVERIFY(lamps.chosen().isEmpty());
+  QVERIFY(!row("/lights/0/intensity")->editor()->isEnabled());
+  balloons.add();
+  balloons.add();
+  QCOMPARE(balloons.chosen(), QString("/balloons/1"));
+  row("/balloon/gores")->set("12");
+  QCOMPARE(document_->scene().balloons[1].gores, 12);
+  QVERIFY(document_->scene().balloon.gores != 12);
+  balloons.choose("/balloons/0");
+  balloons.remove();
+  QCOMPARE(document_->scene().balloons.size(), std::size_t{1});
+  QCOMPARE(document_->scene().balloons[0].gores, 12);
+  QCOMPARE(balloons.chosen(), QString("/balloons/0"));
+  balloons.remove();
+  QCOMPARE(balloons.chosen(), QString("/balloon"));
+  QCOMPARE(document_->source().text(), scene::SceneSource().text());
+  lamps.add();
+  QVERIFY(row("/lights/0/intensity")->editor()->isEnabled());
+  document_->undo_stack().undo();
+  QVERIFY(lamps.chosen().isEmpty());
+  QVERIFY(!row("/lights/0/intensity")->editor()->isEnabled());
 }
 
 void ControlsTest::sun_by_disc() {
