@@ -30,16 +30,17 @@ QString json_of(const QColor& color) {
          "]";
 }
 
-QIcon swatch(const QColor& color, const QWidget& on) {
-  constexpr int kSize = 16;
-  QPixmap pixmap(QSize(kSize, kSize) * on.devicePixelRatioF());
+constexpr QSize kSmall(16, 16), kWide(56, 16);
+
+QIcon swatch(const QColor& color, const QSize& size, const QWidget& on) {
+  QPixmap pixmap(size * on.devicePixelRatioF());
   pixmap.setDevicePixelRatio(on.devicePixelRatioF());
   pixmap.fill(Qt::transparent);
   QPainter painter(&pixmap);
   painter.setRenderHint(QPainter::Antialiasing);
   painter.setPen(on.palette().color(QPalette::Mid));
   painter.setBrush(color);
-  painter.drawRoundedRect(QRectF(0.5, 0.5, kSize - 1, kSize - 1), 3, 3);
+  painter.drawRoundedRect(QRectF(0.5, 0.5, size.width() - 1, size.height() - 1), 3, 3);
   return QIcon(pixmap);
 }
 
@@ -97,7 +98,10 @@ void ColorEditor::arrange() {
     buttons_.push_back(button);
   }
   for (std::size_t i = 0; i < colors_.size(); ++i) {
-    buttons_[i]->setIcon(swatch(colors_[i], *this));
+    // Alone, a white one must not look like an empty check box.
+    const QSize size = most_ > 1 ? kSmall : kWide;
+    buttons_[i]->setIconSize(size);
+    buttons_[i]->setIcon(swatch(colors_[i], size, *this));
     buttons_[i]->setToolTip(tr("Colour %1: %2").arg(i + 1).arg(colors_[i].name()));
     buttons_[i]->setAccessibleName(buttons_[i]->toolTip());
   }

@@ -4,6 +4,7 @@
 #include <QFormLayout>
 #include <QPushButton>
 #include <QScrollArea>
+#include <QStyle>
 #include <QToolButton>
 #include <cmath>
 #include <numbers>
@@ -70,6 +71,10 @@ Panels::Panels(Document& document, CameraControl& camera, QWidget* parent)
     connect(picker, &ItemPicker::chosen_changed, this, [this, picker] { bind_rows(*picker); });
     bind_rows(*picker);
   }
+  for (auto* fold : findChildren<QToolButton*>()) {
+    if (fold->isCheckable()) connect(fold, &QToolButton::toggled, this, &Panels::fit_width);
+  }
+  fit_width();
   connect(&document, &Document::changed, this, &Panels::refresh);
   refresh();
 }
@@ -86,6 +91,15 @@ QFormLayout* Panels::add_panel(const QString& title) {
   scroll->setWidget(page);
   addTab(scroll, title);
   return form;
+}
+
+/// No page is cut at its side, with its scroll bar or without.
+void Panels::fit_width() {
+  const int bar = style()->pixelMetric(QStyle::PM_ScrollBarExtent) + 2;
+  for (auto* scroll : findChildren<QScrollArea*>()) {
+    const int page = scroll->widget()->minimumSizeHint().width() + bar;
+    scroll->setMinimumWidth(std::max(scroll->minimumWidth(), page));
+  }
 }
 
 void Panels::add_rows(QFormLayout* form, Panel panel) {
@@ -123,6 +137,8 @@ QToolButton* Panels::add_fold(QFormLayout* form, const QString& title) {
   fold->setText(title);
   fold->setCheckable(true);
   fold->setAutoRaise(true);
+  // Open, it would look like a button that is held down.
+  fold->setStyleSheet(QStringLiteral("QToolButton { border: none; padding: 6px 0 2px 0; }"));
   fold->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
   fold->setArrowType(Qt::RightArrow);
   QFont font = fold->font();

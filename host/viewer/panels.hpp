@@ -44,6 +44,7 @@ class Panels : public QTabWidget {
   void begin_group(QFormLayout* form, const Control& control);
   QToolButton* add_fold(QFormLayout* form, const QString& title);
   void bind_rows(const ItemPicker& picker);
+  void fit_width();
   void add_view(QFormLayout* form);
   void add_sizes(QFormLayout* form);
   void add_device(QFormLayout* form);

@@ -1,1776 +1,2259 @@
 <?xml version="1.0" encoding="utf-8"?>
 <!DOCTYPE TS>
 <TS version="2.1" language="ru">
-    <context>
-        <name>Controls</name>
-        <message>
-            <source>Biome</source>
-            <translation>Биом</translation>
-        </message>
-        <message>
-            <source>Land</source>
-            <translation>Земля</translation>
-        </message>
-        <message>
-            <source>Seed</source>
-            <translation>Номер</translation>
-        </message>
-        <message>
-            <source>Size</source>
-            <translation>Размер</translation>
-        </message>
-        <message>
-            <source>Height</source>
-            <translation>Высота</translation>
-        </message>
-        <message>
-            <source>Roughness</source>
-            <translation>Изрезанность</translation>
-        </message>
-        <message>
-            <source>Sharpness</source>
-            <translation>Острота</translation>
-        </message>
-        <message>
-            <source>Cells a side</source>
-            <translation>Ячеек по стороне</translation>
-        </message>
-        <message>
-            <source>Snow line</source>
-            <translation>Граница снега</translation>
-        </message>
-        <message>
-            <source>Snow and water</source>
-            <translation>Снег и вода</translation>
-        </message>
-        <message>
-            <source>Sea</source>
-            <translation>Море</translation>
-        </message>
-        <message>
-            <source>Sea level</source>
-            <translation>Уровень моря</translation>
-        </message>
-        <message>
-            <source>Plants</source>
-            <translation>Растения</translation>
-        </message>
-        <message>
-            <source>Density</source>
-            <translation>Густота</translation>
-        </message>
-        <message>
-            <source>Size of plants</source>
-            <translation>Рост растений</translation>
-        </message>
-        <message>
-            <source>Brightness</source>
-            <translation>Яркость</translation>
-        </message>
-        <message>
-            <source>Soft shadows</source>
-            <translation>Мягкие тени</translation>
-        </message>
-        <message>
-            <source>High cloud</source>
-            <translation>Перистые облака</translation>
-        </message>
-        <message>
-            <source>Air</source>
-            <translation>Воздух</translation>
-        </message>
-        <message>
-            <source>Visibility</source>
-            <translation>Видимость</translation>
-        </message>
-        <message>
-            <source>Valley fog</source>
-            <translation>Туман в долинах</translation>
-        </message>
-        <message>
-            <source>Top of the fog</source>
-            <translation>Верх тумана</translation>
-        </message>
-        <message>
-            <source>Sight in the fog</source>
-            <translation>Видимость в тумане</translation>
-        </message>
-        <message>
-            <source>Balloon</source>
-            <translation>Воздушный шар</translation>
-        </message>
-        <message>
-            <source>East</source>
-            <translation>К востоку</translation>
-        </message>
-        <message>
-            <source>South</source>
-            <translation>К югу</translation>
-        </message>
-        <message>
-            <source>Height counts from</source>
-            <translation>Высота считается</translation>
-        </message>
-        <message>
-            <source>Heading</source>
-            <translation>Поворот</translation>
-        </message>
-        <message>
-            <source>Diameter</source>
-            <translation>Диаметр</translation>
-        </message>
-        <message>
-            <source>Gores</source>
-            <translation>Клиньев</translation>
-        </message>
-        <message>
-            <source>Envelope</source>
-            <translation>Оболочка</translation>
-        </message>
-        <message>
-            <source>Pattern</source>
-            <translation>Узор</translation>
-        </message>
-        <message>
-            <source>Colours</source>
-            <translation>Цвета</translation>
-        </message>
-        <message>
-            <source>Angle of view</source>
-            <translation>Угол зрения</translation>
-        </message>
-        <message>
-            <source>Shading</source>
-            <translation>Затенение</translation>
-        </message>
-        <message>
-            <source>Picture</source>
-            <translation>Картина</translation>
-        </message>
-        <message>
-            <source>Quality</source>
-            <translation>Качество</translation>
-        </message>
-        <message>
-            <source>Samples a pixel</source>
-            <translation>Лучей на пиксель</translation>
-        </message>
-        <message>
-            <source>Width</source>
-            <translation>Ширина</translation>
-        </message>
-        <message>
-            <source>Exposure</source>
-            <translation>Экспозиция</translation>
-        </message>
-        <message>
-            <source>Development</source>
-            <translation>Проявка</translation>
-        </message>
-        <message>
-            <source>Filter</source>
-            <translation>Фильтр</translation>
-        </message>
-        <message>
-            <source>Erosion</source>
-            <translation>Эрозия</translation>
-        </message>
-        <message>
-            <source>Heaped clouds</source>
-            <translation>Кучевые облака</translation>
-        </message>
-        <message>
-            <source>Base of the clouds</source>
-            <translation>Основание облаков</translation>
-        </message>
-        <message>
-            <source>Burner</source>
-            <translation>Горелка</translation>
-        </message>
-        <message>
-            <source>Palette</source>
-            <translation>Палитра</translation>
-        </message>
-        <message>
-            <source>Lens</source>
-            <translation>Объектив</translation>
-        </message>
-        <message>
-            <source>F-number</source>
-            <translation>Диафрагма</translation>
-        </message>
-        <message>
-            <source>Sharp at</source>
-            <translation>Резкость на</translation>
-        </message>
-        <message>
-            <source>Height of parallel view</source>
-            <translation>Высота параллельного вида</translation>
-        </message>
-    </context>
-    <context>
-        <name>Presets</name>
-        <message>
-            <source>Near the balloon</source>
-            <translation>Рядом с шаром</translation>
-        </message>
-        <message>
-            <source>Far, the balloon small</source>
-            <translation>Издали, шар маленький</translation>
-        </message>
-        <message>
-            <source>From above</source>
-            <translation>Сверху</translation>
-        </message>
-        <message>
-            <source>From below</source>
-            <translation>Снизу</translation>
-        </message>
-        <message>
-            <source>Against the other side</source>
-            <translation>С другой стороны</translation>
-        </message>
-    </context>
-    <context>
-        <name>Schema</name>
-        <message>
-            <source>A scene of the renderer aerostat. Lengths in metres, angles in degrees, y up, azimuth 0 = north (-z), 90 = east (+x). Whatever a file leaves out comes from its biome and view.</source>
-            <translation>Сцена программы aerostat. Длины в метрах, углы в градусах, y вверх, азимут 0 — север (-z), 90 — восток (+x). Что в файле пропущено, берётся из биома и вида.</translation>
-        </message>
-        <message>
-            <source>Where editors find this schema.</source>
-            <translation>Где редакторы найдут эту схему.</translation>
-        </message>
-        <message>
-            <source>Version of the format: 1.</source>
-            <translation>Версия формата: 1.</translation>
-        </message>
-        <message>
-            <source>The switch that brings terrain shape, colours, light, sky, air and balloon colours. Either its name alone or an object.</source>
-            <translation>Переключатель, который задаёт форму рельефа, цвета, свет, небо, воздух и цвета шара. Либо одно имя, либо объект.</translation>
-        </message>
-        <message>
-            <source>The biome's name alone; everything else by default.</source>
-            <translation>Только имя биома; всё остальное по умолчанию.</translation>
-        </message>
-        <message>
-            <source>The biome with changes to its ground and sea.</source>
-            <translation>Биом с изменениями земли и моря.</translation>
-        </message>
-        <message>
-            <source>The switch that brings terrain shape, colours, light, sky, air and balloon colours.</source>
-            <translation>Переключатель, который задаёт форму рельефа, цвета, свет, небо, воздух и цвета шара.</translation>
-        </message>
-        <message>
-            <source>How the ground is coloured, by height, slope and noise. Every default comes with the biome.</source>
-            <translation>Как окрашена земля: по высоте, уклону и шуму. Все значения по умолчанию задаёт биом.</translation>
-        </message>
-        <message>
-            <source>Albedo of the first tone of what grows or lies on gentle ground. Linear Rec. 709 [red, green, blue], each 0 to 1.</source>
-            <translation>Альбедо первого тона того, что растёт или лежит на пологой земле. Линейные Rec. 709: [красный, зелёный, синий], каждый от 0 до 1.</translation>
-        </message>
-        <message>
-            <source>Albedo of its second tone; noise mixes the two. Linear Rec. 709 [red, green, blue], each 0 to 1.</source>
-            <translation>Альбедо второго тона; шум смешивает оба. Линейные Rec. 709: [красный, зелёный, синий], каждый от 0 до 1.</translation>
-        </message>
-        <message>
-            <source>Albedo of the first tone of bare rock. Linear Rec. 709 [red, green, blue], each 0 to 1.</source>
-            <translation>Альбедо первого тона голых скал. Линейные Rec. 709: [красный, зелёный, синий], каждый от 0 до 1.</translation>
-        </message>
-        <message>
-            <source>Albedo of its second tone. Linear Rec. 709 [red, green, blue], each 0 to 1.</source>
-            <translation>Альбедо их второго тона. Линейные Rec. 709: [красный, зелёный, синий], каждый от 0 до 1.</translation>
-        </message>
-        <message>
-            <source>Slopes in degrees from which rock begins and beyond which it is complete, 0 to 90, the smaller one first.</source>
-            <translation>Уклоны в градусах, с которого начинаются скалы и выше которого только они, от 0 до 90, сначала меньший.</translation>
-        </message>
-        <message>
-            <source>Albedo of snow; keep it below 0.95, or it clips. Linear Rec. 709 [red, green, blue], each 0 to 1.</source>
-            <translation>Альбедо снега; держите ниже 0,95, иначе он выбелится. Линейные Rec. 709: [красный, зелёный, синий], каждый от 0 до 1.</translation>
-        </message>
-        <message>
-            <source>Mean height in metres above which snow lies, -1000000 to 1000000; 1000000 means no snow.</source>
-            <translation>Средняя высота в метрах, выше которой лежит снег, от -1000000 до 1000000; 1000000 — снега нет.</translation>
-        </message>
-        <message>
-            <source>Height in metres of the zone in which the snow thins out, 0 to 100000.</source>
-            <translation>Высота в метрах полосы, в которой снег сходит на нет, от 0 до 100000.</translation>
-        </message>
-        <message>
-            <source>Slopes in degrees up to which snow is full and beyond which none holds, 0 to 90, the smaller one first.</source>
-            <translation>Уклоны в градусах, до которого снег сплошной и выше которого он не держится, от 0 до 90, сначала меньший.</translation>
-        </message>
-        <message>
-            <source>Albedo of dry sand at the shore. Linear Rec. 709 [red, green, blue], each 0 to 1.</source>
-            <translation>Альбедо сухого песка на берегу. Линейные Rec. 709: [красный, зелёный, синий], каждый от 0 до 1.</translation>
-        </message>
-        <message>
-            <source>Sand lies up to this height above the sea, in metres, -1000000 to 1000000; -1000000 means no beach.</source>
-            <translation>До этой высоты над морем лежит песок, в метрах, от -1000000 до 1000000; -1000000 — пляжа нет.</translation>
-        </message>
-        <message>
-            <source>Largest wavelength of the detail in colour and relief, in metres, above 0 to 100000.</source>
-            <translation>Наибольшая длина волны деталей цвета и рельефа, в метрах, больше 0 и до 100000.</translation>
-        </message>
-        <message>
-            <source>Strength of the detail in the normal, 0 (none) to 10.</source>
-            <translation>Сила деталей в нормали, от 0 (нет) до 10.</translation>
-        </message>
-        <message>
-            <source>Wavelength of wind ripples in metres, 0 (none) to 1000.</source>
-            <translation>Длина волны ветровой ряби в метрах, от 0 (нет) до 1000.</translation>
-        </message>
-        <message>
-            <source>Thickness of the largest beds of rock in metres, 0 (none) to 10000.</source>
-            <translation>Толщина самых мощных пластов породы в метрах, от 0 (нет) до 10000.</translation>
-        </message>
-        <message>
-            <source>How evenly bright snow or sand is at every slope to the sun, as grains send light back: 0 (Lambert) to 1.</source>
-            <translation>Насколько ровно светлы снег или песок при любом наклоне к солнцу, ведь зёрна отбрасывают свет назад: от 0 (по Ламберту) до 1.</translation>
-        </message>
-        <message>
-            <source>Strength of the glitter of grains of snow or sand, 0 (none) to 10.</source>
-            <translation>Сила блеска снежинок или песчинок, от 0 (нет) до 10.</translation>
-        </message>
-        <message>
-            <source>Albedo of trees. Linear Rec. 709 [red, green, blue], each 0 to 1.</source>
-            <translation>Альбедо деревьев. Линейные Rec. 709: [красный, зелёный, синий], каждый от 0 до 1.</translation>
-        </message>
-        <message>
-            <source>Height in metres up to which trees grow, -100000 to 100000.</source>
-            <translation>Высота в метрах, до которой растут деревья, от -100000 до 100000.</translation>
-        </message>
-        <message>
-            <source>Share of the ground that trees cover below that height, 0 (none) to 1.</source>
-            <translation>Доля земли, которую ниже этой высоты покрывают деревья, от 0 (нет) до 1.</translation>
-        </message>
-        <message>
-            <source>Width of a tree's crown in metres, 0.1 to 1000.</source>
-            <translation>Ширина кроны дерева в метрах, от 0,1 до 1000.</translation>
-        </message>
-        <message>
-            <source>The sea: a plane at level_m.</source>
-            <translation>Море: плоскость на высоте level_m.</translation>
-        </message>
-        <message>
-            <source>Whether there is a sea.</source>
-            <translation>Есть ли море.</translation>
-        </message>
-        <message>
-            <source>Height of the plane in metres, -1000000 to 1000000.</source>
-            <translation>Высота плоскости в метрах, от -1000000 до 1000000.</translation>
-        </message>
-        <message>
-            <source>Absorption per metre of water by Beer and Lambert, for [red, green, blue], 0 to 100.</source>
-            <translation>Поглощение на метр воды по Бугеру — Ламберту — Беру для [красного, зелёного, синего], от 0 до 100.</translation>
-        </message>
-        <message>
-            <source>Colour of deep water. Linear Rec. 709 [red, green, blue], each 0 to 1.</source>
-            <translation>Цвет глубокой воды. Линейные Rec. 709: [красный, зелёный, синий], каждый от 0 до 1.</translation>
-        </message>
-        <message>
-            <source>Albedo of the sand under the water. Linear Rec. 709 [red, green, blue], each 0 to 1.</source>
-            <translation>Альбедо песка под водой. Линейные Rec. 709: [красный, зелёный, синий], каждый от 0 до 1.</translation>
-        </message>
-        <message>
-            <source>Wavelength of the largest waves in metres, above 0 to 10000.</source>
-            <translation>Длина самых больших волн в метрах, больше 0 и до 10000.</translation>
-        </message>
-        <message>
-            <source>Root mean square slope of the waves, 0 (a mirror) to 1.</source>
-            <translation>Среднеквадратичный уклон волн, от 0 (зеркало) до 1.</translation>
-        </message>
-        <message>
-            <source>The ground: a square of cells x cells quads around center, whose spacing grows outwards. Defaults come with the biome.</source>
-            <translation>Земля: квадрат из cells × cells ячеек вокруг center, шаг которых растёт к краям. Значения по умолчанию задаёт биом.</translation>
-        </message>
-        <message>
-            <source>Overall shape.</source>
-            <translation>Общая форма.</translation>
-        </message>
-        <message>
-            <source>Seed of the noise, 0 to 4294967295; another number, another land.</source>
-            <translation>Начальное число шума, от 0 до 4294967295: другое число — другая земля.</translation>
-        </message>
-        <message>
-            <source>Quads per side, 2 to 4096.</source>
-            <translation>Ячеек по стороне, от 2 до 4096.</translation>
-        </message>
-        <message>
-            <source>Side of the square in metres, 10 to 1000000.</source>
-            <translation>Сторона квадрата в метрах, от 10 до 1000000.</translation>
-        </message>
-        <message>
-            <source>[x, z] in metres of the finest cells.</source>
-            <translation>[x, z] самых мелких ячеек в метрах.</translation>
-        </message>
-        <message>
-            <source>Cell size at the rim over that at the centre, 1 (even) to 1000.</source>
-            <translation>Отношение размера ячеек на краю к размеру в середине, от 1 (поровну) до 1000.</translation>
-        </message>
-        <message>
-            <source>Roughly from the lowest valleys to the highest peaks, in metres, 0 to 20000.</source>
-            <translation>Примерно от самых низких долин до самых высоких вершин, в метрах, от 0 до 20000.</translation>
-        </message>
-        <message>
-            <source>Added to every height, in metres, -100000 to 100000.</source>
-            <translation>Прибавка ко всем высотам в метрах, от -100000 до 100000.</translation>
-        </message>
-        <message>
-            <source>Wavelength of the first octave in metres, 1 to 1000000.</source>
-            <translation>Длина волны первой октавы в метрах, от 1 до 1000000.</translation>
-        </message>
-        <message>
-            <source>Amplitude of the domain distortion in metres, 0 (none) to 100000.</source>
-            <translation>Размах искажения координат в метрах, от 0 (нет) до 100000.</translation>
-        </message>
-        <message>
-            <source>Wavelength of the domain distortion in metres, 1 to 1000000.</source>
-            <translation>Длина волны искажения координат в метрах, от 1 до 1000000.</translation>
-        </message>
-        <message>
-            <source>Exponent of the heights, 0.1 to 10: above 1 widens valleys, below 1 widens heights.</source>
-            <translation>Показатель степени высот, от 0,1 до 10: больше 1 расширяет долины, меньше 1 — вершины.</translation>
-        </message>
-        <message>
-            <source>Strength of what water and frost have done to the ground at the scale of its cells, 0 (nothing) to 1: gullies, channels, and scree at the angle of repose.</source>
-            <translation>Сколько вода и мороз сделали с землёй в масштабе её ячеек, от 0 (ничего) до 1: промоины, русла, осыпи под углом естественного откоса.</translation>
-        </message>
-        <message>
-            <source>Octaves of Perlin noise.</source>
-            <translation>Октавы шума Перлина.</translation>
-        </message>
-        <message>
-            <source>How the octaves are summed.</source>
-            <translation>Как складываются октавы.</translation>
-        </message>
-        <message>
-            <source>Number of octaves, 1 to 20.</source>
-            <translation>Число октав, от 1 до 20.</translation>
-        </message>
-        <message>
-            <source>Frequency ratio of successive octaves, 1 to 4.</source>
-            <translation>Отношение частот соседних октав, от 1 до 4.</translation>
-        </message>
-        <message>
-            <source>Amplitude ratio of successive octaves, 0 to 8.</source>
-            <translation>Отношение амплитуд соседних октав, от 0 до 8.</translation>
-        </message>
-        <message>
-            <source>Ridged noise only: offset in (offset - |n|)^2, 0 to 4.</source>
-            <translation>Только для гребневого шума: offset в (offset - |n|)^2, от 0 до 4.</translation>
-        </message>
-        <message>
-            <source>Wind-blown sand, for terrain of kind dunes.</source>
-            <translation>Навеянный ветром песок, для рельефа dunes.</translation>
-        </message>
-        <message>
-            <source>Azimuth in degrees that the wind blows towards, -360 to 360.</source>
-            <translation>Азимут в градусах, куда дует ветер, от -360 до 360.</translation>
-        </message>
-        <message>
-            <source>Crest to crest along the wind, in metres, 1 to 100000.</source>
-            <translation>От гребня до гребня по ветру, в метрах, от 1 до 100000.</translation>
-        </message>
-        <message>
-            <source>Trough to crest of the largest dunes, in metres, 0 to 5000.</source>
-            <translation>От ложбины до гребня самых больших дюн, в метрах, от 0 до 5000.</translation>
-        </message>
-        <message>
-            <source>Plants and stones that stand on the ground; what grows where comes with the biome.</source>
-            <translation>Растения и камни на земле; что где растёт, задаёт биом.</translation>
-        </message>
-        <message>
-            <source>Whether anything stands on the ground.</source>
-            <translation>Стоит ли что-нибудь на земле.</translation>
-        </message>
-        <message>
-            <source>Plants per area against the biome's usual number, 0 (none) to 4.</source>
-            <translation>Растений на площадь по сравнению с обычным для биома, от 0 (нет) до 4.</translation>
-        </message>
-        <message>
-            <source>Factor on the height of every plant and stone, 0.1 to 10.</source>
-            <translation>Множитель высоты всех растений и камней, от 0,1 до 10.</translation>
-        </message>
-        <message>
-            <source>How far from the camera single trees stand, in metres, 10 to 12000; beyond it woods are painted on the ground. Smaller growth reaches less far in proportion.</source>
-            <translation>До какого расстояния от камеры стоят отдельные деревья, в метрах, от 10 до 12000; дальше леса нарисованы на земле. Мелкая растительность кончается во столько же раз ближе.</translation>
-        </message>
-        <message>
-            <source>Another number, other plants, 0 to 4294967295.</source>
-            <translation>Другое число — другие растения, от 0 до 4294967295.</translation>
-        </message>
-        <message>
-            <source>Whether there is a balloon.</source>
-            <translation>Есть ли шар.</translation>
-        </message>
-        <message>
-            <source>Centre of the basket's floor. [x, y, z] in metres, y up.</source>
-            <translation>Середина пола корзины. [x, y, z] в метрах, y вверх.</translation>
-        </message>
-        <message>
-            <source>What the position's y counts from: the sea (absolute) or the ground below (the default).</source>
-            <translation>От чего считается y положения: от моря (абсолютно) или от земли внизу (по умолчанию).</translation>
-        </message>
-        <message>
-            <source>Largest diameter of the envelope in metres, 2 to 200.</source>
-            <translation>Наибольший диаметр оболочки в метрах, от 2 до 200.</translation>
-        </message>
-        <message>
-            <source>Turn of the whole balloon about its axis in degrees, -360 to 360.</source>
-            <translation>Поворот всего шара вокруг оси в градусах, от -360 до 360.</translation>
-        </message>
-        <message>
-            <source>Number of the envelope's gores, 6 to 128.</source>
-            <translation>Число клиньев оболочки, от 6 до 128.</translation>
-        </message>
-        <message>
-            <source>How the colours are laid over the envelope.</source>
-            <translation>Как цвета ложатся на оболочку.</translation>
-        </message>
-        <message>
-            <source>Albedo of one fabric. Linear Rec. 709 [red, green, blue], each 0 to 1.</source>
-            <translation>Альбедо одной ткани. Линейные Rec. 709: [красный, зелёный, синий], каждый от 0 до 1.</translation>
-        </message>
-        <message>
-            <source>The eye.</source>
-            <translation>Глаз.</translation>
-        </message>
-        <message>
-            <source>Where the defaults put the eye: outside the balloon or in its basket.</source>
-            <translation>Куда по умолчанию ставится глаз: снаружи шара или в его корзину.</translation>
-        </message>
-        <message>
-            <source>Where the eye is. In the basket view, left out, it stands inside at eye height. [x, y, z] in metres, y up.</source>
-            <translation>Где находится глаз. При виде из корзины, если не задано, — внутри неё на высоте глаз. [x, y, z] в метрах, y вверх.</translation>
-        </message>
-        <message>
-            <source>A point in the middle of the picture. In the basket view, left out, the eye looks straight ahead. [x, y, z] in metres, y up.</source>
-            <translation>Точка в середине картины. При виде из корзины, если не задано, взгляд направлен прямо вперёд. [x, y, z] в метрах, y вверх.</translation>
-        </message>
-        <message>
-            <source>What the y of position and target counts from: the sea (absolute), the ground below each, or the floor of the balloon's basket (the default).</source>
-            <translation>От чего считаются y положения и цели: от моря (абсолютно), от земли под каждой или от пола корзины шара (по умолчанию).</translation>
-        </message>
-        <message>
-            <source>Direction that is upright in the picture; its length does not matter, but must not be 0. Components -1000 to 1000.</source>
-            <translation>Направление, которое на картине смотрит вверх; длина не важна, но не 0. Компоненты от -1000 до 1000.</translation>
-        </message>
-        <message>
-            <source>pinhole: all is sharp. thin_lens: sharp at one depth only. panorama: all directions, 360 degrees across and 180 down, best in a picture twice as wide as high; of the target only the azimuth counts. orthographic: parallel rays from the plane through the position, plants stand around the target.</source>
-            <translation>pinhole: всё резко. thin_lens: резко лишь на одной глубине. panorama: все направления, 360 градусов вширь и 180 ввысь, лучше всего при ширине вдвое больше высоты; у цели важен только азимут. orthographic: параллельные лучи из плоскости через положение, растения стоят вокруг цели.</translation>
-        </message>
-        <message>
-            <source>Vertical angle of view in degrees of pinhole and thin_lens, 1 to 170.</source>
-            <translation>Угол зрения по вертикали в градусах для pinhole и thin_lens, от 1 до 170.</translation>
-        </message>
-        <message>
-            <source>Of thin_lens: its focal length, as fov_y_deg asks of it before a sensor 24 mm high, over its aperture, 0.1 to 1000.</source>
-            <translation>Для thin_lens: отношение фокусного расстояния (какого требует fov_y_deg при матрице высотой 24 мм) к диафрагме, от 0,1 до 1000.</translation>
-        </message>
-        <message>
-            <source>Of thin_lens: diameter of the aperture in metres, 0 to 1000; left out, f_number says it.</source>
-            <translation>Для thin_lens: диаметр диафрагмы в метрах, от 0 до 1000; если не задан, его определяет f_number.</translation>
-        </message>
-        <message>
-            <source>Of thin_lens: distance of the plane that is sharp, in metres along the axis, 0.01 to 1000000; left out, the target is sharp.</source>
-            <translation>Для thin_lens: расстояние до плоскости резкости в метрах вдоль оси, от 0,01 до 1000000; если не задано, резка цель.</translation>
-        </message>
-        <message>
-            <source>Of orthographic: metres from the foot to the top of the picture, 0.001 to 1000000.</source>
-            <translation>Для orthographic: метров от низа до верха картины, от 0,001 до 1000000.</translation>
-        </message>
-        <message>
-            <source>The sun. Give its direction, or the two angles, or date, time, latitude and longitude.</source>
-            <translation>Солнце. Задайте его направление, или два угла, или дату, время, широту и долготу.</translation>
-        </message>
-        <message>
-            <source>Direction towards the sun; any length but 0. Components -1000000 to 1000000.</source>
-            <translation>Направление на солнце; длина любая, кроме 0. Компоненты от -1000000 до 1000000.</translation>
-        </message>
-        <message>
-            <source>Azimuth in degrees, 0 = north (-z), 90 = east (+x), -360 to 360.</source>
-            <translation>Азимут в градусах, 0 — север (-z), 90 — восток (+x), от -360 до 360.</translation>
-        </message>
-        <message>
-            <source>Height above the horizon in degrees, -90 to 90.</source>
-            <translation>Высота над горизонтом в градусах, от -90 до 90.</translation>
-        </message>
-        <message>
-            <source>Day at which it stands where it stands, as 2024-06-21.</source>
-            <translation>День, в который оно стоит именно так, например 2024-06-21.</translation>
-        </message>
-        <message>
-            <source>Time of that day, as 06:30 or 06:30:15, universal time unless an offset follows: 06:30+02:00.</source>
-            <translation>Время того дня, например 06:30 или 06:30:15; всемирное, если не указан сдвиг: 06:30+02:00.</translation>
-        </message>
-        <message>
-            <source>Latitude of the place in degrees, north positive, -90 to 90.</source>
-            <translation>Широта места в градусах, северная положительна, от -90 до 90.</translation>
-        </message>
-        <message>
-            <source>Longitude of the place in degrees, east positive, -180 to 180.</source>
-            <translation>Долгота места в градусах, восточная положительна, от -180 до 180.</translation>
-        </message>
-        <message>
-            <source>Colour of the light outside the air; the largest component should be 1. Linear Rec. 709 [red, green, blue], each 0 to 1.</source>
-            <translation>Цвет света вне атмосферы; наибольшая компонента должна быть 1. Линейные Rec. 709: [красный, зелёный, синий], каждый от 0 до 1.</translation>
-        </message>
-        <message>
-            <source>Irradiance of a plane that faces the sun outside the air, 0 to 1000.</source>
-            <translation>Освещённость обращённой к солнцу площадки вне атмосферы, от 0 до 1000.</translation>
-        </message>
-        <message>
-            <source>Whether it casts shadows.</source>
-            <translation>Отбрасывает ли тени.</translation>
-        </message>
-        <message>
-            <source>Whether its shadows have the soft edges of its disc. Left out, the quality says.</source>
-            <translation>Мягки ли края теней, как от солнечного диска. Если не задано, решает качество.</translation>
-        </message>
-        <message>
-            <source>Point lights, at most 16.</source>
-            <translation>Точечные источники света, не больше 16.</translation>
-        </message>
-        <message>
-            <source>A point light.</source>
-            <translation>Точечный источник света.</translation>
-        </message>
-        <message>
-            <source>Where it is, heights above the sea. [x, y, z] in metres, y up.</source>
-            <translation>Где он находится; высота над морем. [x, y, z] в метрах, y вверх.</translation>
-        </message>
-        <message>
-            <source>Colour of the light. Linear Rec. 709 [red, green, blue], each 0 to 1.</source>
-            <translation>Цвет света. Линейные Rec. 709: [красный, зелёный, синий], каждый от 0 до 1.</translation>
-        </message>
-        <message>
-            <source>Irradiance times the square of the distance in metres, 0 to 1000000000.</source>
-            <translation>Освещённость, умноженная на квадрат расстояния в метрах, от 0 до 1000000000.</translation>
-        </message>
-        <message>
-            <source>What is in the sky beside sun and air.</source>
-            <translation>Что есть на небе, кроме солнца и воздуха.</translation>
-        </message>
-        <message>
-            <source>Share of the sky that thin high cloud covers, 0 to 1.</source>
-            <translation>Доля неба под тонкими высокими облаками, от 0 до 1.</translation>
-        </message>
-        <message>
-            <source>Height of the clouds above the eye in metres, 100 to 100000.</source>
-            <translation>Высота облаков над глазом в метрах, от 100 до 100000.</translation>
-        </message>
-        <message>
-            <source>Whether what is near keeps the sky's light off. Left out, the quality says.</source>
-            <translation>Заслоняет ли близкое свет неба. Если не задано, решает качество.</translation>
-        </message>
-        <message>
-            <source>How far away it may be for that, in metres, 0.01 to 100000; the farther, the less it counts.</source>
-            <translation>На каком расстоянии оно ещё заслоняет, в метрах, от 0,01 до 100000; чем дальше, тем слабее.</translation>
-        </message>
-        <message>
-            <source>The gases of the air and the ground under it; sky, sunlight and distance take their colours from them.</source>
-            <translation>Газы воздуха и земля под ним: от них цвет неба, солнечного света и дали.</translation>
-        </message>
-        <message>
-            <source>Of the molecules, relative to the Earth's, 0 (none) to 10.</source>
-            <translation>Плотность молекул относительно земной, от 0 (нет) до 10.</translation>
-        </message>
-        <message>
-            <source>Ozone in Dobson units, 0 to 3000.</source>
-            <translation>Озон в единицах Добсона, от 0 до 3000.</translation>
-        </message>
-        <message>
-            <source>Albedo of the land around, whose light the air sends back. Linear Rec. 709 [red, green, blue], each 0 to 1.</source>
-            <translation>Альбедо земли вокруг, свет которой воздух отражает обратно. Линейные Rec. 709: [красный, зелёный, синий], каждый от 0 до 1.</translation>
-        </message>
-        <message>
-            <source>Droplets and dust in the air: with the molecules, extinction 3.912 / visibility at sea level, falling off with height.</source>
-            <translation>Капли и пыль в воздухе: вместе с молекулами ослабление 3,912 / видимость на уровне моря, с высотой убывает.</translation>
-        </message>
-        <message>
-            <source>Distance in metres at which contrast falls to 2 %, 10 to 10000000.</source>
-            <translation>Расстояние в метрах, на котором контраст падает до 2 %, от 10 до 10000000.</translation>
-        </message>
-        <message>
-            <source>Height in metres over which the haze falls to 1/e, 1 to 1000000.</source>
-            <translation>Высота в метрах, на которой дымка слабеет в e раз, от 1 до 1000000.</translation>
-        </message>
-        <message>
-            <source>Extinction goes with the wavelength to the power of minus this, -1 to 4: 0 (grey) for fog, 0.3 for dust, 1.3 for fine haze.</source>
-            <translation>Ослабление идёт как длина волны в степени минус это число, от -1 до 4: 0 (серое) для тумана, 0,3 для пыли, 1,3 для тонкой дымки.</translation>
-        </message>
-        <message>
-            <source>Mean cosine of the angle by which light is deflected, 0 (evenly) to 0.95 (forwards).</source>
-            <translation>Средний косинус угла отклонения света, от 0 (равномерно) до 0,95 (вперёд).</translation>
-        </message>
-        <message>
-            <source>Share of the extinction that is scattering, the rest is absorbed. [red, green, blue], each 0 to 1.</source>
-            <translation>Доля рассеяния в ослаблении, остальное поглощается. [красный, зелёный, синий], каждый от 0 до 1.</translation>
-        </message>
-        <message>
-            <source>Fog that fills the valleys, even up to its top.</source>
-            <translation>Туман, который заполняет долины, ровный до самого верха.</translation>
-        </message>
-        <message>
-            <source>Whether there is fog.</source>
-            <translation>Есть ли туман.</translation>
-        </message>
-        <message>
-            <source>Distance in metres at which contrast inside it falls to 2 %, 10 to 1000000.</source>
-            <translation>Расстояние в метрах, на котором контраст внутри него падает до 2 %, от 10 до 1000000.</translation>
-        </message>
-        <message>
-            <source>Mean height of its top above the sea in metres, -100000 to 100000.</source>
-            <translation>Средняя высота его верха над морем в метрах, от -100000 до 100000.</translation>
-        </message>
-        <message>
-            <source>Height in metres over which it thins out, 1 to 10000.</source>
-            <translation>Высота в метрах, на которой он рассеивается, от 1 до 10000.</translation>
-        </message>
-        <message>
-            <source>How far its top goes up and down, in metres, 0 (level) to 10000.</source>
-            <translation>Насколько его верх поднимается и опускается, в метрах, от 0 (ровный) до 10000.</translation>
-        </message>
-        <message>
-            <source>Wavelength of its top's ups and downs in metres, 10 to 100000.</source>
-            <translation>Длина волны подъёмов и спусков его верха в метрах, от 10 до 100000.</translation>
-        </message>
-        <message>
-            <source>Phong coefficients per object; ground and sea take their colours from the biome.</source>
-            <translation>Коэффициенты Фонга для каждого предмета; цвета земли и моря задаёт биом.</translation>
-        </message>
-        <message>
-            <source>How normals and colours vary over a triangle: not at all, colours interpolated, or normals interpolated (the default).</source>
-            <translation>Как меняются нормали и цвета по треугольнику: никак, интерполяция цветов или интерполяция нормалей (по умолчанию).</translation>
-        </message>
-        <message>
-            <source>Sets /image/spp, /sun/soft_shadows and /sky/ambient_occlusion where the scene leaves them out: draft is 1, false, false; standard (the default) 4, true, true; final 64, true, true.</source>
-            <translation>Задаёт /image/spp, /sun/soft_shadows и /sky/ambient_occlusion, если их нет в сцене: draft — 1, false, false; standard (по умолчанию) — 4, true, true; final — 64, true, true.</translation>
-        </message>
-        <message>
-            <source>The picture.</source>
-            <translation>Картина.</translation>
-        </message>
-        <message>
-            <source>Width in pixels, 1 to 32768.</source>
-            <translation>Ширина в пикселях, от 1 до 32768.</translation>
-        </message>
-        <message>
-            <source>Height in pixels, 1 to 32768.</source>
-            <translation>Высота в пикселях, от 1 до 32768.</translation>
-        </message>
-        <message>
-            <source>Seed of the samples, 0 to 4294967295.</source>
-            <translation>Начальное число выборок, от 0 до 4294967295.</translation>
-        </message>
-        <message>
-            <source>Reconstruction filter.</source>
-            <translation>Фильтр восстановления.</translation>
-        </message>
-        <message>
-            <source>Exposure in stops: each doubles the brightness, -30 to 30. Left out, it follows from the picture.</source>
-            <translation>Экспозиция в ступенях: каждая удваивает яркость, от -30 до 30. Если не задана, следует из картины.</translation>
-        </message>
-        <message>
-            <source>Phong coefficients of one object.</source>
-            <translation>Коэффициенты Фонга одного предмета.</translation>
-        </message>
-        <message>
-            <source>Factor of the object's own colours. Linear Rec. 709 [red, green, blue], each 0 to 1.</source>
-            <translation>Множитель собственных цветов предмета. Линейные Rec. 709: [красный, зелёный, синий], каждый от 0 до 1.</translation>
-        </message>
-        <message>
-            <source>Factor of the sky's light, 0 to 10.</source>
-            <translation>Множитель света неба, от 0 до 10.</translation>
-        </message>
-        <message>
-            <source>Factor of Lambert's term, 0 to 10.</source>
-            <translation>Множитель слагаемого Ламберта, от 0 до 10.</translation>
-        </message>
-        <message>
-            <source>Factor of the highlight, 0 to 10.</source>
-            <translation>Множитель блика, от 0 до 10.</translation>
-        </message>
-        <message>
-            <source>Exponent of the highlight, 1 to 10000.</source>
-            <translation>Показатель степени блика, от 1 до 10000.</translation>
-        </message>
-        <message>
-            <source>Share of the light on the far side that shines through, 0 to 1.</source>
-            <translation>Доля света с обратной стороны, которая проходит насквозь, от 0 до 1.</translation>
-        </message>
-        <message>
-            <source>Light of its own, times the colour of the vertices. Linear Rec. 709 [red, green, blue], each 0 to 1000000.</source>
-            <translation>Собственный свет, умноженный на цвет вершин. Линейные Rec. 709: [красный, зелёный, синий], каждый от 0 до 1000000.</translation>
-        </message>
-        <message>
-            <source>Whether what keeps the sky's light off sends sunlight of its own instead.</source>
-            <translation>Посылает ли то, что заслоняет свет неба, вместо него отражённый солнечный свет.</translation>
-        </message>
-        <message>
-            <source>Heaped clouds over flat bases. Their shadows fall on the land.</source>
-            <translation>Кучевые облака с плоским основанием. Их тени падают на землю.</translation>
-        </message>
-        <message>
-            <source>Share of the sky straight above that they cover, 0 (none) to 1.</source>
-            <translation>Доля неба прямо над головой, которую они закрывают, от 0 (нет) до 1.</translation>
-        </message>
-        <message>
-            <source>Height of their bases above the sea in metres, 0 to 20000.</source>
-            <translation>Высота их оснований над морем в метрах, от 0 до 20000.</translation>
-        </message>
-        <message>
-            <source>From the bases to high tops in metres, 10 to 10000.</source>
-            <translation>От оснований до высоких вершин в метрах, от 10 до 10000.</translation>
-        </message>
-        <message>
-            <source>How wide a cloud is, in metres, 10 to 20000.</source>
-            <translation>Ширина одного облака в метрах, от 10 до 20000.</translation>
-        </message>
-        <message>
-            <source>Another number, other clouds, 0 to 4294967295.</source>
-            <translation>Другое число — другие облака, от 0 до 4294967295.</translation>
-        </message>
-        <message>
-            <source>Further balloons, at most 32; each is built as fine as its size in the picture asks for.</source>
-            <translation>Другие шары, не больше 32; каждый построен настолько подробно, насколько он велик на картине.</translation>
-        </message>
-        <message>
-            <source>A hot-air balloon. All that are there share the ids of their parts in an EXR.</source>
-            <translation>Воздушный шар. У всех шаров номера частей в EXR общие.</translation>
-        </message>
-        <message>
-            <source>How hard the burners fire, 0 (no flame) to 1; their light fills the envelope.</source>
-            <translation>Как сильно горят горелки, от 0 (без пламени) до 1; их свет заполняет оболочку.</translation>
-        </message>
-        <message>
-            <source>Fabrics that go together. Left out, the biome chooses; further balloons take turns.</source>
-            <translation>Ткани, которые подходят друг другу. Если не задано, выбирает биом; другие шары чередуют их.</translation>
-        </message>
-        <message>
-            <source>Colours of the fabric in place of a palette's, 1 to 64 of them; the pattern repeats them.</source>
-            <translation>Цвета ткани вместо палитры, от 1 до 64; узор повторяет их.</translation>
-        </message>
-        <message>
-            <source>Samples per pixel, at most if adaptive_threshold is above 0, 1 to 65536.</source>
-            <translation>Лучей на пиксель, от 1 до 65536; при adaptive_threshold больше 0 — самое большее.</translation>
-        </message>
-        <message>
-            <source>From 16 samples on, a pixel whose noise is estimated at less than this share of the way from black to white on a display has enough of them, 0 (all get spp) to 1.</source>
-            <translation>Начиная с 16 лучей пикселю, шум которого оценён меньше этой доли пути от чёрного до белого на экране, их достаточно; от 0 (все получают spp) до 1.</translation>
-        </message>
-        <message>
-            <source>Colour temperature in kelvins of the light that comes out white, 1700 to 25000; 6504 changes nothing. Left out, it goes half of the way to the daylight of the scene.</source>
-            <translation>Цветовая температура света, который выйдет белым, в кельвинах, от 1700 до 25000; 6504 ничего не меняет. Если не задана, проходит полпути до дневного света сцены.</translation>
-        </message>
-        <message>
-            <source>Share of the light that is lost in the corners of the picture, by the fourth power of a cosine, 0 (none) to 0.9.</source>
-            <translation>Доля света, которая теряется в углах картины, по четвёртой степени косинуса, от 0 (нет) до 0,9.</translation>
-        </message>
-    </context>
-    <context>
-        <name>Units</name>
-        <message>
-            <source>m</source>
-            <translation>м</translation>
-        </message>
-        <message>
-            <source>°</source>
-            <translation>°</translation>
-        </message>
-        <message>
-            <source>px</source>
-            <translation>пкс</translation>
-        </message>
-        <message>
-            <source>EV</source>
-            <translation>EV</translation>
-        </message>
-    </context>
-    <context>
-        <name>Words</name>
-        <message>
-            <source>snow</source>
-            <translation>снег</translation>
-        </message>
-        <message>
-            <source>tropical</source>
-            <translation>тропики</translation>
-        </message>
-        <message>
-            <source>sand</source>
-            <translation>пески</translation>
-        </message>
-        <message>
-            <source>sea</source>
-            <translation>от моря</translation>
-        </message>
-        <message>
-            <source>ground</source>
-            <translation>от земли</translation>
-        </message>
-        <message>
-            <source>balloon</source>
-            <translation>от корзины шара</translation>
-        </message>
-        <message>
-            <source>flat</source>
-            <translation>плоское</translation>
-        </message>
-        <message>
-            <source>gouraud</source>
-            <translation>по Гуро</translation>
-        </message>
-        <message>
-            <source>phong</source>
-            <translation>по Фонгу</translation>
-        </message>
-        <message>
-            <source>draft</source>
-            <translation>черновик</translation>
-        </message>
-        <message>
-            <source>standard</source>
-            <translation>обычное</translation>
-        </message>
-        <message>
-            <source>final</source>
-            <translation>чистовое</translation>
-        </message>
-        <message>
-            <source>stripes</source>
-            <translation>полосы</translation>
-        </message>
-        <message>
-            <source>chevrons</source>
-            <translation>шевроны</translation>
-        </message>
-        <message>
-            <source>spiral</source>
-            <translation>спираль</translation>
-        </message>
-        <message>
-            <source>rainbow</source>
-            <translation>радуга</translation>
-        </message>
-        <message>
-            <source>checker</source>
-            <translation>шахматный</translation>
-        </message>
-        <message>
-            <source>box</source>
-            <translation>прямоугольный</translation>
-        </message>
-        <message>
-            <source>tent</source>
-            <translation>треугольный</translation>
-        </message>
-        <message>
-            <source>gaussian</source>
-            <translation>гауссов</translation>
-        </message>
-        <message>
-            <source>pinhole</source>
-            <translation>точечный</translation>
-        </message>
-        <message>
-            <source>thin_lens</source>
-            <translation>тонкая линза</translation>
-        </message>
-        <message>
-            <source>panorama</source>
-            <translation>панорама</translation>
-        </message>
-        <message>
-            <source>orthographic</source>
-            <translation>параллельная проекция</translation>
-        </message>
-        <message>
-            <source>ember</source>
-            <translation>угли</translation>
-        </message>
-        <message>
-            <source>lagoon</source>
-            <translation>лагуна</translation>
-        </message>
-        <message>
-            <source>spectrum</source>
-            <translation>спектр</translation>
-        </message>
-        <message>
-            <source>glacier</source>
-            <translation>ледник</translation>
-        </message>
-        <message>
-            <source>orchard</source>
-            <translation>сад</translation>
-        </message>
-        <message>
-            <source>plum</source>
-            <translation>слива</translation>
-        </message>
-        <message>
-            <source>regatta</source>
-            <translation>регата</translation>
-        </message>
-        <message>
-            <source>meadow</source>
-            <translation>луг</translation>
-        </message>
-    </context>
-    <context>
-        <name>aerostat::viewer::CameraControl</name>
-        <message>
-            <source>Free View</source>
-            <translation>Свободный вид</translation>
-        </message>
-        <message>
-            <source>View from the Basket</source>
-            <translation>Вид из корзины</translation>
-        </message>
-        <message>
-            <source>View from Outside</source>
-            <translation>Вид снаружи</translation>
-        </message>
-        <message>
-            <source>Orbit</source>
-            <translation>Облёт</translation>
-        </message>
-        <message>
-            <source>Look Around</source>
-            <translation>Поворот камеры</translation>
-        </message>
-        <message>
-            <source>Move Closer or Away</source>
-            <translation>Приближение или удаление</translation>
-        </message>
-        <message>
-            <source>Fly</source>
-            <translation>Полёт</translation>
-        </message>
-        <message>
-            <source>Aim</source>
-            <translation>Наведение</translation>
-        </message>
-        <message>
-            <source>Put the Balloon</source>
-            <translation>Перенос шара</translation>
-        </message>
-    </context>
-    <context>
-        <name>aerostat::viewer::ColorEditor</name>
-        <message>
-            <source>One more colour</source>
-            <translation>Ещё один цвет</translation>
-        </message>
-        <message>
-            <source>One colour less</source>
-            <translation>На один цвет меньше</translation>
-        </message>
-        <message>
-            <source>Colour %1: %2</source>
-            <translation>Цвет %1: %2</translation>
-        </message>
-        <message>
-            <source>Colour of the Balloon</source>
-            <translation>Цвет шара</translation>
-        </message>
-    </context>
-    <context>
-        <name>aerostat::viewer::ControlRow</name>
-        <message>
-            <source>Dice</source>
-            <translation>Жребий</translation>
-        </message>
-        <message>
-            <source>Another land</source>
-            <translation>Другая земля</translation>
-        </message>
-        <message>
-            <source>Back</source>
-            <translation>Назад</translation>
-        </message>
-        <message>
-            <source>The seed before the dice was thrown</source>
-            <translation>Номер до жребия</translation>
-        </message>
-        <message>
-            <source>Reset to the Default</source>
-            <translation>Вернуть значение по умолчанию</translation>
-        </message>
-        <message>
-            <source>Change %1</source>
-            <translation>Изменение: %1</translation>
-        </message>
-        <message>
-            <source>Reset %1</source>
-            <translation>Сброс: %1</translation>
-        </message>
-    </context>
-    <context>
-        <name>aerostat::viewer::Document</name>
-        <message>
-            <source>Out of memory</source>
-            <translation>Не хватает памяти</translation>
-        </message>
-    </context>
-    <context>
-        <name>aerostat::viewer::ExportDialog</name>
-        <message>
-            <source> px</source>
-            <translation> пкс</translation>
-        </message>
-        <message>
-            <source>&amp;Export</source>
-            <translation>&amp;Записать</translation>
-        </message>
-        <message>
-            <source>Close</source>
-            <translation>Закрыть</translation>
-        </message>
-        <message>
-            <source>Export Picture</source>
-            <translation>Экспорт картины</translation>
-        </message>
-        <message>
-            <source>As the scene says</source>
-            <translation>Как в сцене</translation>
-        </message>
-        <message>
-            <source>&amp;Browse…</source>
-            <translation>&amp;Обзор…</translation>
-        </message>
-        <message>
-            <source>A name that ends in .exr keeps the light as it is, with distances, normals and objects in layers; any other gives a PNG.</source>
-            <translation>Файл .exr хранит свет как есть, а в слоях — расстояния, нормали и номера предметов; при любом другом имени получится PNG.</translation>
-        </message>
-        <message>
-            <source>Pictures (*.png)</source>
-            <translation>Картинки (*.png)</translation>
-        </message>
-        <message>
-            <source>OpenEXR (*.exr)</source>
-            <translation>OpenEXR (*.exr)</translation>
-        </message>
-        <message>
-            <source>Wrote %1</source>
-            <translation>Записан файл %1</translation>
-        </message>
-        <message>
-            <source>Cancelled</source>
-            <translation>Отменено</translation>
-        </message>
-        <message>
-            <source>Cancel</source>
-            <translation>Отмена</translation>
-        </message>
-        <message>
-            <source>Cancelling…</source>
-            <translation>Отмена…</translation>
-        </message>
-        <message>
-            <source>File</source>
-            <translation>Файл</translation>
-        </message>
-        <message>
-            <source>Quality</source>
-            <translation>Качество</translation>
-        </message>
-        <message>
-            <source>Size</source>
-            <translation>Размер</translation>
-        </message>
-    </context>
-    <context>
-        <name>aerostat::viewer::ExportJob</name>
-        <message>
-            <source>Tracing rays…</source>
-            <translation>Трассировка лучей…</translation>
-        </message>
-        <message>
-            <source>Building the world…</source>
-            <translation>Построение мира…</translation>
-        </message>
-        <message>
-            <source>Out of memory</source>
-            <translation>Не хватает памяти</translation>
-        </message>
-    </context>
-    <context>
-        <name>aerostat::viewer::MainWindow</name>
-        <message>
-            <source>Controls</source>
-            <translation>Настройки</translation>
-        </message>
-        <message>
-            <source>Try Again</source>
-            <translation>Ещё раз</translation>
-        </message>
-        <message>
-            <source>Use the Automatic Device</source>
-            <translation>Выбрать устройство само</translation>
-        </message>
-        <message>
-            <source>Use %1</source>
-            <translation>Взять %1</translation>
-        </message>
-        <message>
-            <source>Unnamed scene</source>
-            <translation>Сцена без имени</translation>
-        </message>
-        <message>
-            <source>%1[*] — Aerostat</source>
-            <translation>%1[*] — Аэростат</translation>
-        </message>
-        <message>
-            <source>&amp;File</source>
-            <translation>&amp;Файл</translation>
-        </message>
-        <message>
-            <source>&amp;New</source>
-            <translation>&amp;Новая</translation>
-        </message>
-        <message>
-            <source>&amp;Snowy Mountains</source>
-            <translation>&amp;Снежные горы</translation>
-        </message>
-        <message>
-            <source>&amp;Tropical Island</source>
-            <translation>&amp;Тропический остров</translation>
-        </message>
-        <message>
-            <source>&amp;Dunes</source>
-            <translation>&amp;Дюны</translation>
-        </message>
-        <message>
-            <source>&amp;Open…</source>
-            <translation>&amp;Открыть…</translation>
-        </message>
-        <message>
-            <source>&amp;Save</source>
-            <translation>&amp;Сохранить</translation>
-        </message>
-        <message>
-            <source>Save &amp;As…</source>
-            <translation>Сохранить &amp;как…</translation>
-        </message>
-        <message>
-            <source>&amp;Export Picture…</source>
-            <translation>&amp;Экспорт картины…</translation>
-        </message>
-        <message>
-            <source>Copy &amp;Image</source>
-            <translation>Копировать &amp;изображение</translation>
-        </message>
-        <message>
-            <source>Copy as Command &amp;Line</source>
-            <translation>Копировать как ко&amp;манду</translation>
-        </message>
-        <message>
-            <source>&amp;Quit</source>
-            <translation>&amp;Выход</translation>
-        </message>
-        <message>
-            <source>&amp;Edit</source>
-            <translation>&amp;Правка</translation>
-        </message>
-        <message>
-            <source>&amp;Undo</source>
-            <translation>&amp;Отменить</translation>
-        </message>
-        <message>
-            <source>&amp;Redo</source>
-            <translation>&amp;Повторить</translation>
-        </message>
-        <message>
-            <source>Reset &amp;Everything but the Biome</source>
-            <translation>&amp;Сбросить всё, кроме биома</translation>
-        </message>
-        <message>
-            <source>Reset Everything</source>
-            <translation>Сброс всех настроек</translation>
-        </message>
-        <message>
-            <source>&amp;View</source>
-            <translation>&amp;Вид</translation>
-        </message>
-        <message>
-            <source>&amp;Fit the Window</source>
-            <translation>&amp;По размеру окна</translation>
-        </message>
-        <message>
-            <source>Pixel for Pixel (&amp;1:1)</source>
-            <translation>Пиксель в пиксель (&amp;1:1)</translation>
-        </message>
-        <message>
-            <source>F&amp;ull Screen</source>
-            <translation>Во весь &amp;экран</translation>
-        </message>
-        <message>
-            <source>Go to the &amp;Picture</source>
-            <translation>Перейти к &amp;картине</translation>
-        </message>
-        <message>
-            <source>&amp;Camera</source>
-            <translation>&amp;Камера</translation>
-        </message>
-        <message>
-            <source>From &amp;Outside</source>
-            <translation>&amp;Снаружи</translation>
-        </message>
-        <message>
-            <source>From the &amp;Basket</source>
-            <translation>Из &amp;корзины</translation>
-        </message>
-        <message>
-            <source>&amp;Free</source>
-            <translation>С&amp;вободно</translation>
-        </message>
-        <message>
-            <source>&amp;Put the Balloon by a Click</source>
-            <translation>&amp;Поставить шар щелчком</translation>
-        </message>
-        <message>
-            <source>&amp;Help</source>
-            <translation>&amp;Справка</translation>
-        </message>
-        <message>
-            <source>&amp;Mouse and Keys</source>
-            <translation>&amp;Мышь и клавиши</translation>
-        </message>
-        <message>
-            <source>&amp;About Aerostat</source>
-            <translation>&amp;О программе</translation>
-        </message>
-        <message>
-            <source>About Aerostat</source>
-            <translation>О программе «Аэростат»</translation>
-        </message>
-        <message>
-            <source>&lt;h3&gt;Aerostat %1&lt;/h3&gt;&lt;p&gt;Pictures of a hot-air balloon before a mountain landscape, ray-traced on OpenCL.&lt;/p&gt;&lt;p&gt;MIT licence. Uses Qt %2 under the LGPL, version 3.&lt;/p&gt;</source>
-            <translation>&lt;h3&gt;Аэростат %1&lt;/h3&gt;&lt;p&gt;Картины воздушного шара на фоне гор, трассировка лучей на OpenCL.&lt;/p&gt;&lt;p&gt;Лицензия MIT. Использует Qt %2 по лицензии LGPL версии 3.&lt;/p&gt;</translation>
-        </message>
-        <message>
-            <source>building the land…</source>
-            <translation>строится рельеф…</translation>
-        </message>
-        <message>
-            <source>building trees…</source>
-            <translation>строятся деревья поиска…</translation>
-        </message>
-        <message>
-            <source>compiling kernels…</source>
-            <translation>компилируются ядра…</translation>
-        </message>
-        <message>
-            <source>uploading…</source>
-            <translation>загрузка в устройство…</translation>
-        </message>
-        <message>
-            <source>%1 × %2</source>
-            <translation>%1 × %2</translation>
-        </message>
-        <message>
-            <source>1/%1 of the size</source>
-            <translation>1/%1 размера</translation>
-        </message>
-        <message numerus="yes">
-            <source>%n sample(s) a pixel</source>
-            <translation>
-                <numerusform>%n луч на пиксель</numerusform>
-                <numerusform>%n луча на пиксель</numerusform>
-                <numerusform>%n лучей на пиксель</numerusform>
-            </translation>
-        </message>
-        <message>
-            <source>coarse land</source>
-            <translation>грубый рельеф</translation>
-        </message>
-        <message>
-            <source>%1 Mrays/s</source>
-            <translation>%1 млн лучей/с</translation>
-        </message>
-        <message>
-            <source>%1 s</source>
-            <translation>%1 с</translation>
-        </message>
-        <message>
-            <source>done</source>
-            <translation>готово</translation>
-        </message>
-        <message>
-            <source>eye %1 m above ground</source>
-            <translation>глаз в %1 м над землёй</translation>
-        </message>
-        <message>
-            <source>%1  ·  %2 s</source>
-            <translation>%1  ·  %2 с</translation>
-        </message>
-    </context>
-    <context>
-        <name>aerostat::viewer::MessageBar</name>
-        <message>
-            <source>Dismiss</source>
-            <translation>Скрыть</translation>
-        </message>
-    </context>
-    <context>
-        <name>aerostat::viewer::NumberEditor</name>
-        <message>
-            <source>automatic</source>
-            <translation>авто</translation>
-        </message>
-    </context>
-    <context>
-        <name>aerostat::viewer::Panels</name>
-        <message>
-            <source>&amp;Land</source>
-            <translation>&amp;Земля</translation>
-        </message>
-        <message>
-            <source>Li&amp;ght</source>
-            <translation>&amp;Свет</translation>
-        </message>
-        <message>
-            <source>Sun</source>
-            <translation>Солнце</translation>
-        </message>
-        <message>
-            <source>&amp;Balloon</source>
-            <translation>&amp;Шар</translation>
-        </message>
-        <message>
-            <source>&amp;Picture</source>
-            <translation>&amp;Картина</translation>
-        </message>
-        <message>
-            <source>From outside</source>
-            <translation>Снаружи</translation>
-        </message>
-        <message>
-            <source>From the basket</source>
-            <translation>Из корзины</translation>
-        </message>
-        <message>
-            <source>Free</source>
-            <translation>Свободно</translation>
-        </message>
-        <message>
-            <source>Where the camera stands: before the balloon, in its basket, or where you move it</source>
-            <translation>Где стоит камера: перед шаром, в его корзине или там, куда её переместят</translation>
-        </message>
-        <message>
-            <source>Choose…</source>
-            <translation>Выбрать…</translation>
-        </message>
-        <message>
-            <source>Cameras that suit any scene, counted from the balloon</source>
-            <translation>Камеры для любой сцены; их места отсчитаны от шара</translation>
-        </message>
-        <message>
-            <source>Put the Balloon by a Click</source>
-            <translation>Поставить шар щелчком</translation>
-        </message>
-        <message>
-            <source>Then click on the ground below the place for the balloon (or Ctrl+click at any time)</source>
-            <translation>Затем щёлкните по земле под местом для шара (или Ctrl+щелчок в любое время)</translation>
-        </message>
-        <message>
-            <source>View</source>
-            <translation>Вид</translation>
-        </message>
-        <message>
-            <source>Preset</source>
-            <translation>Заготовка</translation>
-        </message>
-        <message>
-            <source>Change the Size</source>
-            <translation>Изменение размера</translation>
-        </message>
-        <message>
-            <source>Usual sizes</source>
-            <translation>Обычные размеры</translation>
-        </message>
-        <message>
-            <source>Automatic</source>
-            <translation>Выбрать само</translation>
-        </message>
-        <message>
-            <source>What computes the picture. Not part of the scene.</source>
-            <translation>Что вычисляет картину. К сцене не относится.</translation>
-        </message>
-        <message>
-            <source>Computing</source>
-            <translation>Вычисление</translation>
-        </message>
-        <message>
-            <source>Device</source>
-            <translation>Устройство</translation>
-        </message>
-    </context>
-    <context>
-        <name>aerostat::viewer::PictureView</name>
-        <message>
-            <source>Picture</source>
-            <translation>Картина</translation>
-        </message>
-    </context>
-    <context>
-        <name>aerostat::viewer::SceneFiles</name>
-        <message>
-            <source>Scenes (*.json)</source>
-            <translation>Сцены (*.json)</translation>
-        </message>
-        <message>
-            <source>All files (*)</source>
-            <translation>Все файлы (*)</translation>
-        </message>
-        <message>
-            <source>Unsaved Changes</source>
-            <translation>Несохранённые изменения</translation>
-        </message>
-        <message>
-            <source>The scene was changed. Save it first?</source>
-            <translation>Сцена изменена. Сохранить её?</translation>
-        </message>
-        <message>
-            <source>Open a Scene</source>
-            <translation>Открыть сцену</translation>
-        </message>
-        <message>
-            <source>Save the Scene</source>
-            <translation>Сохранить сцену</translation>
-        </message>
-        <message>
-            <source>Open &amp;Recent</source>
-            <translation>Н&amp;едавние</translation>
-        </message>
-    </context>
-    <context>
-        <name>aerostat::viewer::ShortcutsDialog</name>
-        <message>
-            <source>Drag</source>
-            <translation>Потянуть</translation>
-        </message>
-        <message>
-            <source>turn around what is looked at; in the basket, look around</source>
-            <translation>облететь точку взгляда; в корзине — оглядеться</translation>
-        </message>
-        <message>
-            <source>Right drag, Shift+drag</source>
-            <translation>Потянуть правой кнопкой или с Shift</translation>
-        </message>
-        <message>
-            <source>look around</source>
-            <translation>оглядеться</translation>
-        </message>
-        <message>
-            <source>Wheel, Page Up, Page Down</source>
-            <translation>Колесо, Page Up, Page Down</translation>
-        </message>
-        <message>
-            <source>closer, away</source>
-            <translation>ближе, дальше</translation>
-        </message>
-        <message>
-            <source>Double click</source>
-            <translation>Двойной щелчок</translation>
-        </message>
-        <message>
-            <source>aim there</source>
-            <translation>навести туда камеру</translation>
-        </message>
-        <message>
-            <source>Ctrl+click</source>
-            <translation>Ctrl+щелчок</translation>
-        </message>
-        <message>
-            <source>put the balloon above it</source>
-            <translation>поставить шар над этим местом</translation>
-        </message>
-        <message>
-            <source>W A S D</source>
-            <translation>W A S D</translation>
-        </message>
-        <message>
-            <source>fly ahead, left, back, right (Shift: fast)</source>
-            <translation>лететь вперёд, влево, назад, вправо (Shift — быстро)</translation>
-        </message>
-        <message>
-            <source>Q, E</source>
-            <translation>Q, E</translation>
-        </message>
-        <message>
-            <source>down, up</source>
-            <translation>вниз, вверх</translation>
-        </message>
-        <message>
-            <source>Arrows, Shift+arrows</source>
-            <translation>Стрелки, Shift+стрелки</translation>
-        </message>
-        <message>
-            <source>turn around it, look around</source>
-            <translation>облететь, оглядеться</translation>
-        </message>
-        <message>
-            <source>Middle drag</source>
-            <translation>Потянуть средней кнопкой</translation>
-        </message>
-        <message>
-            <source>shift the picture at 1:1</source>
-            <translation>сдвинуть картину при 1:1</translation>
-        </message>
-        <message>
-            <source>Double click on a name, Ctrl+Backspace</source>
-            <translation>Двойной щелчок по названию, Ctrl+Backspace</translation>
-        </message>
-        <message>
-            <source>back to the default</source>
-            <translation>вернуть значение по умолчанию</translation>
-        </message>
-        <message>
-            <source>Arrows on the sun's disc</source>
-            <translation>Стрелки на круге солнца</translation>
-        </message>
-        <message>
-            <source>move the sun (Shift: by 10°)</source>
-            <translation>сдвинуть солнце (Shift — на 10°)</translation>
-        </message>
-        <message>
-            <source>Ctrl+.</source>
-            <translation>Ctrl+.</translation>
-        </message>
-        <message>
-            <source>dismiss a message</source>
-            <translation>скрыть сообщение</translation>
-        </message>
-        <message>
-            <source>Mouse and Keys</source>
-            <translation>Мышь и клавиши</translation>
-        </message>
-        <message>
-            <source>On the picture</source>
-            <translation>На картине</translation>
-        </message>
-        <message>
-            <source>On the controls</source>
-            <translation>На настройках</translation>
-        </message>
-    </context>
-    <context>
-        <name>aerostat::viewer::SunDisc</name>
-        <message>
-            <source>Sun</source>
-            <translation>Солнце</translation>
-        </message>
-        <message>
-            <source>Drag the sun: the rim is the horizon, the middle the zenith, north is up. Double-click for the default.</source>
-            <translation>Тяните солнце: край — горизонт, середина — зенит, север наверху. Двойной щелчок вернёт значение по умолчанию.</translation>
-        </message>
-        <message>
-            <source>N</source>
-            <comment>north</comment>
-            <translation>С</translation>
-        </message>
-        <message>
-            <source>E</source>
-            <comment>east</comment>
-            <translation>В</translation>
-        </message>
-        <message>
-            <source>S</source>
-            <comment>south</comment>
-            <translation>Ю</translation>
-        </message>
-        <message>
-            <source>W</source>
-            <comment>west</comment>
-            <translation>З</translation>
-        </message>
-    </context>
-    <context>
-        <name>aerostat::viewer::SunPanel</name>
-        <message>
-            <source>By date, time and place</source>
-            <translation>По дате, времени и месту</translation>
-        </message>
-        <message>
-            <source>Day at which the sun stands where it stands</source>
-            <translation>День, в который солнце стоит именно так</translation>
-        </message>
-        <message>
-            <source>Time of that day, by the clock of the place</source>
-            <translation>Время того дня по часам этого места</translation>
-        </message>
-        <message>
-            <source>UTC </source>
-            <comment>before an offset in hours</comment>
-            <translation>UTC </translation>
-        </message>
-        <message>
-            <source> h</source>
-            <translation> ч</translation>
-        </message>
-        <message>
-            <source>How far that clock is ahead of universal time</source>
-            <translation>На сколько эти часы впереди всемирного времени</translation>
-        </message>
-        <message>
-            <source>Date</source>
-            <translation>Дата</translation>
-        </message>
-        <message>
-            <source>Time</source>
-            <translation>Время</translation>
-        </message>
-        <message>
-            <source>Clock</source>
-            <translation>Часы</translation>
-        </message>
-        <message>
-            <source>Latitude</source>
-            <translation>Широта</translation>
-        </message>
-        <message>
-            <source>Longitude</source>
-            <translation>Долгота</translation>
-        </message>
-        <message>
-            <source>Azimuth</source>
-            <translation>Азимут</translation>
-        </message>
-        <message>
-            <source>Elevation</source>
-            <translation>Высота над горизонтом</translation>
-        </message>
-        <message>
-            <source>Move the Sun</source>
-            <translation>Перемещение солнца</translation>
-        </message>
-        <message>
-            <source>Move the Sun by Date</source>
-            <translation>Солнце по дате</translation>
-        </message>
-        <message>
-            <source>Reset the Sun</source>
-            <translation>Сброс солнца</translation>
-        </message>
-    </context>
-    <context>
-        <name>main</name>
-        <message>
-            <source>Sets up a picture of aerostat by eye.</source>
-            <translation>Настройка картин aerostat на глаз.</translation>
-        </message>
-        <message>
-            <source>Scene file to open</source>
-            <translation>Файл сцены, который открыть</translation>
-        </message>
-        <message>
-            <source>What computes, as of aerostat render</source>
-            <translation>Что вычисляет, как у aerostat render</translation>
-        </message>
-    </context>
+<context>
+    <name>Controls</name>
+    <message>
+        <source>Biome</source>
+        <translation>Биом</translation>
+    </message>
+    <message>
+        <source>Land</source>
+        <translation>Земля</translation>
+    </message>
+    <message>
+        <source>Seed</source>
+        <translation>Номер</translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation>Размер</translation>
+    </message>
+    <message>
+        <source>Height</source>
+        <translation>Высота</translation>
+    </message>
+    <message>
+        <source>Roughness</source>
+        <translation>Изрезанность</translation>
+    </message>
+    <message>
+        <source>Sharpness</source>
+        <translation>Острота</translation>
+    </message>
+    <message>
+        <source>Cells a side</source>
+        <translation>Ячеек по стороне</translation>
+    </message>
+    <message>
+        <source>Snow line</source>
+        <translation>Граница снега</translation>
+    </message>
+    <message>
+        <source>Snow and water</source>
+        <translation>Снег и вода</translation>
+    </message>
+    <message>
+        <source>Sea</source>
+        <translation>Море</translation>
+    </message>
+    <message>
+        <source>Sea level</source>
+        <translation>Уровень моря</translation>
+    </message>
+    <message>
+        <source>Plants</source>
+        <translation>Растения</translation>
+    </message>
+    <message>
+        <source>Density</source>
+        <translation>Густота</translation>
+    </message>
+    <message>
+        <source>Size of plants</source>
+        <translation>Рост растений</translation>
+    </message>
+    <message>
+        <source>Brightness</source>
+        <translation>Яркость</translation>
+    </message>
+    <message>
+        <source>Soft shadows</source>
+        <translation>Мягкие тени</translation>
+    </message>
+    <message>
+        <source>High cloud</source>
+        <translation>Перистые облака</translation>
+    </message>
+    <message>
+        <source>Air</source>
+        <translation>Воздух</translation>
+    </message>
+    <message>
+        <source>Visibility</source>
+        <translation>Видимость</translation>
+    </message>
+    <message>
+        <source>Valley fog</source>
+        <translation>Туман в долинах</translation>
+    </message>
+    <message>
+        <source>Top of the fog</source>
+        <translation>Верх тумана</translation>
+    </message>
+    <message>
+        <source>Sight in the fog</source>
+        <translation>Видимость в тумане</translation>
+    </message>
+    <message>
+        <source>Balloon</source>
+        <translation>Воздушный шар</translation>
+    </message>
+    <message>
+        <source>East</source>
+        <translation>К востоку</translation>
+    </message>
+    <message>
+        <source>South</source>
+        <translation>К югу</translation>
+    </message>
+    <message>
+        <source>Height counts from</source>
+        <translation>Высота считается</translation>
+    </message>
+    <message>
+        <source>Heading</source>
+        <translation>Поворот</translation>
+    </message>
+    <message>
+        <source>Diameter</source>
+        <translation>Диаметр</translation>
+    </message>
+    <message>
+        <source>Gores</source>
+        <translation>Клиньев</translation>
+    </message>
+    <message>
+        <source>Envelope</source>
+        <translation>Оболочка</translation>
+    </message>
+    <message>
+        <source>Pattern</source>
+        <translation>Узор</translation>
+    </message>
+    <message>
+        <source>Colours</source>
+        <translation>Цвета</translation>
+    </message>
+    <message>
+        <source>Angle of view</source>
+        <translation>Угол зрения</translation>
+    </message>
+    <message>
+        <source>Shading</source>
+        <translation>Затенение</translation>
+    </message>
+    <message>
+        <source>Picture</source>
+        <translation>Картина</translation>
+    </message>
+    <message>
+        <source>Quality</source>
+        <translation>Качество</translation>
+    </message>
+    <message>
+        <source>Samples a pixel</source>
+        <translation>Лучей на пиксель</translation>
+    </message>
+    <message>
+        <source>Width</source>
+        <translation>Ширина</translation>
+    </message>
+    <message>
+        <source>Exposure</source>
+        <translation>Экспозиция</translation>
+    </message>
+    <message>
+        <source>Development</source>
+        <translation>Проявка</translation>
+    </message>
+    <message>
+        <source>Filter</source>
+        <translation>Фильтр</translation>
+    </message>
+    <message>
+        <source>Erosion</source>
+        <translation>Эрозия</translation>
+    </message>
+    <message>
+        <source>Heaped clouds</source>
+        <translation>Кучевые облака</translation>
+    </message>
+    <message>
+        <source>Base of the clouds</source>
+        <translation>Основание облаков</translation>
+    </message>
+    <message>
+        <source>Burner</source>
+        <translation>Горелка</translation>
+    </message>
+    <message>
+        <source>Palette</source>
+        <translation>Палитра</translation>
+    </message>
+    <message>
+        <source>Lens</source>
+        <translation>Объектив</translation>
+    </message>
+    <message>
+        <source>F-number</source>
+        <translation>Диафрагма</translation>
+    </message>
+    <message>
+        <source>Sharp at</source>
+        <translation>Резкость на</translation>
+    </message>
+    <message>
+        <source>Height of parallel view</source>
+        <translation>Высота параллельного вида</translation>
+    </message>
+    <message>
+        <source>Single trees up to</source>
+        <translation>Отдельные деревья до</translation>
+    </message>
+    <message>
+        <source>Seed of plants</source>
+        <translation>Номер растений</translation>
+    </message>
+    <message>
+        <source>Kind</source>
+        <translation>Вид</translation>
+    </message>
+    <message>
+        <source>Shape in detail</source>
+        <translation>Форма подробно</translation>
+    </message>
+    <message>
+        <source>Width of ranges</source>
+        <translation>Ширина хребтов</translation>
+    </message>
+    <message>
+        <source>Bends</source>
+        <translation>Изгибы</translation>
+    </message>
+    <message>
+        <source>Width of bends</source>
+        <translation>Ширина изгибов</translation>
+    </message>
+    <message>
+        <source>Noise</source>
+        <translation>Шум</translation>
+    </message>
+    <message>
+        <source>Octaves</source>
+        <translation>Октавы</translation>
+    </message>
+    <message>
+        <source>Lacunarity</source>
+        <translation>Лакунарность</translation>
+    </message>
+    <message>
+        <source>Offset of ridges</source>
+        <translation>Сдвиг гребней</translation>
+    </message>
+    <message>
+        <source>Raised by</source>
+        <translation>Поднято на</translation>
+    </message>
+    <message>
+        <source>Finer in the middle</source>
+        <translation>Мельче в середине</translation>
+    </message>
+    <message>
+        <source>Middle, east</source>
+        <translation>Середина, восток</translation>
+    </message>
+    <message>
+        <source>Middle, south</source>
+        <translation>Середина, юг</translation>
+    </message>
+    <message>
+        <source>Dunes</source>
+        <translation>Дюны</translation>
+    </message>
+    <message>
+        <source>Crest to crest</source>
+        <translation>От гребня до гребня</translation>
+    </message>
+    <message>
+        <source>Wind blows to</source>
+        <translation>Ветер дует к</translation>
+    </message>
+    <message>
+        <source>Cover</source>
+        <translation>Покров</translation>
+    </message>
+    <message>
+        <source>Ground</source>
+        <translation>Грунт</translation>
+    </message>
+    <message>
+        <source>Cover, second tone</source>
+        <translation>Покров, второй тон</translation>
+    </message>
+    <message>
+        <source>Rock</source>
+        <translation>Скала</translation>
+    </message>
+    <message>
+        <source>Rock, second tone</source>
+        <translation>Скала, второй тон</translation>
+    </message>
+    <message>
+        <source>Rock begins at</source>
+        <translation>Скала начинается с</translation>
+    </message>
+    <message>
+        <source>All rock from</source>
+        <translation>Сплошная скала с</translation>
+    </message>
+    <message>
+        <source>Beds of rock</source>
+        <translation>Слои породы</translation>
+    </message>
+    <message>
+        <source>Width of patterns</source>
+        <translation>Ширина узора</translation>
+    </message>
+    <message>
+        <source>Relief in detail</source>
+        <translation>Мелкий рельеф</translation>
+    </message>
+    <message>
+        <source>Ripples</source>
+        <translation>Рябь</translation>
+    </message>
+    <message>
+        <source>Softness</source>
+        <translation>Мягкость</translation>
+    </message>
+    <message>
+        <source>Sparkle</source>
+        <translation>Блеск</translation>
+    </message>
+    <message>
+        <source>Snow</source>
+        <translation>Снег</translation>
+    </message>
+    <message>
+        <source>Snow thins out over</source>
+        <translation>Снег редеет на</translation>
+    </message>
+    <message>
+        <source>Full snow up to</source>
+        <translation>Сплошной снег до</translation>
+    </message>
+    <message>
+        <source>No snow from</source>
+        <translation>Без снега с</translation>
+    </message>
+    <message>
+        <source>Beach</source>
+        <translation>Пляж</translation>
+    </message>
+    <message>
+        <source>Beach up to</source>
+        <translation>Пляж до</translation>
+    </message>
+    <message>
+        <source>Forest</source>
+        <translation>Лес</translation>
+    </message>
+    <message>
+        <source>Forest up to</source>
+        <translation>Лес до</translation>
+    </message>
+    <message>
+        <source>Share of forest</source>
+        <translation>Доля леса</translation>
+    </message>
+    <message>
+        <source>Width of crowns</source>
+        <translation>Ширина крон</translation>
+    </message>
+    <message>
+        <source>Absorption, 1/m</source>
+        <translation>Поглощение, 1/м</translation>
+    </message>
+    <message>
+        <source>Sea in detail</source>
+        <translation>Море подробно</translation>
+    </message>
+    <message>
+        <source>Deep water</source>
+        <translation>Глубокая вода</translation>
+    </message>
+    <message>
+        <source>Sea bed</source>
+        <translation>Дно</translation>
+    </message>
+    <message>
+        <source>Longest waves</source>
+        <translation>Самые длинные волны</translation>
+    </message>
+    <message>
+        <source>Slope of waves</source>
+        <translation>Крутизна волн</translation>
+    </message>
+    <message>
+        <source>Colour</source>
+        <translation>Цвет</translation>
+    </message>
+    <message>
+        <source>Shadows</source>
+        <translation>Тени</translation>
+    </message>
+    <message>
+        <source>Clouds</source>
+        <translation>Облака</translation>
+    </message>
+    <message>
+        <source>Thickness</source>
+        <translation>Толщина</translation>
+    </message>
+    <message>
+        <source>Size of clouds</source>
+        <translation>Размер облаков</translation>
+    </message>
+    <message>
+        <source>Seed of clouds</source>
+        <translation>Номер облаков</translation>
+    </message>
+    <message>
+        <source>Height of high cloud</source>
+        <translation>Высота перистых</translation>
+    </message>
+    <message>
+        <source>Dimmed by what is near</source>
+        <translation>Затенение близким</translation>
+    </message>
+    <message>
+        <source>Light of the sky</source>
+        <translation>Свет неба</translation>
+    </message>
+    <message>
+        <source>As far as</source>
+        <translation>На расстоянии до</translation>
+    </message>
+    <message>
+        <source>Bounced light</source>
+        <translation>Отражённый свет</translation>
+    </message>
+    <message>
+        <source>Place</source>
+        <translation>Место</translation>
+    </message>
+    <message>
+        <source>Lamps</source>
+        <translation>Лампы</translation>
+    </message>
+    <message>
+        <source>Intensity</source>
+        <translation>Сила света</translation>
+    </message>
+    <message>
+        <source>Density of the air</source>
+        <translation>Плотность воздуха</translation>
+    </message>
+    <message>
+        <source>Air in detail</source>
+        <translation>Воздух подробно</translation>
+    </message>
+    <message>
+        <source>Ozone</source>
+        <translation>Озон</translation>
+    </message>
+    <message>
+        <source>Land around</source>
+        <translation>Земля вокруг</translation>
+    </message>
+    <message>
+        <source>Haze thins out over</source>
+        <translation>Дымка редеет на</translation>
+    </message>
+    <message>
+        <source>Colour of haze</source>
+        <translation>Цветность дымки</translation>
+    </message>
+    <message>
+        <source>Forward scattering</source>
+        <translation>Рассеяние вперёд</translation>
+    </message>
+    <message>
+        <source>Haze scatters</source>
+        <translation>Дымка рассеивает</translation>
+    </message>
+    <message>
+        <source>Fog ends over</source>
+        <translation>Туман сходит на нет за</translation>
+    </message>
+    <message>
+        <source>Fog goes up and down</source>
+        <translation>Волны тумана</translation>
+    </message>
+    <message>
+        <source>Width of that</source>
+        <translation>Ширина волн тумана</translation>
+    </message>
+    <message>
+        <source>Present</source>
+        <translation>Есть</translation>
+    </message>
+    <message>
+        <source>Albedo</source>
+        <translation>Альбедо</translation>
+    </message>
+    <message>
+        <source>Phong coefficients</source>
+        <translation>Коэффициенты Фонга</translation>
+    </message>
+    <message>
+        <source>Ambient</source>
+        <translation>Фоновый</translation>
+    </message>
+    <message>
+        <source>Diffuse</source>
+        <translation>Рассеянный</translation>
+    </message>
+    <message>
+        <source>Specular</source>
+        <translation>Зеркальный</translation>
+    </message>
+    <message>
+        <source>Shininess</source>
+        <translation>Острота блика</translation>
+    </message>
+    <message>
+        <source>Translucency</source>
+        <translation>Просвечивание</translation>
+    </message>
+    <message>
+        <source>Emission</source>
+        <translation>Свечение</translation>
+    </message>
+    <message>
+        <source>Eye</source>
+        <translation>Глаз</translation>
+    </message>
+    <message>
+        <source>Camera by numbers</source>
+        <translation>Камера в числах</translation>
+    </message>
+    <message>
+        <source>Looks at</source>
+        <translation>Смотрит на</translation>
+    </message>
+    <message>
+        <source>Heights count from</source>
+        <translation>Высоты отсчитаны от</translation>
+    </message>
+    <message>
+        <source>Upright</source>
+        <translation>Верх</translation>
+    </message>
+    <message>
+        <source>Aperture</source>
+        <translation>Диафрагма</translation>
+    </message>
+    <message>
+        <source>White balance</source>
+        <translation>Баланс белого</translation>
+    </message>
+    <message>
+        <source>Vignette</source>
+        <translation>Виньетка</translation>
+    </message>
+    <message>
+        <source>Enough at a noise of</source>
+        <translation>Достаточно при шуме</translation>
+    </message>
+    <message>
+        <source>Sampling</source>
+        <translation>Выборки</translation>
+    </message>
+    <message>
+        <source>Seed of samples</source>
+        <translation>Номер выборок</translation>
+    </message>
+</context>
+<context>
+    <name>Presets</name>
+    <message>
+        <source>Near the balloon</source>
+        <translation>Рядом с шаром</translation>
+    </message>
+    <message>
+        <source>Far, the balloon small</source>
+        <translation>Издали, шар маленький</translation>
+    </message>
+    <message>
+        <source>From above</source>
+        <translation>Сверху</translation>
+    </message>
+    <message>
+        <source>From below</source>
+        <translation>Снизу</translation>
+    </message>
+    <message>
+        <source>Against the other side</source>
+        <translation>С другой стороны</translation>
+    </message>
+</context>
+<context>
+    <name>Schema</name>
+    <message>
+        <source>A scene of the renderer aerostat. Lengths in metres, angles in degrees, y up, azimuth 0 = north (-z), 90 = east (+x). Whatever a file leaves out comes from its biome and view.</source>
+        <translation>Сцена программы aerostat. Длины в метрах, углы в градусах, y вверх, азимут 0 — север (-z), 90 — восток (+x). Что в файле пропущено, берётся из биома и вида.</translation>
+    </message>
+    <message>
+        <source>Where editors find this schema.</source>
+        <translation>Где редакторы найдут эту схему.</translation>
+    </message>
+    <message>
+        <source>Version of the format: 1.</source>
+        <translation>Версия формата: 1.</translation>
+    </message>
+    <message>
+        <source>The switch that brings terrain shape, colours, light, sky, air and balloon colours. Either its name alone or an object.</source>
+        <translation>Переключатель, который задаёт форму рельефа, цвета, свет, небо, воздух и цвета шара. Либо одно имя, либо объект.</translation>
+    </message>
+    <message>
+        <source>The biome&apos;s name alone; everything else by default.</source>
+        <translation>Только имя биома; всё остальное по умолчанию.</translation>
+    </message>
+    <message>
+        <source>The biome with changes to its ground and sea.</source>
+        <translation>Биом с изменениями земли и моря.</translation>
+    </message>
+    <message>
+        <source>The switch that brings terrain shape, colours, light, sky, air and balloon colours.</source>
+        <translation>Переключатель, который задаёт форму рельефа, цвета, свет, небо, воздух и цвета шара.</translation>
+    </message>
+    <message>
+        <source>How the ground is coloured, by height, slope and noise. Every default comes with the biome.</source>
+        <translation>Как окрашена земля: по высоте, уклону и шуму. Все значения по умолчанию задаёт биом.</translation>
+    </message>
+    <message>
+        <source>Albedo of the first tone of what grows or lies on gentle ground. Linear Rec. 709 [red, green, blue], each 0 to 1.</source>
+        <translation>Альбедо первого тона того, что растёт или лежит на пологой земле. Линейные Rec. 709: [красный, зелёный, синий], каждый от 0 до 1.</translation>
+    </message>
+    <message>
+        <source>Albedo of its second tone; noise mixes the two. Linear Rec. 709 [red, green, blue], each 0 to 1.</source>
+        <translation>Альбедо второго тона; шум смешивает оба. Линейные Rec. 709: [красный, зелёный, синий], каждый от 0 до 1.</translation>
+    </message>
+    <message>
+        <source>Albedo of the first tone of bare rock. Linear Rec. 709 [red, green, blue], each 0 to 1.</source>
+        <translation>Альбедо первого тона голых скал. Линейные Rec. 709: [красный, зелёный, синий], каждый от 0 до 1.</translation>
+    </message>
+    <message>
+        <source>Albedo of its second tone. Linear Rec. 709 [red, green, blue], each 0 to 1.</source>
+        <translation>Альбедо их второго тона. Линейные Rec. 709: [красный, зелёный, синий], каждый от 0 до 1.</translation>
+    </message>
+    <message>
+        <source>Slopes in degrees from which rock begins and beyond which it is complete, 0 to 90, the smaller one first.</source>
+        <translation>Уклоны в градусах, с которого начинаются скалы и выше которого только они, от 0 до 90, сначала меньший.</translation>
+    </message>
+    <message>
+        <source>Albedo of snow; keep it below 0.95, or it clips. Linear Rec. 709 [red, green, blue], each 0 to 1.</source>
+        <translation>Альбедо снега; держите ниже 0,95, иначе он выбелится. Линейные Rec. 709: [красный, зелёный, синий], каждый от 0 до 1.</translation>
+    </message>
+    <message>
+        <source>Mean height in metres above which snow lies, -1000000 to 1000000; 1000000 means no snow.</source>
+        <translation>Средняя высота в метрах, выше которой лежит снег, от -1000000 до 1000000; 1000000 — снега нет.</translation>
+    </message>
+    <message>
+        <source>Height in metres of the zone in which the snow thins out, 0 to 100000.</source>
+        <translation>Высота в метрах полосы, в которой снег сходит на нет, от 0 до 100000.</translation>
+    </message>
+    <message>
+        <source>Slopes in degrees up to which snow is full and beyond which none holds, 0 to 90, the smaller one first.</source>
+        <translation>Уклоны в градусах, до которого снег сплошной и выше которого он не держится, от 0 до 90, сначала меньший.</translation>
+    </message>
+    <message>
+        <source>Albedo of dry sand at the shore. Linear Rec. 709 [red, green, blue], each 0 to 1.</source>
+        <translation>Альбедо сухого песка на берегу. Линейные Rec. 709: [красный, зелёный, синий], каждый от 0 до 1.</translation>
+    </message>
+    <message>
+        <source>Sand lies up to this height above the sea, in metres, -1000000 to 1000000; -1000000 means no beach.</source>
+        <translation>До этой высоты над морем лежит песок, в метрах, от -1000000 до 1000000; -1000000 — пляжа нет.</translation>
+    </message>
+    <message>
+        <source>Largest wavelength of the detail in colour and relief, in metres, above 0 to 100000.</source>
+        <translation>Наибольшая длина волны деталей цвета и рельефа, в метрах, больше 0 и до 100000.</translation>
+    </message>
+    <message>
+        <source>Strength of the detail in the normal, 0 (none) to 10.</source>
+        <translation>Сила деталей в нормали, от 0 (нет) до 10.</translation>
+    </message>
+    <message>
+        <source>Wavelength of wind ripples in metres, 0 (none) to 1000.</source>
+        <translation>Длина волны ветровой ряби в метрах, от 0 (нет) до 1000.</translation>
+    </message>
+    <message>
+        <source>Thickness of the largest beds of rock in metres, 0 (none) to 10000.</source>
+        <translation>Толщина самых мощных пластов породы в метрах, от 0 (нет) до 10000.</translation>
+    </message>
+    <message>
+        <source>How evenly bright snow or sand is at every slope to the sun, as grains send light back: 0 (Lambert) to 1.</source>
+        <translation>Насколько ровно светлы снег или песок при любом наклоне к солнцу, ведь зёрна отбрасывают свет назад: от 0 (по Ламберту) до 1.</translation>
+    </message>
+    <message>
+        <source>Strength of the glitter of grains of snow or sand, 0 (none) to 10.</source>
+        <translation>Сила блеска снежинок или песчинок, от 0 (нет) до 10.</translation>
+    </message>
+    <message>
+        <source>Albedo of trees. Linear Rec. 709 [red, green, blue], each 0 to 1.</source>
+        <translation>Альбедо деревьев. Линейные Rec. 709: [красный, зелёный, синий], каждый от 0 до 1.</translation>
+    </message>
+    <message>
+        <source>Height in metres up to which trees grow, -100000 to 100000.</source>
+        <translation>Высота в метрах, до которой растут деревья, от -100000 до 100000.</translation>
+    </message>
+    <message>
+        <source>Share of the ground that trees cover below that height, 0 (none) to 1.</source>
+        <translation>Доля земли, которую ниже этой высоты покрывают деревья, от 0 (нет) до 1.</translation>
+    </message>
+    <message>
+        <source>Width of a tree&apos;s crown in metres, 0.1 to 1000.</source>
+        <translation>Ширина кроны дерева в метрах, от 0,1 до 1000.</translation>
+    </message>
+    <message>
+        <source>The sea: a plane at level_m.</source>
+        <translation>Море: плоскость на высоте level_m.</translation>
+    </message>
+    <message>
+        <source>Whether there is a sea.</source>
+        <translation>Есть ли море.</translation>
+    </message>
+    <message>
+        <source>Height of the plane in metres, -1000000 to 1000000.</source>
+        <translation>Высота плоскости в метрах, от -1000000 до 1000000.</translation>
+    </message>
+    <message>
+        <source>Absorption per metre of water by Beer and Lambert, for [red, green, blue], 0 to 100.</source>
+        <translation>Поглощение на метр воды по Бугеру — Ламберту — Беру для [красного, зелёного, синего], от 0 до 100.</translation>
+    </message>
+    <message>
+        <source>Colour of deep water. Linear Rec. 709 [red, green, blue], each 0 to 1.</source>
+        <translation>Цвет глубокой воды. Линейные Rec. 709: [красный, зелёный, синий], каждый от 0 до 1.</translation>
+    </message>
+    <message>
+        <source>Albedo of the sand under the water. Linear Rec. 709 [red, green, blue], each 0 to 1.</source>
+        <translation>Альбедо песка под водой. Линейные Rec. 709: [красный, зелёный, синий], каждый от 0 до 1.</translation>
+    </message>
+    <message>
+        <source>Wavelength of the largest waves in metres, above 0 to 10000.</source>
+        <translation>Длина самых больших волн в метрах, больше 0 и до 10000.</translation>
+    </message>
+    <message>
+        <source>Root mean square slope of the waves, 0 (a mirror) to 1.</source>
+        <translation>Среднеквадратичный уклон волн, от 0 (зеркало) до 1.</translation>
+    </message>
+    <message>
+        <source>The ground: a square of cells x cells quads around center, whose spacing grows outwards. Defaults come with the biome.</source>
+        <translation>Земля: квадрат из cells × cells ячеек вокруг center, шаг которых растёт к краям. Значения по умолчанию задаёт биом.</translation>
+    </message>
+    <message>
+        <source>Overall shape.</source>
+        <translation>Общая форма.</translation>
+    </message>
+    <message>
+        <source>Seed of the noise, 0 to 4294967295; another number, another land.</source>
+        <translation>Начальное число шума, от 0 до 4294967295: другое число — другая земля.</translation>
+    </message>
+    <message>
+        <source>Quads per side, 2 to 4096.</source>
+        <translation>Ячеек по стороне, от 2 до 4096.</translation>
+    </message>
+    <message>
+        <source>Side of the square in metres, 10 to 1000000.</source>
+        <translation>Сторона квадрата в метрах, от 10 до 1000000.</translation>
+    </message>
+    <message>
+        <source>[x, z] in metres of the finest cells.</source>
+        <translation>[x, z] самых мелких ячеек в метрах.</translation>
+    </message>
+    <message>
+        <source>Cell size at the rim over that at the centre, 1 (even) to 1000.</source>
+        <translation>Отношение размера ячеек на краю к размеру в середине, от 1 (поровну) до 1000.</translation>
+    </message>
+    <message>
+        <source>Roughly from the lowest valleys to the highest peaks, in metres, 0 to 20000.</source>
+        <translation>Примерно от самых низких долин до самых высоких вершин, в метрах, от 0 до 20000.</translation>
+    </message>
+    <message>
+        <source>Added to every height, in metres, -100000 to 100000.</source>
+        <translation>Прибавка ко всем высотам в метрах, от -100000 до 100000.</translation>
+    </message>
+    <message>
+        <source>Wavelength of the first octave in metres, 1 to 1000000.</source>
+        <translation>Длина волны первой октавы в метрах, от 1 до 1000000.</translation>
+    </message>
+    <message>
+        <source>Amplitude of the domain distortion in metres, 0 (none) to 100000.</source>
+        <translation>Размах искажения координат в метрах, от 0 (нет) до 100000.</translation>
+    </message>
+    <message>
+        <source>Wavelength of the domain distortion in metres, 1 to 1000000.</source>
+        <translation>Длина волны искажения координат в метрах, от 1 до 1000000.</translation>
+    </message>
+    <message>
+        <source>Exponent of the heights, 0.1 to 10: above 1 widens valleys, below 1 widens heights.</source>
+        <translation>Показатель степени высот, от 0,1 до 10: больше 1 расширяет долины, меньше 1 — вершины.</translation>
+    </message>
+    <message>
+        <source>Strength of what water and frost have done to the ground at the scale of its cells, 0 (nothing) to 1: gullies, channels, and scree at the angle of repose.</source>
+        <translation>Сколько вода и мороз сделали с землёй в масштабе её ячеек, от 0 (ничего) до 1: промоины, русла, осыпи под углом естественного откоса.</translation>
+    </message>
+    <message>
+        <source>Octaves of Perlin noise.</source>
+        <translation>Октавы шума Перлина.</translation>
+    </message>
+    <message>
+        <source>How the octaves are summed.</source>
+        <translation>Как складываются октавы.</translation>
+    </message>
+    <message>
+        <source>Number of octaves, 1 to 20.</source>
+        <translation>Число октав, от 1 до 20.</translation>
+    </message>
+    <message>
+        <source>Frequency ratio of successive octaves, 1 to 4.</source>
+        <translation>Отношение частот соседних октав, от 1 до 4.</translation>
+    </message>
+    <message>
+        <source>Amplitude ratio of successive octaves, 0 to 8.</source>
+        <translation>Отношение амплитуд соседних октав, от 0 до 8.</translation>
+    </message>
+    <message>
+        <source>Ridged noise only: offset in (offset - |n|)^2, 0 to 4.</source>
+        <translation>Только для гребневого шума: offset в (offset - |n|)^2, от 0 до 4.</translation>
+    </message>
+    <message>
+        <source>Wind-blown sand, for terrain of kind dunes.</source>
+        <translation>Навеянный ветром песок, для рельефа dunes.</translation>
+    </message>
+    <message>
+        <source>Azimuth in degrees that the wind blows towards, -360 to 360.</source>
+        <translation>Азимут в градусах, куда дует ветер, от -360 до 360.</translation>
+    </message>
+    <message>
+        <source>Crest to crest along the wind, in metres, 1 to 100000.</source>
+        <translation>От гребня до гребня по ветру, в метрах, от 1 до 100000.</translation>
+    </message>
+    <message>
+        <source>Trough to crest of the largest dunes, in metres, 0 to 5000.</source>
+        <translation>От ложбины до гребня самых больших дюн, в метрах, от 0 до 5000.</translation>
+    </message>
+    <message>
+        <source>Plants and stones that stand on the ground; what grows where comes with the biome.</source>
+        <translation>Растения и камни на земле; что где растёт, задаёт биом.</translation>
+    </message>
+    <message>
+        <source>Whether anything stands on the ground.</source>
+        <translation>Стоит ли что-нибудь на земле.</translation>
+    </message>
+    <message>
+        <source>Plants per area against the biome&apos;s usual number, 0 (none) to 4.</source>
+        <translation>Растений на площадь по сравнению с обычным для биома, от 0 (нет) до 4.</translation>
+    </message>
+    <message>
+        <source>Factor on the height of every plant and stone, 0.1 to 10.</source>
+        <translation>Множитель высоты всех растений и камней, от 0,1 до 10.</translation>
+    </message>
+    <message>
+        <source>How far from the camera single trees stand, in metres, 10 to 12000; beyond it woods are painted on the ground. Smaller growth reaches less far in proportion.</source>
+        <translation>До какого расстояния от камеры стоят отдельные деревья, в метрах, от 10 до 12000; дальше леса нарисованы на земле. Мелкая растительность кончается во столько же раз ближе.</translation>
+    </message>
+    <message>
+        <source>Another number, other plants, 0 to 4294967295.</source>
+        <translation>Другое число — другие растения, от 0 до 4294967295.</translation>
+    </message>
+    <message>
+        <source>Whether there is a balloon.</source>
+        <translation>Есть ли шар.</translation>
+    </message>
+    <message>
+        <source>Centre of the basket&apos;s floor. [x, y, z] in metres, y up.</source>
+        <translation>Середина пола корзины. [x, y, z] в метрах, y вверх.</translation>
+    </message>
+    <message>
+        <source>What the position&apos;s y counts from: the sea (absolute) or the ground below (the default).</source>
+        <translation>От чего считается y положения: от моря (абсолютно) или от земли внизу (по умолчанию).</translation>
+    </message>
+    <message>
+        <source>Largest diameter of the envelope in metres, 2 to 200.</source>
+        <translation>Наибольший диаметр оболочки в метрах, от 2 до 200.</translation>
+    </message>
+    <message>
+        <source>Turn of the whole balloon about its axis in degrees, -360 to 360.</source>
+        <translation>Поворот всего шара вокруг оси в градусах, от -360 до 360.</translation>
+    </message>
+    <message>
+        <source>Number of the envelope&apos;s gores, 6 to 128.</source>
+        <translation>Число клиньев оболочки, от 6 до 128.</translation>
+    </message>
+    <message>
+        <source>How the colours are laid over the envelope.</source>
+        <translation>Как цвета ложатся на оболочку.</translation>
+    </message>
+    <message>
+        <source>Albedo of one fabric. Linear Rec. 709 [red, green, blue], each 0 to 1.</source>
+        <translation>Альбедо одной ткани. Линейные Rec. 709: [красный, зелёный, синий], каждый от 0 до 1.</translation>
+    </message>
+    <message>
+        <source>The eye.</source>
+        <translation>Глаз.</translation>
+    </message>
+    <message>
+        <source>Where the defaults put the eye: outside the balloon or in its basket.</source>
+        <translation>Куда по умолчанию ставится глаз: снаружи шара или в его корзину.</translation>
+    </message>
+    <message>
+        <source>Where the eye is. In the basket view, left out, it stands inside at eye height. [x, y, z] in metres, y up.</source>
+        <translation>Где находится глаз. При виде из корзины, если не задано, — внутри неё на высоте глаз. [x, y, z] в метрах, y вверх.</translation>
+    </message>
+    <message>
+        <source>A point in the middle of the picture. In the basket view, left out, the eye looks straight ahead. [x, y, z] in metres, y up.</source>
+        <translation>Точка в середине картины. При виде из корзины, если не задано, взгляд направлен прямо вперёд. [x, y, z] в метрах, y вверх.</translation>
+    </message>
+    <message>
+        <source>What the y of position and target counts from: the sea (absolute), the ground below each, or the floor of the balloon&apos;s basket (the default).</source>
+        <translation>От чего считаются y положения и цели: от моря (абсолютно), от земли под каждой или от пола корзины шара (по умолчанию).</translation>
+    </message>
+    <message>
+        <source>Direction that is upright in the picture; its length does not matter, but must not be 0. Components -1000 to 1000.</source>
+        <translation>Направление, которое на картине смотрит вверх; длина не важна, но не 0. Компоненты от -1000 до 1000.</translation>
+    </message>
+    <message>
+        <source>pinhole: all is sharp. thin_lens: sharp at one depth only. panorama: all directions, 360 degrees across and 180 down, best in a picture twice as wide as high; of the target only the azimuth counts. orthographic: parallel rays from the plane through the position, plants stand around the target.</source>
+        <translation>pinhole: всё резко. thin_lens: резко лишь на одной глубине. panorama: все направления, 360 градусов вширь и 180 ввысь, лучше всего при ширине вдвое больше высоты; у цели важен только азимут. orthographic: параллельные лучи из плоскости через положение, растения стоят вокруг цели.</translation>
+    </message>
+    <message>
+        <source>Vertical angle of view in degrees of pinhole and thin_lens, 1 to 170.</source>
+        <translation>Угол зрения по вертикали в градусах для pinhole и thin_lens, от 1 до 170.</translation>
+    </message>
+    <message>
+        <source>Of thin_lens: its focal length, as fov_y_deg asks of it before a sensor 24 mm high, over its aperture, 0.1 to 1000.</source>
+        <translation>Для thin_lens: отношение фокусного расстояния (какого требует fov_y_deg при матрице высотой 24 мм) к диафрагме, от 0,1 до 1000.</translation>
+    </message>
+    <message>
+        <source>Of thin_lens: diameter of the aperture in metres, 0 to 1000; left out, f_number says it.</source>
+        <translation>Для thin_lens: диаметр диафрагмы в метрах, от 0 до 1000; если не задан, его определяет f_number.</translation>
+    </message>
+    <message>
+        <source>Of thin_lens: distance of the plane that is sharp, in metres along the axis, 0.01 to 1000000; left out, the target is sharp.</source>
+        <translation>Для thin_lens: расстояние до плоскости резкости в метрах вдоль оси, от 0,01 до 1000000; если не задано, резка цель.</translation>
+    </message>
+    <message>
+        <source>Of orthographic: metres from the foot to the top of the picture, 0.001 to 1000000.</source>
+        <translation>Для orthographic: метров от низа до верха картины, от 0,001 до 1000000.</translation>
+    </message>
+    <message>
+        <source>The sun. Give its direction, or the two angles, or date, time, latitude and longitude.</source>
+        <translation>Солнце. Задайте его направление, или два угла, или дату, время, широту и долготу.</translation>
+    </message>
+    <message>
+        <source>Direction towards the sun; any length but 0. Components -1000000 to 1000000.</source>
+        <translation>Направление на солнце; длина любая, кроме 0. Компоненты от -1000000 до 1000000.</translation>
+    </message>
+    <message>
+        <source>Azimuth in degrees, 0 = north (-z), 90 = east (+x), -360 to 360.</source>
+        <translation>Азимут в градусах, 0 — север (-z), 90 — восток (+x), от -360 до 360.</translation>
+    </message>
+    <message>
+        <source>Height above the horizon in degrees, -90 to 90.</source>
+        <translation>Высота над горизонтом в градусах, от -90 до 90.</translation>
+    </message>
+    <message>
+        <source>Day at which it stands where it stands, as 2024-06-21.</source>
+        <translation>День, в который оно стоит именно так, например 2024-06-21.</translation>
+    </message>
+    <message>
+        <source>Time of that day, as 06:30 or 06:30:15, universal time unless an offset follows: 06:30+02:00.</source>
+        <translation>Время того дня, например 06:30 или 06:30:15; всемирное, если не указан сдвиг: 06:30+02:00.</translation>
+    </message>
+    <message>
+        <source>Latitude of the place in degrees, north positive, -90 to 90.</source>
+        <translation>Широта места в градусах, северная положительна, от -90 до 90.</translation>
+    </message>
+    <message>
+        <source>Longitude of the place in degrees, east positive, -180 to 180.</source>
+        <translation>Долгота места в градусах, восточная положительна, от -180 до 180.</translation>
+    </message>
+    <message>
+        <source>Colour of the light outside the air; the largest component should be 1. Linear Rec. 709 [red, green, blue], each 0 to 1.</source>
+        <translation>Цвет света вне атмосферы; наибольшая компонента должна быть 1. Линейные Rec. 709: [красный, зелёный, синий], каждый от 0 до 1.</translation>
+    </message>
+    <message>
+        <source>Irradiance of a plane that faces the sun outside the air, 0 to 1000.</source>
+        <translation>Освещённость обращённой к солнцу площадки вне атмосферы, от 0 до 1000.</translation>
+    </message>
+    <message>
+        <source>Whether it casts shadows.</source>
+        <translation>Отбрасывает ли тени.</translation>
+    </message>
+    <message>
+        <source>Whether its shadows have the soft edges of its disc. Left out, the quality says.</source>
+        <translation>Мягки ли края теней, как от солнечного диска. Если не задано, решает качество.</translation>
+    </message>
+    <message>
+        <source>Point lights, at most 16.</source>
+        <translation>Точечные источники света, не больше 16.</translation>
+    </message>
+    <message>
+        <source>A point light.</source>
+        <translation>Точечный источник света.</translation>
+    </message>
+    <message>
+        <source>Where it is, heights above the sea. [x, y, z] in metres, y up.</source>
+        <translation>Где он находится; высота над морем. [x, y, z] в метрах, y вверх.</translation>
+    </message>
+    <message>
+        <source>Colour of the light. Linear Rec. 709 [red, green, blue], each 0 to 1.</source>
+        <translation>Цвет света. Линейные Rec. 709: [красный, зелёный, синий], каждый от 0 до 1.</translation>
+    </message>
+    <message>
+        <source>Irradiance times the square of the distance in metres, 0 to 1000000000.</source>
+        <translation>Освещённость, умноженная на квадрат расстояния в метрах, от 0 до 1000000000.</translation>
+    </message>
+    <message>
+        <source>What is in the sky beside sun and air.</source>
+        <translation>Что есть на небе, кроме солнца и воздуха.</translation>
+    </message>
+    <message>
+        <source>Share of the sky that thin high cloud covers, 0 to 1.</source>
+        <translation>Доля неба под тонкими высокими облаками, от 0 до 1.</translation>
+    </message>
+    <message>
+        <source>Height of the clouds above the eye in metres, 100 to 100000.</source>
+        <translation>Высота облаков над глазом в метрах, от 100 до 100000.</translation>
+    </message>
+    <message>
+        <source>Whether what is near keeps the sky&apos;s light off. Left out, the quality says.</source>
+        <translation>Заслоняет ли близкое свет неба. Если не задано, решает качество.</translation>
+    </message>
+    <message>
+        <source>How far away it may be for that, in metres, 0.01 to 100000; the farther, the less it counts.</source>
+        <translation>На каком расстоянии оно ещё заслоняет, в метрах, от 0,01 до 100000; чем дальше, тем слабее.</translation>
+    </message>
+    <message>
+        <source>The gases of the air and the ground under it; sky, sunlight and distance take their colours from them.</source>
+        <translation>Газы воздуха и земля под ним: от них цвет неба, солнечного света и дали.</translation>
+    </message>
+    <message>
+        <source>Of the molecules, relative to the Earth&apos;s, 0 (none) to 10.</source>
+        <translation>Плотность молекул относительно земной, от 0 (нет) до 10.</translation>
+    </message>
+    <message>
+        <source>Ozone in Dobson units, 0 to 3000.</source>
+        <translation>Озон в единицах Добсона, от 0 до 3000.</translation>
+    </message>
+    <message>
+        <source>Albedo of the land around, whose light the air sends back. Linear Rec. 709 [red, green, blue], each 0 to 1.</source>
+        <translation>Альбедо земли вокруг, свет которой воздух отражает обратно. Линейные Rec. 709: [красный, зелёный, синий], каждый от 0 до 1.</translation>
+    </message>
+    <message>
+        <source>Droplets and dust in the air: with the molecules, extinction 3.912 / visibility at sea level, falling off with height.</source>
+        <translation>Капли и пыль в воздухе: вместе с молекулами ослабление 3,912 / видимость на уровне моря, с высотой убывает.</translation>
+    </message>
+    <message>
+        <source>Distance in metres at which contrast falls to 2 %, 10 to 10000000.</source>
+        <translation>Расстояние в метрах, на котором контраст падает до 2 %, от 10 до 10000000.</translation>
+    </message>
+    <message>
+        <source>Height in metres over which the haze falls to 1/e, 1 to 1000000.</source>
+        <translation>Высота в метрах, на которой дымка слабеет в e раз, от 1 до 1000000.</translation>
+    </message>
+    <message>
+        <source>Extinction goes with the wavelength to the power of minus this, -1 to 4: 0 (grey) for fog, 0.3 for dust, 1.3 for fine haze.</source>
+        <translation>Ослабление идёт как длина волны в степени минус это число, от -1 до 4: 0 (серое) для тумана, 0,3 для пыли, 1,3 для тонкой дымки.</translation>
+    </message>
+    <message>
+        <source>Mean cosine of the angle by which light is deflected, 0 (evenly) to 0.95 (forwards).</source>
+        <translation>Средний косинус угла отклонения света, от 0 (равномерно) до 0,95 (вперёд).</translation>
+    </message>
+    <message>
+        <source>Share of the extinction that is scattering, the rest is absorbed. [red, green, blue], each 0 to 1.</source>
+        <translation>Доля рассеяния в ослаблении, остальное поглощается. [красный, зелёный, синий], каждый от 0 до 1.</translation>
+    </message>
+    <message>
+        <source>Fog that fills the valleys, even up to its top.</source>
+        <translation>Туман, который заполняет долины, ровный до самого верха.</translation>
+    </message>
+    <message>
+        <source>Whether there is fog.</source>
+        <translation>Есть ли туман.</translation>
+    </message>
+    <message>
+        <source>Distance in metres at which contrast inside it falls to 2 %, 10 to 1000000.</source>
+        <translation>Расстояние в метрах, на котором контраст внутри него падает до 2 %, от 10 до 1000000.</translation>
+    </message>
+    <message>
+        <source>Mean height of its top above the sea in metres, -100000 to 100000.</source>
+        <translation>Средняя высота его верха над морем в метрах, от -100000 до 100000.</translation>
+    </message>
+    <message>
+        <source>Height in metres over which it thins out, 1 to 10000.</source>
+        <translation>Высота в метрах, на которой он рассеивается, от 1 до 10000.</translation>
+    </message>
+    <message>
+        <source>How far its top goes up and down, in metres, 0 (level) to 10000.</source>
+        <translation>Насколько его верх поднимается и опускается, в метрах, от 0 (ровный) до 10000.</translation>
+    </message>
+    <message>
+        <source>Wavelength of its top&apos;s ups and downs in metres, 10 to 100000.</source>
+        <translation>Длина волны подъёмов и спусков его верха в метрах, от 10 до 100000.</translation>
+    </message>
+    <message>
+        <source>Phong coefficients per object; ground and sea take their colours from the biome.</source>
+        <translation>Коэффициенты Фонга для каждого предмета; цвета земли и моря задаёт биом.</translation>
+    </message>
+    <message>
+        <source>How normals and colours vary over a triangle: not at all, colours interpolated, or normals interpolated (the default).</source>
+        <translation>Как меняются нормали и цвета по треугольнику: никак, интерполяция цветов или интерполяция нормалей (по умолчанию).</translation>
+    </message>
+    <message>
+        <source>Sets /image/spp, /sun/soft_shadows and /sky/ambient_occlusion where the scene leaves them out: draft is 1, false, false; standard (the default) 4, true, true; final 64, true, true.</source>
+        <translation>Задаёт /image/spp, /sun/soft_shadows и /sky/ambient_occlusion, если их нет в сцене: draft — 1, false, false; standard (по умолчанию) — 4, true, true; final — 64, true, true.</translation>
+    </message>
+    <message>
+        <source>The picture.</source>
+        <translation>Картина.</translation>
+    </message>
+    <message>
+        <source>Width in pixels, 1 to 32768.</source>
+        <translation>Ширина в пикселях, от 1 до 32768.</translation>
+    </message>
+    <message>
+        <source>Height in pixels, 1 to 32768.</source>
+        <translation>Высота в пикселях, от 1 до 32768.</translation>
+    </message>
+    <message>
+        <source>Seed of the samples, 0 to 4294967295.</source>
+        <translation>Начальное число выборок, от 0 до 4294967295.</translation>
+    </message>
+    <message>
+        <source>Reconstruction filter.</source>
+        <translation>Фильтр восстановления.</translation>
+    </message>
+    <message>
+        <source>Exposure in stops: each doubles the brightness, -30 to 30. Left out, it follows from the picture.</source>
+        <translation>Экспозиция в ступенях: каждая удваивает яркость, от -30 до 30. Если не задана, следует из картины.</translation>
+    </message>
+    <message>
+        <source>Phong coefficients of one object.</source>
+        <translation>Коэффициенты Фонга одного предмета.</translation>
+    </message>
+    <message>
+        <source>Factor of the object&apos;s own colours. Linear Rec. 709 [red, green, blue], each 0 to 1.</source>
+        <translation>Множитель собственных цветов предмета. Линейные Rec. 709: [красный, зелёный, синий], каждый от 0 до 1.</translation>
+    </message>
+    <message>
+        <source>Factor of the sky&apos;s light, 0 to 10.</source>
+        <translation>Множитель света неба, от 0 до 10.</translation>
+    </message>
+    <message>
+        <source>Factor of Lambert&apos;s term, 0 to 10.</source>
+        <translation>Множитель слагаемого Ламберта, от 0 до 10.</translation>
+    </message>
+    <message>
+        <source>Factor of the highlight, 0 to 10.</source>
+        <translation>Множитель блика, от 0 до 10.</translation>
+    </message>
+    <message>
+        <source>Exponent of the highlight, 1 to 10000.</source>
+        <translation>Показатель степени блика, от 1 до 10000.</translation>
+    </message>
+    <message>
+        <source>Share of the light on the far side that shines through, 0 to 1.</source>
+        <translation>Доля света с обратной стороны, которая проходит насквозь, от 0 до 1.</translation>
+    </message>
+    <message>
+        <source>Light of its own, times the colour of the vertices. Linear Rec. 709 [red, green, blue], each 0 to 1000000.</source>
+        <translation>Собственный свет, умноженный на цвет вершин. Линейные Rec. 709: [красный, зелёный, синий], каждый от 0 до 1000000.</translation>
+    </message>
+    <message>
+        <source>Whether what keeps the sky&apos;s light off sends sunlight of its own instead.</source>
+        <translation>Посылает ли то, что заслоняет свет неба, вместо него отражённый солнечный свет.</translation>
+    </message>
+    <message>
+        <source>Heaped clouds over flat bases. Their shadows fall on the land.</source>
+        <translation>Кучевые облака с плоским основанием. Их тени падают на землю.</translation>
+    </message>
+    <message>
+        <source>Share of the sky straight above that they cover, 0 (none) to 1.</source>
+        <translation>Доля неба прямо над головой, которую они закрывают, от 0 (нет) до 1.</translation>
+    </message>
+    <message>
+        <source>Height of their bases above the sea in metres, 0 to 20000.</source>
+        <translation>Высота их оснований над морем в метрах, от 0 до 20000.</translation>
+    </message>
+    <message>
+        <source>From the bases to high tops in metres, 10 to 10000.</source>
+        <translation>От оснований до высоких вершин в метрах, от 10 до 10000.</translation>
+    </message>
+    <message>
+        <source>How wide a cloud is, in metres, 10 to 20000.</source>
+        <translation>Ширина одного облака в метрах, от 10 до 20000.</translation>
+    </message>
+    <message>
+        <source>Another number, other clouds, 0 to 4294967295.</source>
+        <translation>Другое число — другие облака, от 0 до 4294967295.</translation>
+    </message>
+    <message>
+        <source>Further balloons, at most 32; each is built as fine as its size in the picture asks for.</source>
+        <translation>Другие шары, не больше 32; каждый построен настолько подробно, насколько он велик на картине.</translation>
+    </message>
+    <message>
+        <source>A hot-air balloon. All that are there share the ids of their parts in an EXR.</source>
+        <translation>Воздушный шар. У всех шаров номера частей в EXR общие.</translation>
+    </message>
+    <message>
+        <source>How hard the burners fire, 0 (no flame) to 1; their light fills the envelope.</source>
+        <translation>Как сильно горят горелки, от 0 (без пламени) до 1; их свет заполняет оболочку.</translation>
+    </message>
+    <message>
+        <source>Fabrics that go together. Left out, the biome chooses; further balloons take turns.</source>
+        <translation>Ткани, которые подходят друг другу. Если не задано, выбирает биом; другие шары чередуют их.</translation>
+    </message>
+    <message>
+        <source>Colours of the fabric in place of a palette&apos;s, 1 to 64 of them; the pattern repeats them.</source>
+        <translation>Цвета ткани вместо палитры, от 1 до 64; узор повторяет их.</translation>
+    </message>
+    <message>
+        <source>Samples per pixel, at most if adaptive_threshold is above 0, 1 to 65536.</source>
+        <translation>Лучей на пиксель, от 1 до 65536; при adaptive_threshold больше 0 — самое большее.</translation>
+    </message>
+    <message>
+        <source>From 16 samples on, a pixel whose noise is estimated at less than this share of the way from black to white on a display has enough of them, 0 (all get spp) to 1.</source>
+        <translation>Начиная с 16 лучей пикселю, шум которого оценён меньше этой доли пути от чёрного до белого на экране, их достаточно; от 0 (все получают spp) до 1.</translation>
+    </message>
+    <message>
+        <source>Colour temperature in kelvins of the light that comes out white, 1700 to 25000; 6504 changes nothing. Left out, it goes half of the way to the daylight of the scene.</source>
+        <translation>Цветовая температура света, который выйдет белым, в кельвинах, от 1700 до 25000; 6504 ничего не меняет. Если не задана, проходит полпути до дневного света сцены.</translation>
+    </message>
+    <message>
+        <source>Share of the light that is lost in the corners of the picture, by the fourth power of a cosine, 0 (none) to 0.9.</source>
+        <translation>Доля света, которая теряется в углах картины, по четвёртой степени косинуса, от 0 (нет) до 0,9.</translation>
+    </message>
+</context>
+<context>
+    <name>Units</name>
+    <message>
+        <source>m</source>
+        <translation>м</translation>
+    </message>
+    <message>
+        <source>°</source>
+        <translation>°</translation>
+    </message>
+    <message>
+        <source>px</source>
+        <translation>пкс</translation>
+    </message>
+    <message>
+        <source>EV</source>
+        <translation>EV</translation>
+    </message>
+    <message>
+        <source>K</source>
+        <translation>К</translation>
+    </message>
+    <message>
+        <source>DU</source>
+        <translation>ед. Д.</translation>
+    </message>
+</context>
+<context>
+    <name>Words</name>
+    <message>
+        <source>snow</source>
+        <translation>снег</translation>
+    </message>
+    <message>
+        <source>tropical</source>
+        <translation>тропики</translation>
+    </message>
+    <message>
+        <source>sand</source>
+        <translation>пески</translation>
+    </message>
+    <message>
+        <source>sea</source>
+        <translation>от моря</translation>
+    </message>
+    <message>
+        <source>ground</source>
+        <translation>от земли</translation>
+    </message>
+    <message>
+        <source>balloon</source>
+        <translation>от корзины шара</translation>
+    </message>
+    <message>
+        <source>flat</source>
+        <translation>плоское</translation>
+    </message>
+    <message>
+        <source>gouraud</source>
+        <translation>по Гуро</translation>
+    </message>
+    <message>
+        <source>phong</source>
+        <translation>по Фонгу</translation>
+    </message>
+    <message>
+        <source>draft</source>
+        <translation>черновик</translation>
+    </message>
+    <message>
+        <source>standard</source>
+        <translation>обычное</translation>
+    </message>
+    <message>
+        <source>final</source>
+        <translation>чистовое</translation>
+    </message>
+    <message>
+        <source>stripes</source>
+        <translation>полосы</translation>
+    </message>
+    <message>
+        <source>chevrons</source>
+        <translation>шевроны</translation>
+    </message>
+    <message>
+        <source>spiral</source>
+        <translation>спираль</translation>
+    </message>
+    <message>
+        <source>rainbow</source>
+        <translation>радуга</translation>
+    </message>
+    <message>
+        <source>checker</source>
+        <translation>шахматный</translation>
+    </message>
+    <message>
+        <source>box</source>
+        <translation>прямоугольный</translation>
+    </message>
+    <message>
+        <source>tent</source>
+        <translation>треугольный</translation>
+    </message>
+    <message>
+        <source>gaussian</source>
+        <translation>гауссов</translation>
+    </message>
+    <message>
+        <source>pinhole</source>
+        <translation>точечный</translation>
+    </message>
+    <message>
+        <source>thin_lens</source>
+        <translation>тонкая линза</translation>
+    </message>
+    <message>
+        <source>panorama</source>
+        <translation>панорама</translation>
+    </message>
+    <message>
+        <source>orthographic</source>
+        <translation>параллельная проекция</translation>
+    </message>
+    <message>
+        <source>ember</source>
+        <translation>угли</translation>
+    </message>
+    <message>
+        <source>lagoon</source>
+        <translation>лагуна</translation>
+    </message>
+    <message>
+        <source>spectrum</source>
+        <translation>спектр</translation>
+    </message>
+    <message>
+        <source>glacier</source>
+        <translation>ледник</translation>
+    </message>
+    <message>
+        <source>orchard</source>
+        <translation>сад</translation>
+    </message>
+    <message>
+        <source>plum</source>
+        <translation>слива</translation>
+    </message>
+    <message>
+        <source>regatta</source>
+        <translation>регата</translation>
+    </message>
+    <message>
+        <source>meadow</source>
+        <translation>луг</translation>
+    </message>
+    <message>
+        <source>mountains</source>
+        <translation>горы</translation>
+    </message>
+    <message>
+        <source>island</source>
+        <translation>остров</translation>
+    </message>
+    <message>
+        <source>dunes</source>
+        <translation>дюны</translation>
+    </message>
+    <message>
+        <source>fbm</source>
+        <translation>плавный</translation>
+    </message>
+    <message>
+        <source>ridged</source>
+        <translation>гребнистый</translation>
+    </message>
+    <message>
+        <source>terrain</source>
+        <translation>земля</translation>
+    </message>
+    <message>
+        <source>water</source>
+        <translation>вода</translation>
+    </message>
+    <message>
+        <source>envelope</source>
+        <translation>оболочка</translation>
+    </message>
+    <message>
+        <source>skirt</source>
+        <translation>юбка</translation>
+    </message>
+    <message>
+        <source>basket</source>
+        <translation>корзина</translation>
+    </message>
+    <message>
+        <source>rim</source>
+        <translation>борт</translation>
+    </message>
+    <message>
+        <source>frame</source>
+        <translation>рама</translation>
+    </message>
+    <message>
+        <source>cables</source>
+        <translation>тросы</translation>
+    </message>
+    <message>
+        <source>floor</source>
+        <translation>пол</translation>
+    </message>
+    <message>
+        <source>flame</source>
+        <translation>пламя</translation>
+    </message>
+    <message>
+        <source>plant</source>
+        <translation>растения</translation>
+    </message>
+    <message>
+        <source>stone</source>
+        <translation>камни</translation>
+    </message>
+</context>
+<context>
+    <name>aerostat::viewer::CameraControl</name>
+    <message>
+        <source>Free View</source>
+        <translation>Свободный вид</translation>
+    </message>
+    <message>
+        <source>View from the Basket</source>
+        <translation>Вид из корзины</translation>
+    </message>
+    <message>
+        <source>View from Outside</source>
+        <translation>Вид снаружи</translation>
+    </message>
+    <message>
+        <source>Orbit</source>
+        <translation>Облёт</translation>
+    </message>
+    <message>
+        <source>Look Around</source>
+        <translation>Поворот камеры</translation>
+    </message>
+    <message>
+        <source>Move Closer or Away</source>
+        <translation>Приближение или удаление</translation>
+    </message>
+    <message>
+        <source>Fly</source>
+        <translation>Полёт</translation>
+    </message>
+    <message>
+        <source>Aim</source>
+        <translation>Наведение</translation>
+    </message>
+    <message>
+        <source>Put the Balloon</source>
+        <translation>Перенос шара</translation>
+    </message>
+</context>
+<context>
+    <name>aerostat::viewer::ColorEditor</name>
+    <message>
+        <source>One more colour</source>
+        <translation>Ещё один цвет</translation>
+    </message>
+    <message>
+        <source>One colour less</source>
+        <translation>На один цвет меньше</translation>
+    </message>
+    <message>
+        <source>Colour %1: %2</source>
+        <translation>Цвет %1: %2</translation>
+    </message>
+</context>
+<context>
+    <name>aerostat::viewer::ControlRow</name>
+    <message>
+        <source>Dice</source>
+        <translation>Жребий</translation>
+    </message>
+    <message>
+        <source>Another land</source>
+        <translation>Другая земля</translation>
+    </message>
+    <message>
+        <source>Back</source>
+        <translation>Назад</translation>
+    </message>
+    <message>
+        <source>The seed before the dice was thrown</source>
+        <translation>Номер до жребия</translation>
+    </message>
+    <message>
+        <source>Reset to the Default</source>
+        <translation>Вернуть значение по умолчанию</translation>
+    </message>
+    <message>
+        <source>Change %1</source>
+        <translation>Изменение: %1</translation>
+    </message>
+    <message>
+        <source>Reset %1</source>
+        <translation>Сброс: %1</translation>
+    </message>
+</context>
+<context>
+    <name>aerostat::viewer::Document</name>
+    <message>
+        <source>Out of memory</source>
+        <translation>Не хватает памяти</translation>
+    </message>
+</context>
+<context>
+    <name>aerostat::viewer::ExportDialog</name>
+    <message>
+        <source> px</source>
+        <translation> пкс</translation>
+    </message>
+    <message>
+        <source>&amp;Export</source>
+        <translation>&amp;Записать</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Закрыть</translation>
+    </message>
+    <message>
+        <source>Export Picture</source>
+        <translation>Экспорт картины</translation>
+    </message>
+    <message>
+        <source>As the scene says</source>
+        <translation>Как в сцене</translation>
+    </message>
+    <message>
+        <source>&amp;Browse…</source>
+        <translation>&amp;Обзор…</translation>
+    </message>
+    <message>
+        <source>A name that ends in .exr keeps the light as it is, with distances, normals and objects in layers; any other gives a PNG.</source>
+        <translation>Файл .exr хранит свет как есть, а в слоях — расстояния, нормали и номера предметов; при любом другом имени получится PNG.</translation>
+    </message>
+    <message>
+        <source>Pictures (*.png)</source>
+        <translation>Картинки (*.png)</translation>
+    </message>
+    <message>
+        <source>OpenEXR (*.exr)</source>
+        <translation>OpenEXR (*.exr)</translation>
+    </message>
+    <message>
+        <source>Wrote %1</source>
+        <translation>Записан файл %1</translation>
+    </message>
+    <message>
+        <source>Cancelled</source>
+        <translation>Отменено</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Отмена</translation>
+    </message>
+    <message>
+        <source>Cancelling…</source>
+        <translation>Отмена…</translation>
+    </message>
+    <message>
+        <source>File</source>
+        <translation>Файл</translation>
+    </message>
+    <message>
+        <source>Quality</source>
+        <translation>Качество</translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation>Размер</translation>
+    </message>
+</context>
+<context>
+    <name>aerostat::viewer::ExportJob</name>
+    <message>
+        <source>Tracing rays…</source>
+        <translation>Трассировка лучей…</translation>
+    </message>
+    <message>
+        <source>Building the world…</source>
+        <translation>Построение мира…</translation>
+    </message>
+    <message>
+        <source>Out of memory</source>
+        <translation>Не хватает памяти</translation>
+    </message>
+</context>
+<context>
+    <name>aerostat::viewer::ItemPicker</name>
+    <message>
+        <source>One more lamp</source>
+        <translation>Ещё одна лампа</translation>
+    </message>
+    <message>
+        <source>One more balloon</source>
+        <translation>Ещё один шар</translation>
+    </message>
+    <message>
+        <source>Take this lamp away</source>
+        <translation>Убрать эту лампу</translation>
+    </message>
+    <message>
+        <source>Take this balloon away</source>
+        <translation>Убрать этот шар</translation>
+    </message>
+    <message>
+        <source>Balloon %1</source>
+        <translation>Шар %1</translation>
+    </message>
+    <message>
+        <source>Lamp %1</source>
+        <translation>Лампа %1</translation>
+    </message>
+</context>
+<context>
+    <name>aerostat::viewer::MainWindow</name>
+    <message>
+        <source>Controls</source>
+        <translation>Настройки</translation>
+    </message>
+    <message>
+        <source>Try Again</source>
+        <translation>Ещё раз</translation>
+    </message>
+    <message>
+        <source>Use the Automatic Device</source>
+        <translation>Выбрать устройство само</translation>
+    </message>
+    <message>
+        <source>Use %1</source>
+        <translation>Взять %1</translation>
+    </message>
+    <message>
+        <source>Unnamed scene</source>
+        <translation>Сцена без имени</translation>
+    </message>
+    <message>
+        <source>%1[*] — Aerostat</source>
+        <translation>%1[*] — Аэростат</translation>
+    </message>
+    <message>
+        <source>&amp;File</source>
+        <translation>&amp;Файл</translation>
+    </message>
+    <message>
+        <source>&amp;New</source>
+        <translation>&amp;Новая</translation>
+    </message>
+    <message>
+        <source>&amp;Snowy Mountains</source>
+        <translation>&amp;Снежные горы</translation>
+    </message>
+    <message>
+        <source>&amp;Tropical Island</source>
+        <translation>&amp;Тропический остров</translation>
+    </message>
+    <message>
+        <source>&amp;Dunes</source>
+        <translation>&amp;Дюны</translation>
+    </message>
+    <message>
+        <source>&amp;Open…</source>
+        <translation>&amp;Открыть…</translation>
+    </message>
+    <message>
+        <source>&amp;Save</source>
+        <translation>&amp;Сохранить</translation>
+    </message>
+    <message>
+        <source>Save &amp;As…</source>
+        <translation>Сохранить &amp;как…</translation>
+    </message>
+    <message>
+        <source>&amp;Export Picture…</source>
+        <translation>&amp;Экспорт картины…</translation>
+    </message>
+    <message>
+        <source>Copy &amp;Image</source>
+        <translation>Копировать &amp;изображение</translation>
+    </message>
+    <message>
+        <source>Copy as Command &amp;Line</source>
+        <translation>Копировать как ко&amp;манду</translation>
+    </message>
+    <message>
+        <source>&amp;Quit</source>
+        <translation>&amp;Выход</translation>
+    </message>
+    <message>
+        <source>&amp;Edit</source>
+        <translation>&amp;Правка</translation>
+    </message>
+    <message>
+        <source>&amp;Undo</source>
+        <translation>&amp;Отменить</translation>
+    </message>
+    <message>
+        <source>&amp;Redo</source>
+        <translation>&amp;Повторить</translation>
+    </message>
+    <message>
+        <source>Reset &amp;Everything but the Biome</source>
+        <translation>&amp;Сбросить всё, кроме биома</translation>
+    </message>
+    <message>
+        <source>Reset Everything</source>
+        <translation>Сброс всех настроек</translation>
+    </message>
+    <message>
+        <source>&amp;View</source>
+        <translation>&amp;Вид</translation>
+    </message>
+    <message>
+        <source>&amp;Fit the Window</source>
+        <translation>&amp;По размеру окна</translation>
+    </message>
+    <message>
+        <source>Pixel for Pixel (&amp;1:1)</source>
+        <translation>Пиксель в пиксель (&amp;1:1)</translation>
+    </message>
+    <message>
+        <source>F&amp;ull Screen</source>
+        <translation>Во весь &amp;экран</translation>
+    </message>
+    <message>
+        <source>Go to the &amp;Picture</source>
+        <translation>Перейти к &amp;картине</translation>
+    </message>
+    <message>
+        <source>&amp;Camera</source>
+        <translation>&amp;Камера</translation>
+    </message>
+    <message>
+        <source>From &amp;Outside</source>
+        <translation>&amp;Снаружи</translation>
+    </message>
+    <message>
+        <source>From the &amp;Basket</source>
+        <translation>Из &amp;корзины</translation>
+    </message>
+    <message>
+        <source>&amp;Free</source>
+        <translation>С&amp;вободно</translation>
+    </message>
+    <message>
+        <source>&amp;Put the Balloon by a Click</source>
+        <translation>&amp;Поставить шар щелчком</translation>
+    </message>
+    <message>
+        <source>&amp;Help</source>
+        <translation>&amp;Справка</translation>
+    </message>
+    <message>
+        <source>&amp;Mouse and Keys</source>
+        <translation>&amp;Мышь и клавиши</translation>
+    </message>
+    <message>
+        <source>&amp;About Aerostat</source>
+        <translation>&amp;О программе</translation>
+    </message>
+    <message>
+        <source>About Aerostat</source>
+        <translation>О программе «Аэростат»</translation>
+    </message>
+    <message>
+        <source>&lt;h3&gt;Aerostat %1&lt;/h3&gt;&lt;p&gt;Pictures of a hot-air balloon before a mountain landscape, ray-traced on OpenCL.&lt;/p&gt;&lt;p&gt;MIT licence. Uses Qt %2 under the LGPL, version 3.&lt;/p&gt;</source>
+        <translation>&lt;h3&gt;Аэростат %1&lt;/h3&gt;&lt;p&gt;Картины воздушного шара на фоне гор, трассировка лучей на OpenCL.&lt;/p&gt;&lt;p&gt;Лицензия MIT. Использует Qt %2 по лицензии LGPL версии 3.&lt;/p&gt;</translation>
+    </message>
+    <message>
+        <source>building the land…</source>
+        <translation>строится рельеф…</translation>
+    </message>
+    <message>
+        <source>building trees…</source>
+        <translation>строятся деревья поиска…</translation>
+    </message>
+    <message>
+        <source>compiling kernels…</source>
+        <translation>компилируются ядра…</translation>
+    </message>
+    <message>
+        <source>uploading…</source>
+        <translation>загрузка в устройство…</translation>
+    </message>
+    <message>
+        <source>%1 × %2</source>
+        <translation>%1 × %2</translation>
+    </message>
+    <message>
+        <source>1/%1 of the size</source>
+        <translation>1/%1 размера</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n sample(s) a pixel</source>
+        <translation>
+            <numerusform>%n луч на пиксель</numerusform>
+            <numerusform>%n луча на пиксель</numerusform>
+            <numerusform>%n лучей на пиксель</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>coarse land</source>
+        <translation>грубый рельеф</translation>
+    </message>
+    <message>
+        <source>%1 Mrays/s</source>
+        <translation>%1 млн лучей/с</translation>
+    </message>
+    <message>
+        <source>%1 s</source>
+        <translation>%1 с</translation>
+    </message>
+    <message>
+        <source>done</source>
+        <translation>готово</translation>
+    </message>
+    <message>
+        <source>eye %1 m above ground</source>
+        <translation>глаз в %1 м над землёй</translation>
+    </message>
+    <message>
+        <source>%1  ·  %2 s</source>
+        <translation>%1  ·  %2 с</translation>
+    </message>
+</context>
+<context>
+    <name>aerostat::viewer::MessageBar</name>
+    <message>
+        <source>Dismiss</source>
+        <translation>Скрыть</translation>
+    </message>
+</context>
+<context>
+    <name>aerostat::viewer::NumberEditor</name>
+    <message>
+        <source>automatic</source>
+        <translation>авто</translation>
+    </message>
+</context>
+<context>
+    <name>aerostat::viewer::Panels</name>
+    <message>
+        <source>&amp;Land</source>
+        <translation>&amp;Земля</translation>
+    </message>
+    <message>
+        <source>Li&amp;ght</source>
+        <translation>&amp;Свет</translation>
+    </message>
+    <message>
+        <source>Sun</source>
+        <translation>Солнце</translation>
+    </message>
+    <message>
+        <source>&amp;Balloon</source>
+        <translation>&amp;Шар</translation>
+    </message>
+    <message>
+        <source>&amp;Picture</source>
+        <translation>&amp;Картина</translation>
+    </message>
+    <message>
+        <source>From outside</source>
+        <translation>Снаружи</translation>
+    </message>
+    <message>
+        <source>From the basket</source>
+        <translation>Из корзины</translation>
+    </message>
+    <message>
+        <source>Free</source>
+        <translation>Свободно</translation>
+    </message>
+    <message>
+        <source>Where the camera stands: before the balloon, in its basket, or where you move it</source>
+        <translation>Где стоит камера: перед шаром, в его корзине или там, куда её переместят</translation>
+    </message>
+    <message>
+        <source>Choose…</source>
+        <translation>Выбрать…</translation>
+    </message>
+    <message>
+        <source>Cameras that suit any scene, counted from the balloon</source>
+        <translation>Камеры для любой сцены; их места отсчитаны от шара</translation>
+    </message>
+    <message>
+        <source>Put the Balloon by a Click</source>
+        <translation>Поставить шар щелчком</translation>
+    </message>
+    <message>
+        <source>Then click on the ground below the place for the balloon (or Ctrl+click at any time)</source>
+        <translation>Затем щёлкните по земле под местом для шара (или Ctrl+щелчок в любое время)</translation>
+    </message>
+    <message>
+        <source>View</source>
+        <translation>Вид</translation>
+    </message>
+    <message>
+        <source>Preset</source>
+        <translation>Заготовка</translation>
+    </message>
+    <message>
+        <source>Change the Size</source>
+        <translation>Изменение размера</translation>
+    </message>
+    <message>
+        <source>Usual sizes</source>
+        <translation>Обычные размеры</translation>
+    </message>
+    <message>
+        <source>Automatic</source>
+        <translation>Выбрать само</translation>
+    </message>
+    <message>
+        <source>What computes the picture. Not part of the scene.</source>
+        <translation>Что вычисляет картину. К сцене не относится.</translation>
+    </message>
+    <message>
+        <source>Computing</source>
+        <translation>Вычисление</translation>
+    </message>
+    <message>
+        <source>Device</source>
+        <translation>Устройство</translation>
+    </message>
+    <message>
+        <source>&amp;Materials</source>
+        <translation>&amp;Материалы</translation>
+    </message>
+    <message>
+        <source>Balloon</source>
+        <translation>Шар</translation>
+    </message>
+    <message>
+        <source>Lamp</source>
+        <translation>Лампа</translation>
+    </message>
+    <message>
+        <source>Material of</source>
+        <translation>Материал</translation>
+    </message>
+</context>
+<context>
+    <name>aerostat::viewer::PictureView</name>
+    <message>
+        <source>Picture</source>
+        <translation>Картина</translation>
+    </message>
+</context>
+<context>
+    <name>aerostat::viewer::SceneFiles</name>
+    <message>
+        <source>Scenes (*.json)</source>
+        <translation>Сцены (*.json)</translation>
+    </message>
+    <message>
+        <source>All files (*)</source>
+        <translation>Все файлы (*)</translation>
+    </message>
+    <message>
+        <source>Unsaved Changes</source>
+        <translation>Несохранённые изменения</translation>
+    </message>
+    <message>
+        <source>The scene was changed. Save it first?</source>
+        <translation>Сцена изменена. Сохранить её?</translation>
+    </message>
+    <message>
+        <source>Open a Scene</source>
+        <translation>Открыть сцену</translation>
+    </message>
+    <message>
+        <source>Save the Scene</source>
+        <translation>Сохранить сцену</translation>
+    </message>
+    <message>
+        <source>Open &amp;Recent</source>
+        <translation>Н&amp;едавние</translation>
+    </message>
+</context>
+<context>
+    <name>aerostat::viewer::ShortcutsDialog</name>
+    <message>
+        <source>Drag</source>
+        <translation>Потянуть</translation>
+    </message>
+    <message>
+        <source>turn around what is looked at; in the basket, look around</source>
+        <translation>облететь точку взгляда; в корзине — оглядеться</translation>
+    </message>
+    <message>
+        <source>Right drag, Shift+drag</source>
+        <translation>Потянуть правой кнопкой или с Shift</translation>
+    </message>
+    <message>
+        <source>look around</source>
+        <translation>оглядеться</translation>
+    </message>
+    <message>
+        <source>Wheel, Page Up, Page Down</source>
+        <translation>Колесо, Page Up, Page Down</translation>
+    </message>
+    <message>
+        <source>closer, away</source>
+        <translation>ближе, дальше</translation>
+    </message>
+    <message>
+        <source>Double click</source>
+        <translation>Двойной щелчок</translation>
+    </message>
+    <message>
+        <source>aim there</source>
+        <translation>навести туда камеру</translation>
+    </message>
+    <message>
+        <source>Ctrl+click</source>
+        <translation>Ctrl+щелчок</translation>
+    </message>
+    <message>
+        <source>put the balloon above it</source>
+        <translation>поставить шар над этим местом</translation>
+    </message>
+    <message>
+        <source>W A S D</source>
+        <translation>W A S D</translation>
+    </message>
+    <message>
+        <source>fly ahead, left, back, right (Shift: fast)</source>
+        <translation>лететь вперёд, влево, назад, вправо (Shift — быстро)</translation>
+    </message>
+    <message>
+        <source>Q, E</source>
+        <translation>Q, E</translation>
+    </message>
+    <message>
+        <source>down, up</source>
+        <translation>вниз, вверх</translation>
+    </message>
+    <message>
+        <source>Arrows, Shift+arrows</source>
+        <translation>Стрелки, Shift+стрелки</translation>
+    </message>
+    <message>
+        <source>turn around it, look around</source>
+        <translation>облететь, оглядеться</translation>
+    </message>
+    <message>
+        <source>Middle drag</source>
+        <translation>Потянуть средней кнопкой</translation>
+    </message>
+    <message>
+        <source>shift the picture at 1:1</source>
+        <translation>сдвинуть картину при 1:1</translation>
+    </message>
+    <message>
+        <source>Double click on a name, Ctrl+Backspace</source>
+        <translation>Двойной щелчок по названию, Ctrl+Backspace</translation>
+    </message>
+    <message>
+        <source>back to the default</source>
+        <translation>вернуть значение по умолчанию</translation>
+    </message>
+    <message>
+        <source>Arrows on the sun&apos;s disc</source>
+        <translation>Стрелки на круге солнца</translation>
+    </message>
+    <message>
+        <source>move the sun (Shift: by 10°)</source>
+        <translation>сдвинуть солнце (Shift — на 10°)</translation>
+    </message>
+    <message>
+        <source>Ctrl+.</source>
+        <translation>Ctrl+.</translation>
+    </message>
+    <message>
+        <source>dismiss a message</source>
+        <translation>скрыть сообщение</translation>
+    </message>
+    <message>
+        <source>Mouse and Keys</source>
+        <translation>Мышь и клавиши</translation>
+    </message>
+    <message>
+        <source>On the picture</source>
+        <translation>На картине</translation>
+    </message>
+    <message>
+        <source>On the controls</source>
+        <translation>На настройках</translation>
+    </message>
+</context>
+<context>
+    <name>aerostat::viewer::SunDisc</name>
+    <message>
+        <source>Sun</source>
+        <translation>Солнце</translation>
+    </message>
+    <message>
+        <source>Drag the sun: the rim is the horizon, the middle the zenith, north is up. Double-click for the default.</source>
+        <translation>Тяните солнце: край — горизонт, середина — зенит, север наверху. Двойной щелчок вернёт значение по умолчанию.</translation>
+    </message>
+    <message>
+        <source>N</source>
+        <comment>north</comment>
+        <translation>С</translation>
+    </message>
+    <message>
+        <source>E</source>
+        <comment>east</comment>
+        <translation>В</translation>
+    </message>
+    <message>
+        <source>S</source>
+        <comment>south</comment>
+        <translation>Ю</translation>
+    </message>
+    <message>
+        <source>W</source>
+        <comment>west</comment>
+        <translation>З</translation>
+    </message>
+</context>
+<context>
+    <name>aerostat::viewer::SunPanel</name>
+    <message>
+        <source>By date, time and place</source>
+        <translation>По дате, времени и месту</translation>
+    </message>
+    <message>
+        <source>Day at which the sun stands where it stands</source>
+        <translation>День, в который солнце стоит именно так</translation>
+    </message>
+    <message>
+        <source>Time of that day, by the clock of the place</source>
+        <translation>Время того дня по часам этого места</translation>
+    </message>
+    <message>
+        <source>UTC </source>
+        <comment>before an offset in hours</comment>
+        <translation>UTC </translation>
+    </message>
+    <message>
+        <source> h</source>
+        <translation> ч</translation>
+    </message>
+    <message>
+        <source>How far that clock is ahead of universal time</source>
+        <translation>На сколько эти часы впереди всемирного времени</translation>
+    </message>
+    <message>
+        <source>Date</source>
+        <translation>Дата</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>Время</translation>
+    </message>
+    <message>
+        <source>Clock</source>
+        <translation>Часы</translation>
+    </message>
+    <message>
+        <source>Latitude</source>
+        <translation>Широта</translation>
+    </message>
+    <message>
+        <source>Longitude</source>
+        <translation>Долгота</translation>
+    </message>
+    <message>
+        <source>Azimuth</source>
+        <translation>Азимут</translation>
+    </message>
+    <message>
+        <source>Elevation</source>
+        <translation>Высота над горизонтом</translation>
+    </message>
+    <message>
+        <source>Move the Sun</source>
+        <translation>Перемещение солнца</translation>
+    </message>
+    <message>
+        <source>Move the Sun by Date</source>
+        <translation>Солнце по дате</translation>
+    </message>
+    <message>
+        <source>Reset the Sun</source>
+        <translation>Сброс солнца</translation>
+    </message>
+</context>
+<context>
+    <name>main</name>
+    <message>
+        <source>Sets up a picture of aerostat by eye.</source>
+        <translation>Настройка картин aerostat на глаз.</translation>
+    </message>
+    <message>
+        <source>Scene file to open</source>
+        <translation>Файл сцены, который открыть</translation>
+    </message>
+    <message>
+        <source>What computes, as of aerostat render</source>
+        <translation>Что вычисляет, как у aerostat render</translation>
+    </message>
+</context>
 </TS>
