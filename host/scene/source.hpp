@@ -29,7 +29,8 @@ class SceneSource {
   SceneSource with(const std::vector<Override>& changes) const;
 
   /// This source without what it says at these pointers, so that their defaults count again; an
-  /// array's element gets its default's; what an object of a list says goes, the object stays. Errors as of `with`.
+  /// array's element gets its default's; what an object of a list says goes, the object stays.
+  /// Errors as of `with`.
   SceneSource without(const std::vector<std::string>& pointers) const;
 
   /// The value that counts at a pointer, given or by default, as JSON text; empty if there is none.
