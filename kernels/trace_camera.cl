@@ -12,12 +12,16 @@ __kernel void trace_camera_rays(const AeroLaunch launch, __global const AeroBvhN
   const World world = make_world(nodes, triangles, instances, grid);
   const AeroFrame frame = launch.frame;
   const AeroTile tile = launch.tile;
+  /* All packets of a tile hold the same samples, which look the same way beside their pixels. */
+  const PixelPacket block = pixel_packet(&tile, first);
+  lane_float dx, dy;
+  filter_offset(&frame, block.sample, &dx, &dy);
   TracedPacket packets[BUNDLE];
   for (uint i = 0u; i < BUNDLE; ++i) {
     /* Blocks beyond the tile's last lie below it: their lanes are off. */
     PixelPacket packet = pixel_packet(&tile, first + i);
     leave_settled(film, frame.width, tile.first_sample, &packet);
-    const Ray ray = generate_rays(&frame, &packet);
+    const Ray ray = generate_offset_rays(&frame, &packet, dx, dy);
     start_packet(packets + i, &ray);
   }
   trace_bundle(&world, packets, TRACE_NEAREST);
