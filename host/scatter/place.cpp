@@ -60,6 +60,9 @@ class Planter {
  private:
   /// A square whose plant has passed all that costs little.
   struct Candidate {
+    Candidate(const plant::Random& own_random, double own_fate)
+        : random(own_random), fate(own_fate) {}
+
     Site site;
     Surface::Spot spot;
     plant::Random random;
@@ -92,6 +95,7 @@ class Planter {
     };
     const std::int64_t last = square(place_.center.x + half);
     const RowRandom random(place_.seed, layer_.id, j);
+    candidates.reserve(512);
     std::optional<Sight::Row> sight;
     if (place_.sight != nullptr) sight = place_.sight->row(middle(j));
     for (std::int64_t i = square(place_.center.x - half); i <= last; ++i) {
@@ -117,15 +121,23 @@ class Planter {
     const double fate = random.unit();
     if (!(fate < static_cast<double>(layer_.most))) return;
     if (!place_.surface.covers(x, z)) return;
-    const Surface::Spot spot = place_.surface.spot_at(x, z);
+    // Written where it stays: what is put together elsewhere is copied before it has arrived.
+    Candidate& candidate = candidates.emplace_back(random, fate);
+    if (!stand(x, z, candidate)) candidates.pop_back();
+  }
+
+  /// Puts a candidate on the ground, if the ground is right.
+  bool stand(double x, double z, Candidate& candidate) const {
+    Surface::Spot& spot = candidate.spot;
+    Site& site = candidate.site;
+    place_.surface.find(x, z, spot);
     const float height = spot.position.y;
-    if (height < layer_.lowest || height > layer_.highest) return;
-    Site site{spot.position, {}, height - place_.sea_level_m, {}};
-    if (layer_.steepest_cos > 0.0f) {
-      site.normal = place_.surface.normal(spot);
-      if (site.normal.y < layer_.steepest_cos) return;
-    }
-    candidates.push_back({site, spot, random, fate});
+    if (height < layer_.lowest || height > layer_.highest) return false;
+    site.position = spot.position;
+    site.above_sea = height - place_.sea_level_m;
+    if (!(layer_.steepest_cos > 0.0f)) return true;
+    site.normal = place_.surface.normal(spot);
+    return site.normal.y >= layer_.steepest_cos;
   }
 
   void grow(Candidate& candidate, std::vector<Instance>& row) const {

@@ -38,9 +38,8 @@ bool Surface::covers(double x, double z) const {
   return x_.cover(x) && z_.cover(z);
 }
 
-Surface::Spot Surface::spot_at(double x, double z) const {
+void Surface::find(double x, double z, Spot& spot) const {
   const Lines::Place u = x_.at(x), v = z_.at(z);
-  Spot spot;
   const std::uint32_t i = spot.i = u.cell, j = spot.j = v.cell;
   const float a = ground_.height(i, j), b = ground_.height(i + 1, j);
   const float c = ground_.height(i, j + 1), d = ground_.height(i + 1, j + 1);
@@ -62,7 +61,6 @@ Surface::Spot Surface::spot_at(double x, double z) const {
   spot.position = {static_cast<float>(x),
                    weight[0] * a + weight[1] * b + weight[2] * c + weight[3] * d,
                    static_cast<float>(z)};
-  return spot;
 }
 
 vec3 Surface::normal(const Spot& spot) const {

@@ -43,7 +43,8 @@ class Surface {
 
   /// The point of the triangle over or under (x, z); outside the mesh its rim goes on level.
   SurfacePoint at(double x, double z) const {
-    const Spot spot = spot_at(x, z);
+    Spot spot;
+    find(x, z, spot);
     return {spot.position, normal(spot)};
   }
 
@@ -53,11 +54,15 @@ class Surface {
     std::uint32_t i, j;  // the cell
     float weight[4];     // of its vertices (i, j), (i + 1, j), (i, j + 1), (i + 1, j + 1)
   };
-  Spot spot_at(double x, double z) const;
+  void find(double x, double z, Spot& spot) const;
   vec3 normal(const Spot& spot) const;
 
   bool covers(double x, double z) const;
-  float height(double x, double z) const { return spot_at(x, z).position.y; }
+  float height(double x, double z) const {
+    Spot spot;
+    find(x, z, spot);
+    return spot.position.y;
+  }
 
  private:
   const mesh::GridMesh& ground_;
