@@ -1,6 +1,7 @@
 #include "grid.hpp"
 
 #include <chrono>
+#include <memory>
 #include <vector>
 
 #include <tbb/parallel_for.h>
@@ -44,11 +45,13 @@ class GridBuilder {
 
   void survey() {
     plans_.resize(count_);
+    block_nodes_ = std::make_unique_for_overwrite<AeroBvhNode[]>(count_);
     blocks_.items = std::make_unique_for_overwrite<Primitive[]>(count_);
     blocks_.count = count_;
     tbb::parallel_for(std::uint32_t{0}, count_, [&](std::uint32_t i) {
       const GridBlock surveyed = block(i);
       plans_[i] = surveyed.plan();
+      block_nodes_[i] = surveyed.node(plans_[i]);
       store_box(blocks_.items[i], surveyed.bounds());
       blocks_.items[i].triangle = i;
       blocks_.items[i].unused = 0;
@@ -78,8 +81,7 @@ class GridBuilder {
     }
     nodes.resize(std::size_t{first} + count_);
     tbb::parallel_for(std::uint32_t{0}, count_, [&](std::uint32_t k) {
-      const std::uint32_t number = blocks_.items[k].triangle;
-      nodes[first + k] = block(number).node(plans_[number]);
+      nodes[first + k] = block_nodes_[blocks_.items[k].triangle];
     });
     for (std::uint32_t n = first; n-- > 0;) know_slopes(nodes, n);
   }
@@ -112,6 +114,7 @@ class GridBuilder {
   const BuildOptions& options_;
   std::uint32_t across_, count_;
   std::vector<BlockPlan> plans_;
+  std::unique_ptr<AeroBvhNode[]> block_nodes_;  // by block
   PrimitiveSet blocks_;
 };
 

@@ -29,30 +29,32 @@ Corner corner_of(std::uint32_t shape, std::uint32_t number) {
   return {number % across * s.width, number / across * s.height};
 }
 
-Float4 as_float4(const vec3& v) {
-  return Float4{v.x, v.y, v.z, 0.0f};
-}
-
 }  // namespace
 
 GridBlock::GridBlock(const mesh::GridMesh& grid, std::uint32_t i, std::uint32_t j)
     : grid_(grid), i_(i), j_(j) {
   const std::uint32_t width = std::min(kBlockSide, grid.columns() - i);
   const std::uint32_t height = std::min(kBlockSide, grid.rows() - j);
+  float heights[kBlockSide + 1][kBlockSide + 1];
   for (std::uint32_t row = 0; row <= height; ++row) {
     for (std::uint32_t column = 0; column <= width; ++column) {
-      const vec3 p = grid.position(i + column, j + row);
-      if (!std::isfinite(p.y))
+      const float y = heights[row][column] = grid.height(i + column, j + row);
+      if (!std::isfinite(y))
         throw Error(ErrorKind::bad_data, "building a BVH: the height of vertex " +
                                              std::to_string(i + column) + ", " +
                                              std::to_string(j + row) + " is not finite");
-      const std::uint32_t first_row = row > 0 ? row - 1 : 0,
-                          first_column = column > 0 ? column - 1 : 0;
-      for (std::uint32_t r = first_row; r <= std::min(row, height - 1); ++r) {
-        for (std::uint32_t c = first_column; c <= std::min(column, width - 1); ++c)
-          cells_[r][c].grow(as_float4(p));
-      }
-      bounds_.grow(as_float4(p));
+    }
+  }
+  for (std::uint32_t r = 0; r < height; ++r) {
+    for (std::uint32_t c = 0; c < width; ++c) {
+      const float a = heights[r][c], b = heights[r][c + 1];
+      const float d = heights[r + 1][c], e = heights[r + 1][c + 1];
+      Box& cell = cells_[r][c];
+      cell.lo =
+          Float4{grid.x(i + c), std::min(std::min(a, b), std::min(d, e)), grid.z(j + r), 0.0f};
+      cell.hi = Float4{grid.x(i + c + 1), std::max(std::max(a, b), std::max(d, e)),
+                       grid.z(j + r + 1), 0.0f};
+      bounds_.grow(cell);
     }
   }
 }
