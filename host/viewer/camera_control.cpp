@@ -7,6 +7,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "viewer/scene_presets.hpp"
+
 namespace aerostat::viewer {
 namespace {
 
@@ -217,6 +219,12 @@ void CameraControl::put_balloon(const QPointF& place, const QString& pointer) {
 
 dvec3 CameraControl::balloon_place() const {
   return shown_ ? shown_->look.scene.balloon.position : document_.scene().balloon.position;
+}
+
+void CameraControl::take_camera_of(const QString& name, const scene::SceneSource& other) {
+  document_.end_gesture();
+  document_.replace(tr("Camera: %1").arg(name), with_camera_of(document_.source(), other));
+  document_.end_gesture();
 }
 
 QStringList CameraControl::preset_names() {

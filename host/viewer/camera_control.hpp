@@ -39,6 +39,8 @@ class CameraControl : public QObject {
   /// Where the first balloon is, above the sea, as far as that is known yet.
   dvec3 balloon_place() const;
   void apply_preset(int index);
+  /// Takes the camera of another scene.
+  void take_camera_of(const QString& name, const scene::SceneSource& other);
   static QStringList preset_names();
 
   /// Where the camera is, if that is known yet.

@@ -10,12 +10,14 @@
 #include <numbers>
 
 #include "viewer/camera_control.hpp"
+#include "viewer/scene_presets.hpp"
 #include "viewer/sun_disc.hpp"
 #include "viewer/sun_panel.hpp"
 
 namespace aerostat::viewer {
 namespace {
 
+constexpr int kAsInFile = -1, kOfScenes = 100;  // of a preset; the general ones count from 1
 constexpr QSize kSizes[] = {{640, 360},   {1280, 720},  {1920, 1080},
                             {3840, 2160}, {1080, 1080}, {1080, 1350}};
 
@@ -52,6 +54,7 @@ Panels::Panels(Document& document, CameraControl& camera, QWidget* parent)
                             [&camera] { return camera.balloon_place(); })),
       materials_(new ItemPicker(ItemPicker::Kind::material, document)),
       view_(steady_box()),
+      presets_(steady_box()),
       sizes_(steady_box()),
       devices_(steady_box()) {
   setDocumentMode(true);
@@ -169,13 +172,22 @@ void Panels::add_view(QFormLayout* form) {
          "move it"));
   connect(view_, &QComboBox::activated, this,
           [this](int index) { camera_.set_kind(static_cast<ViewKind>(index)); });
-  auto* presets = steady_box();
-  presets->addItem(tr("Choose…"));
-  presets->addItems(CameraControl::preset_names());
-  presets->setToolTip(tr("Cameras that suit any scene, counted from the balloon"));
-  connect(presets, &QComboBox::activated, this, [this, presets](int index) {
-    if (index > 0) camera_.apply_preset(index - 1);
-    presets->setCurrentIndex(0);
+  presets_->setObjectName(QStringLiteral("presets"));
+  presets_->setToolTip(
+      tr("The camera as in the file, those of the scenes that came with the program in this biome, "
+         "and such as suit any scene, counted from the balloon"));
+  connect(presets_, &QComboBox::activated, this, [this](int index) {
+    const int number = presets_->itemData(index).toInt();
+    const auto own = scene_presets(document_.scene().biome.kind);
+    presets_->setCurrentIndex(0);
+    if (number == kAsInFile) {
+      camera_.take_camera_of(tr("As in the file"), document_.saved());
+    } else if (number >= kOfScenes && number - kOfScenes < static_cast<int>(own.size())) {
+      const ScenePreset& preset = own[static_cast<std::size_t>(number - kOfScenes)];
+      camera_.take_camera_of(preset.name, preset.scene);
+    } else if (number > 0) {
+      camera_.apply_preset(number - 1);
+    }
   });
   auto* place = new QPushButton(tr("Put the Balloon by a Click"));
   place->setToolTip(
@@ -184,8 +196,22 @@ void Panels::add_view(QFormLayout* form) {
   connect(place, &QPushButton::clicked, this, &Panels::placing_asked);
   form->addRow(heading(tr("View")));
   form->addRow(tr("View"), view_);
-  form->addRow(tr("Preset"), presets);
+  form->addRow(tr("Preset"), presets_);
   form->addRow(place);
+}
+
+/// What suits the biome: the file's own, those of the scenes, then the general ones.
+void Panels::fill_presets() {
+  const scene::BiomeKind biome = document_.scene().biome.kind;
+  if (presets_of_ == biome) return;
+  presets_of_ = biome;
+  presets_->clear();
+  presets_->addItem(tr("Choose…"), 0);
+  presets_->addItem(tr("As in the file"), kAsInFile);
+  int number = kOfScenes;
+  for (const ScenePreset& preset : scene_presets(biome)) presets_->addItem(preset.name, number++);
+  number = 1;
+  for (const QString& name : CameraControl::preset_names()) presets_->addItem(name, number++);
 }
 
 void Panels::add_sizes(QFormLayout* form) {
@@ -244,6 +270,7 @@ void Panels::show_view() {
 }
 
 void Panels::refresh() {
+  fill_presets();
   view_->setCurrentIndex(static_cast<int>(camera_.kind()));
   const scene::Image& image = document_.scene().image;
   const int index = sizes_->findData(QSize(image.width, image.height));

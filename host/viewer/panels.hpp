@@ -1,6 +1,7 @@
 #pragma once
 
 #include <QTabWidget>
+#include <optional>
 #include <vector>
 
 #include "viewer/editors.hpp"
@@ -49,6 +50,7 @@ class Panels : public QTabWidget {
   void add_sizes(QFormLayout* form);
   void add_device(QFormLayout* form);
   void refresh();
+  void fill_presets();
 
   Document& document_;
   CameraControl& camera_;
@@ -59,6 +61,8 @@ class Panels : public QTabWidget {
   ItemPicker* materials_;
   QToolButton* fold_ = nullptr;  // that hides the rows which are being added
   QComboBox* view_;
+  QComboBox* presets_;
+  std::optional<scene::BiomeKind> presets_of_;
   QComboBox* sizes_;
   QComboBox* devices_;
 };

@@ -13,6 +13,7 @@
 #include "viewer/color_editor.hpp"
 #include "viewer/command_text.hpp"
 #include "viewer/panels.hpp"
+#include "viewer/scene_presets.hpp"
 #include "viewer/sun_disc.hpp"
 #include "viewer/sun_panel.hpp"
 
@@ -97,6 +98,7 @@ class ControlsTest : public QObject {
   void sun_by_date();
   void the_disc_means_what_it_shows();
   void views();
+  void cameras_of_the_scenes();
   void dice_and_back();
   void undo_merges_a_gesture();
   void a_wrong_value_is_told_and_changes_nothing();
@@ -114,6 +116,7 @@ class ControlsTest : public QObject {
 };
 
 void ControlsTest::init() {
+  qputenv("AEROSTAT_SCENE_DIR", AEROSTAT_SOURCE_DIR "/scenes");
   panels_.reset();
   camera_.reset();
   document_ = std::make_unique<Document>();
@@ -312,6 +315,30 @@ void ControlsTest::views() {
     camera_->apply_preset(i);
     QCOMPARE(camera_->kind(), ViewKind::free);
   }
+}
+
+void ControlsTest::cameras_of_the_scenes() {
+  const auto of_sand = scene_presets(scene::BiomeKind::sand);
+  QCOMPARE(of_sand.size(), std::size_t{3});
+  QVERIFY(document_->set("biome", "/biome/kind", "\"sand\""));
+  QVERIFY(document_->set("seed", "/terrain/seed", "7"));
+  QVERIFY(document_->set("up", "/camera/lens", "\"panorama\""));
+  for (const ScenePreset& preset : of_sand) {
+    camera_->take_camera_of(preset.name, preset.scene);
+    QCOMPARE(
+        at(dump(*document_), "/camera"),
+        QJsonDocument::fromJson(QByteArray::fromStdString(scene::write_text(preset.scene.scene())))
+            .object()
+            .value("camera"));
+    QCOMPARE(document_->scene().terrain.seed, 7u);
+  }
+  auto* box = panels_->findChild<QComboBox*>("presets");
+  QVERIFY(box->findText("sand-empty") > 0);
+  QCOMPARE(box->findText("snow"), -1);
+  const int as_in_file = 1;
+  Q_EMIT box->activated(as_in_file);
+  QVERIFY(!document_->source().differs("/camera/lens"));
+  QCOMPARE(camera_->kind(), ViewKind::outside);
 }
 
 void ControlsTest::dice_and_back() {

@@ -22,8 +22,8 @@ namespace {
 /// Kernels may have to be compiled first.
 constexpr int kPatience_ms = 180000;
 /// Bounds for machines that are busy with something else; what is measured is printed.
-constexpr qint64 kFirstLook_ms = 5000;
-constexpr qint64 kCancel_ms = 10000;
+constexpr qint64 kFirstLook_ms = 1000;
+constexpr qint64 kCancel_ms = 3000;
 
 scene::SceneSource small_scene(const char* biome = "sand") {
   return scene::SceneSource().with({{"/biome/kind", biome},

@@ -1502,6 +1502,10 @@
         <source>Put the Balloon</source>
         <translation>Перенос шара</translation>
     </message>
+    <message>
+        <source>Camera: %1</source>
+        <translation>Камера: %1</translation>
+    </message>
 </context>
 <context>
     <name>aerostat::viewer::ColorEditor</name>
@@ -1933,10 +1937,6 @@
         <translation>Выбрать…</translation>
     </message>
     <message>
-        <source>Cameras that suit any scene, counted from the balloon</source>
-        <translation>Камеры для любой сцены; их места отсчитаны от шара</translation>
-    </message>
-    <message>
         <source>Put the Balloon by a Click</source>
         <translation>Поставить шар щелчком</translation>
     </message>
@@ -1991,6 +1991,14 @@
     <message>
         <source>Material of</source>
         <translation>Материал</translation>
+    </message>
+    <message>
+        <source>The camera as in the file, those of the scenes that came with the program in this biome, and such as suit any scene, counted from the balloon</source>
+        <translation>Камера как в файле, камеры сцен этого биома, поставляемых с программой, и камеры для любой сцены, отсчитанные от шара</translation>
+    </message>
+    <message>
+        <source>As in the file</source>
+        <translation>Как в файле</translation>
     </message>
 </context>
 <context>

@@ -1,0 +1,12 @@
+# Fails unless translations TS is what lupdate makes of it with the sources as they are, all finished.
+cmake_minimum_required(VERSION 3.25)
+file(COPY_FILE "${TS}" "${COPY}")
+execute_process(COMMAND "${LUPDATE}" ${ARGUMENTS} -ts "${COPY}" COMMAND_ERROR_IS_FATAL ANY)
+file(READ "${TS}" before)
+file(READ "${COPY}" after)
+if(after MATCHES "type=\"unfinished\"")
+  message(FATAL_ERROR "${TS}: texts without translation (see ${COPY})")
+endif()
+if(NOT before STREQUAL after)
+  message(FATAL_ERROR "${TS}: build the target update_translations (see ${COPY})")
+endif()
