@@ -91,7 +91,6 @@ class ControlsTest : public QObject {
   void init();
   void every_control_data();
   void every_control();
-  void every_value_of_a_scene_can_be_set();
   void lists_grow_and_shrink();
   void every_control_has_a_text_and_a_unit_that_fits();
   void sun_by_disc();
@@ -203,42 +202,6 @@ void ControlsTest::every_control_has_a_text_and_a_unit_that_fits() {
     const bool numeric = control.editor == Editor::number || control.editor == Editor::integer;
     QVERIFY2(!numeric || (control.from >= rule.minimum && control.to <= rule.maximum),
              control.pointer);
-  }
-}
-
-void ControlsTest::every_value_of_a_scene_can_be_set() {
-  QSet<QString> reached;
-  for (const Control& control : controls()) {
-    QString pointer = control.pointer;
-    // An array's element stands for the array.
-    static const QRegularExpression kElement("/[0-9]$");
-    pointer.remove(kElement);
-    reached << pointer;
-    if (pointer.startsWith("/balloon/")) reached << "/balloons/0" + pointer.mid(8);
-    for (std::size_t i = 1; i < scene::kObjectCount; ++i) {
-      const auto name = QString::fromStdString(scene::object_name(static_cast<scene::ObjectId>(i)));
-      if (pointer.startsWith("/materials/envelope/")) {
-        reached << "/materials/" + name + pointer.mid(19);
-      }
-    }
-  }
-  const QMap<QString, QString> otherwise = {{"/$schema", "names the schema, for text editors"},
-                                            {"/version", "of the format"},
-                                            {"/camera/view", "the view's own box"},
-                                            {"/sun/azimuth_deg", "the sun's panel"},
-                                            {"/sun/elevation_deg", "the sun's panel"},
-                                            {"/sun/direction", "the same as the two angles"},
-                                            {"/sun/date", "the sun's panel"},
-                                            {"/sun/time", "the sun's panel"},
-                                            {"/sun/latitude_deg", "the sun's panel"},
-                                            {"/sun/longitude_deg", "the sun's panel"}};
-  for (const std::string& one : scene::field_pointers()) {
-    const QString pointer = QString::fromStdString(one);
-    QVERIFY2(reached.contains(pointer) || otherwise.contains(pointer),
-             qPrintable(pointer + " has no control"));
-  }
-  for (auto at = otherwise.begin(); at != otherwise.end(); ++at) {
-    QVERIFY2(!reached.contains(at.key()), qPrintable(at.key() + " has a control"));
   }
 }
 
