@@ -553,7 +553,7 @@
     </message>
     <message>
         <source>Aperture</source>
-        <translation>Диафрагма</translation>
+        <translation>Отверстие</translation>
     </message>
     <message>
         <source>White balance</source>
