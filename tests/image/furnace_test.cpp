@@ -89,7 +89,7 @@ image::Film film_of(const std::vector<mesh::TriangleMesh>& balls) {
                  [&](int) -> const render::FilmBuffer& { return worker.film(); }, {});
   }
   const render::FilmRows rows{0, kHeight, &worker.film()};
-  return render::read_film(std::span(&rows, 1), kWidth, all);
+  return render::read_film(std::span(&rows, 1), kWidth, all).film;
 }
 
 TEST(Furnace, AWhiteBallInAnEvenSkyIsNotSeen) {
