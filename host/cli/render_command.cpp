@@ -1,6 +1,8 @@
 #include <future>
 
 #include <fmt/format.h>
+#include <oneapi/tbb/parallel_for.h>
+#include <oneapi/tbb/task_arena.h>
 
 #include "cli/commands.hpp"
 #include "cli/interrupt.hpp"
@@ -81,15 +83,22 @@ int render(const RenderOptions& options) {
   scene::Scene scene = scene_to_render(options);
   seconds.reading = phase.restart();
   require_encodable(options, scene.image, format);
-  // The ground is laid out while drivers are loaded.
-  std::future<void> placing = std::async(std::launch::async, [&scene] { world::resolve(scene); });
-  render::Options session_options = session_options_of(options.device);
-  if (format == PictureFormat::png) session_options.layers = render::Layers::light_alone;
-  auto session = std::make_unique<render::Session>(session_options);
-  seconds.device = phase.restart();
-  session->begin_kernels();
-  placing.get();
+  // Drivers are loaded while the ground is laid out. oneTBB is woken first: what it loads, and what a
+  // new thread of its asks of the loader, would wait for them.
+  tbb::parallel_for(0, tbb::this_task_arena::max_concurrency(), [](int) {});
+  render::Options session_options;
+  std::unique_ptr<render::Session> session;
+  std::future<void> opening = std::async(std::launch::async, [&] {
+    const Stopwatch device;
+    session_options = session_options_of(options.device);
+    if (format == PictureFormat::png) session_options.layers = render::Layers::light_alone;
+    session = std::make_unique<render::Session>(session_options);
+    seconds.device = device.seconds();
+    session->begin_kernels();
+  });
+  world::resolve(scene);
   seconds.placing = phase.seconds();
+  opening.get();
   const image::Film film = session->render(
       scene, interrupt.token(), [&bar](const render::Progress& progress) { bar.update(progress); },
       options.crop);
