@@ -1,7 +1,6 @@
 #include "render/programs.hpp"
 
 #include <algorithm>
-#include <future>
 
 #include "camera.h"
 #include "core/stopwatch.hpp"
@@ -12,13 +11,14 @@ namespace {
 
 constexpr std::size_t kGroupLanes = 64;
 
-/// The kernels that walk the trees, as one program: they share nearly all of their code, and what a
-/// driver does to find a program among those it has compiled is done once for all three.
-constexpr const char* kTracing = "trace.cl";
-constexpr const char* kTracingText =
+/// All kernels as one program: a driver takes longer to find one among those it has compiled than
+/// to load it, as it preprocesses the text and its own headers first.
+constexpr const char* kRendering = "render.cl";
+constexpr const char* kRenderingText =
     "#include \"trace_camera.cl\"\n"
     "#include \"trace_shadow.cl\"\n"
-    "#include \"trace_ambient.cl\"\n";
+    "#include \"trace_ambient.cl\"\n"
+    "#include \"shade_hits.cl\"\n";
 
 /// Launches every kernel on nothing.
 void warm_up(const opencl::Context& context, Programs& programs, int lanes) {
@@ -50,23 +50,15 @@ opencl::LaunchSize packet_range(std::uint64_t packets, int lanes) {
 Programs build_programs(const opencl::Context& context, int lanes) {
   const Stopwatch watch;
   opencl::SourceTree sources = opencl::kernel_sources();
-  sources.emplace(kTracing, kTracingText);
-  const auto build = [&](const char* entry) {
-    return std::async(std::launch::async, [&context, &sources, lanes, entry] {
-      return opencl::Program(context, sources, entry, lanes);
-    });
-  };
-  auto trace = build(kTracing);
-  auto shade = build("shade_hits.cl");
+  sources.emplace(kRendering, kRenderingText);
+  const opencl::Program rendering(context, sources, kRendering, lanes);
   Programs programs;
-  const opencl::Program tracing = trace.get();
-  programs.trace_camera_rays = tracing.kernel("trace_camera_rays");
-  programs.trace_shadow_rays = tracing.kernel("trace_shadow_rays");
-  programs.trace_ambient_rays = tracing.kernel("trace_ambient_rays");
-  const opencl::Program shading = shade.get();
-  programs.shade_hits = shading.kernel("shade_hits");
-  programs.clear_film = shading.kernel("clear_film");
-  programs.settle_film = shading.kernel("settle_film");
+  programs.trace_camera_rays = rendering.kernel("trace_camera_rays");
+  programs.trace_shadow_rays = rendering.kernel("trace_shadow_rays");
+  programs.trace_ambient_rays = rendering.kernel("trace_ambient_rays");
+  programs.shade_hits = rendering.kernel("shade_hits");
+  programs.clear_film = rendering.kernel("clear_film");
+  programs.settle_film = rendering.kernel("settle_film");
   warm_up(context, programs, lanes);
   programs.seconds = watch.seconds();
   return programs;

@@ -8,7 +8,7 @@
 namespace aerostat::render {
 
 /// Of how many programs `Programs` are made.
-inline constexpr int kProgramCount = 2;
+inline constexpr int kProgramCount = 1;
 
 /// The kernels that make a picture, built for one device and lane width.
 struct Programs {
@@ -21,7 +21,7 @@ struct Programs {
   double seconds = 0.0;  // that building took
 };
 
-/// Builds them, on several threads, up to the machine code that launches of whole groups need: some
+/// Builds them, up to the machine code that launches of whole groups need: some
 /// drivers compile only then. Throws Error{internal} with the build log.
 Programs build_programs(const opencl::Context& context, int lanes);
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <functional>
+#include <future>
 #include <mutex>
 
 #include <fmt/format.h>
@@ -134,13 +135,15 @@ void Session::State::upload() {
 void Session::State::prepare(const scene::Scene& scene, const scene::Scene& shown, Plants plants) {
   report(Stage::world, 0.0);
   team.begin_programs();
+  // Air and clouds fill what the world leaves idle.
+  auto packing = std::async(std::launch::async, [&shown] { return pack::pack_scene(shown); });
   build(scene, plants);
   await_programs();
   stop_if_asked();
   report(Stage::upload, 0.0);
   const Stopwatch upload_watch;
   upload();
-  const AeroScene packed = pack::pack_scene(shown);
+  const AeroScene packed = packing.get();
   const auto pixels =
       static_cast<std::size_t>(shown.image.width) * static_cast<std::size_t>(shown.image.height);
   team.begin_frame(packed, pixels);
