@@ -10,6 +10,10 @@ namespace {
 constexpr double kHalfPi = std::numbers::pi / 2.0;
 constexpr int kSamples = 2048;
 
+// The angle at the lower tip for which the curve comes to the axis level, and its arc length, for
+// k = 1: the solution of the equations has no parameters. By bisection with steps of 1 / 4096.
+constexpr double kStartAngle = 0.87526253164042, kArc = 3.17283626559749;
+
 struct State {
   double radius = 0.0, height = 0.0, angle = 0.0;
 };
@@ -35,33 +39,6 @@ State runge_kutta(const State& state, double step) {
   return advanced(next, k4, step / 6.0);
 }
 
-/// Whether the curve comes back to the axis before it is level (a cone too narrow for its crown).
-/// `arc` receives where that happens or where it is level.
-bool reaches_axis_first(double start_angle, double step, double& arc) {
-  State state{0.0, 0.0, start_angle};
-  arc = 0.0;
-  for (;;) {
-    const State next = runge_kutta(state, step);
-    if (next.angle <= -kHalfPi) return false;
-    if (next.radius <= 0.0) {
-      arc += step * state.radius / (state.radius - next.radius);
-      return true;
-    }
-    state = next;
-    arc += step;
-  }
-}
-
-double find_start_angle(double step, double& arc) {
-  double narrow = 0.1, wide = 1.5;
-  for (int i = 0; i < 60; ++i) {
-    const double middle = (narrow + wide) / 2.0;
-    (reaches_axis_first(middle, step, arc) ? narrow : wide) = middle;
-  }
-  reaches_axis_first(narrow, step, arc);
-  return narrow;
-}
-
 double hermite(double a, double b, double slope_a, double slope_b, double t) {
   const double t2 = t * t, t3 = t2 * t;
   return (2.0 * t3 - 3.0 * t2 + 1.0) * a + (t3 - 2.0 * t2 + t) * slope_a +
@@ -71,10 +48,8 @@ double hermite(double a, double b, double slope_a, double slope_b, double t) {
 }  // namespace
 
 NaturalShape::NaturalShape() {
-  double arc = 0.0;
-  const double start = find_start_angle(1.0 / 1024.0, arc);
-  const double step = arc / kSamples;
-  State state{0.0, 0.0, start};
+  constexpr double step = kArc / kSamples;
+  State state{0.0, 0.0, kStartAngle};
   double widest = 0.0;
   points_.reserve(kSamples + 1);
   for (int i = 0; i <= kSamples; ++i) {

@@ -57,6 +57,14 @@ TEST(NaturalShape, FollowsThePublishedTable) {
   }
 }
 
+TEST(NaturalShape, ComesToTheAxisLevel) {
+  const NaturalShape& shape = natural_shape();
+  const double step = shape.arc_length() / 2048.0;  // the last that is not closed by force
+  const MeridianPoint before = shape.at(shape.arc_length() - step);
+  EXPECT_NEAR(before.radius / step, 1.0, 1e-6);
+  EXPECT_NEAR(before.angle + kTwoPi / 4.0, -before.curvature * step / 2.0, 1e-9);
+}
+
 TEST(NaturalShape, SolvesItsEquations) {
   const NaturalShape& shape = natural_shape();
   const double h = 1e-4,
