@@ -54,6 +54,23 @@ std::vector<std::uint8_t> encode(const image::Film& film, PictureFormat format,
   return image::encode_png(develop(film, image, crop));
 }
 
+struct Opened {
+  std::unique_ptr<render::Session> session;
+  std::vector<opencl::Device> devices;
+  double seconds = 0.0;  // that finding them took
+};
+
+/// A session whose kernels are on their way.
+Opened open_session(const RenderOptions& options, PictureFormat format) {
+  const Stopwatch watch;
+  render::Options session_options = session_options_of(options.device);
+  if (format == PictureFormat::png) session_options.layers = render::Layers::light_alone;
+  Opened opened{std::make_unique<render::Session>(session_options), session_options.devices,
+                watch.seconds()};
+  opened.session->begin_kernels();
+  return opened;
+}
+
 /// The end of the process is near, and gives back all of a session at once what its destructor, and
 /// the driver's compiler with it, would give back in small pieces: some 40 ms.
 void keep_to_the_end(std::unique_ptr<render::Session> session) {
@@ -83,23 +100,15 @@ int render(const RenderOptions& options) {
   scene::Scene scene = scene_to_render(options);
   seconds.reading = phase.restart();
   require_encodable(options, scene.image, format);
-  // Drivers are loaded while the ground is laid out. oneTBB is woken first: what it loads, and what a
-  // new thread of its asks of the loader, would wait for them.
+  // Drivers are loaded while the ground is laid out. oneTBB is woken first: what it loads, and what
+  // a new thread of its asks of the loader, would wait for them.
   tbb::parallel_for(0, tbb::this_task_arena::max_concurrency(), [](int) {});
-  render::Options session_options;
-  std::unique_ptr<render::Session> session;
-  std::future<void> opening = std::async(std::launch::async, [&] {
-    const Stopwatch device;
-    session_options = session_options_of(options.device);
-    if (format == PictureFormat::png) session_options.layers = render::Layers::light_alone;
-    session = std::make_unique<render::Session>(session_options);
-    seconds.device = device.seconds();
-    session->begin_kernels();
-  });
+  auto opening = std::async(std::launch::async, [&] { return open_session(options, format); });
   world::resolve(scene);
   seconds.placing = phase.seconds();
-  opening.get();
-  const image::Film film = session->render(
+  Opened opened = opening.get();
+  seconds.device = opened.seconds;
+  const image::Film film = opened.session->render(
       scene, interrupt.token(), [&bar](const render::Progress& progress) { bar.update(progress); },
       options.crop);
   bar.clear();
@@ -112,12 +121,12 @@ int render(const RenderOptions& options) {
   seconds.writing = phase.seconds();
 
   if (!options.quiet) {
-    bar.message(summary(output, film, scene.image.spp, session_options.devices, watch.seconds()));
+    bar.message(summary(output, film, scene.image.spp, opened.devices, watch.seconds()));
   }
   if (options.stats) {
-    print_stderr(stats_text(session->stats(), peak_memory_bytes()) + seconds_text(seconds));
+    print_stderr(stats_text(opened.session->stats(), peak_memory_bytes()) + seconds_text(seconds));
   }
-  keep_to_the_end(std::move(session));
+  keep_to_the_end(std::move(opened.session));
   return 0;
 }
 
