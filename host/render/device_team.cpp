@@ -23,8 +23,7 @@ struct Closing {
 DeviceTeam::DeviceTeam(const Options& options) {
   if (options.devices.empty()) throw Error(ErrorKind::internal, "there is no device to render on");
   for (const opencl::Device& device : options.devices) {
-    workers_.push_back(
-        std::make_unique<DeviceWorker>(device, options.lanes, options.memory_limit_bytes));
+    workers_.push_back(std::make_unique<DeviceWorker>(device, options));
     lanes_ = std::max(lanes_, workers_.back()->lanes());
   }
 }

@@ -16,11 +16,11 @@ std::uint64_t pixels_of(const AeroTile& tile) {
 
 }  // namespace
 
-DeviceWorker::DeviceWorker(const opencl::Device& device, int lanes,
-                           std::uint64_t memory_limit_bytes)
-    : lanes_(lanes != 0 ? lanes : device.lanes),
+DeviceWorker::DeviceWorker(const opencl::Device& device, const Options& options)
+    : lanes_(options.lanes != 0 ? options.lanes : device.lanes),
       context_(device),
-      budget_(memory_limit_bytes != 0 ? memory_limit_bytes : device.memory_bytes) {}
+      budget_(options.memory_limit_bytes != 0 ? options.memory_limit_bytes : device.memory_bytes),
+      before_launch_(options.before_launch) {}
 
 void DeviceWorker::begin_programs() {
   if (has_programs() || programs_to_come_.valid()) return;
@@ -126,6 +126,7 @@ void DeviceWorker::reserve(std::uint64_t packets) {
 }
 
 void DeviceWorker::launch_tile(const AeroLaunch& launch) {
+  if (before_launch_) before_launch_(device());
   const std::uint64_t packets = launch.tile.block_count;
   reserve(packets);
   const opencl::LaunchSize size = packet_range(packets, lanes_);

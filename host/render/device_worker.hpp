@@ -34,8 +34,8 @@ struct Pass {
 /// as it is.
 class DeviceWorker {
  public:
-  /// `lanes` and `memory_limit_bytes` as in Options.
-  DeviceWorker(const opencl::Device& device, int lanes, std::uint64_t memory_limit_bytes);
+  /// Of `options`: `lanes`, `memory_limit_bytes` and `before_launch`.
+  DeviceWorker(const opencl::Device& device, const Options& options);
 
   const opencl::Device& device() const { return context_.device(); }
   int lanes() const { return lanes_; }
@@ -92,6 +92,7 @@ class DeviceWorker {
   int lanes_;
   opencl::Context context_;
   opencl::MemoryBudget budget_;
+  std::function<void(const opencl::Device&)> before_launch_;
   std::optional<Programs> programs_;
   std::future<Programs> programs_to_come_;  // outlives a render that is given up
   DeviceGeometry geometry_;

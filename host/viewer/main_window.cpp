@@ -18,7 +18,7 @@
 
 namespace aerostat::viewer {
 
-MainWindow::MainWindow(const QString& device, QWidget* parent)
+MainWindow::MainWindow(const QString& device, render::Options options, QWidget* parent)
     : QMainWindow(parent), camera_(document_), device_(device) {
   if (device_.isEmpty()) device_ = QSettings().value(QStringLiteral("device")).toString();
   setObjectName(QStringLiteral("main"));
@@ -38,7 +38,7 @@ MainWindow::MainWindow(const QString& device, QWidget* parent)
     devices_ = devices;
     panels_->show_devices(devices);
   };
-  renderer_ = std::make_unique<RenderThread>(std::move(listener));
+  renderer_ = std::make_unique<RenderThread>(std::move(listener), std::move(options));
   if (!device_.isEmpty()) renderer_->use_device(device_);
   panels_->show_device(device_);
   connect(&document_, &Document::changed, this, &MainWindow::render);

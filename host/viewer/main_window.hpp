@@ -22,8 +22,9 @@ class MainWindow : public QMainWindow {
   Q_OBJECT
 
  public:
-  /// `device` as of `--device`; empty for the one chosen last.
-  explicit MainWindow(const QString& device = {}, QWidget* parent = nullptr);
+  /// `device` as of `--device`; empty for the one chosen last. `options` as of RenderThread.
+  explicit MainWindow(const QString& device = {}, render::Options options = {},
+                      QWidget* parent = nullptr);
   ~MainWindow() override;
 
   Document& document() { return document_; }

@@ -8,8 +8,10 @@
 
 namespace aerostat::viewer {
 
-RenderThread::RenderThread(Listener listener)
-    : listener_(std::move(listener)), thread_([this](const std::stop_token& end) { run(end); }) {}
+RenderThread::RenderThread(Listener listener, render::Options options)
+    : listener_(std::move(listener)),
+      options_(std::move(options)),
+      thread_([this](const std::stop_token& end) { run(end); }) {}
 
 RenderThread::~RenderThread() {
   thread_.request_stop();
@@ -100,7 +102,7 @@ void RenderThread::serve(const Request& request, const std::stop_token& stop) {
       const std::lock_guard lock(mutex_);
       selector = selector_;
     }
-    render::Options options;
+    render::Options options = options_;
     options.devices = opencl::select_devices(opencl::effective_selector(selector.toStdString()));
     device_.clear();
     for (const auto& device : options.devices) {

@@ -48,7 +48,8 @@ class RenderThread {
     std::function<void(std::vector<DeviceChoice>)> devices_found;
   };
 
-  explicit RenderThread(Listener listener);
+  /// Renders by `options`, on devices of its own choice.
+  explicit RenderThread(Listener listener, render::Options options = {});
   /// Stops what is under way and waits for it.
   ~RenderThread();
   RenderThread(const RenderThread&) = delete;
@@ -80,6 +81,7 @@ class RenderThread {
 
   QObject receiver_;
   Listener listener_;
+  const render::Options options_;
   std::mutex mutex_;
   std::condition_variable_any wake_;
   std::optional<Request> next_;

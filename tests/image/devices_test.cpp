@@ -1,9 +1,12 @@
 // Several devices at one picture: parts of PoCL's, as they are everywhere.
 #include <algorithm>
+#include <atomic>
 #include <cstdlib>
 #include <numeric>
 
 #include "core/error.hpp"
+#include "opencl/cl.hpp"
+#include "opencl/program.hpp"
 #include "pictures.hpp"
 #include "render/row_queue.hpp"
 
@@ -144,6 +147,66 @@ TEST(Devices, AreNamedWhenOneFails) {
   auto smaller = scene;
   smaller.image.width = smaller.image.height = 32;
   EXPECT_TRUE(same_bits(session.render(smaller), frugal.render(smaller))) << "the session goes on";
+}
+
+/// What a launch throws on a device that is gone.
+void fail_as_lost() {
+  opencl::rethrow("starting the kernel trace_camera_rays",
+                  cl::Error(CL_DEVICE_NOT_AVAILABLE, "clEnqueueNDRangeKernel"));
+}
+
+/// Renders until `lost` is set, which happens in the middle, and returns what is said of it.
+std::string last_words(Session& session, const scene::Scene& scene, std::atomic<bool>& lost) {
+  try {
+    session.render(scene, {}, [&](const render::Progress& progress) {
+      if (progress.samples_done > 0) lost = true;
+    });
+  } catch (const Error& error) {
+    EXPECT_EQ(error.kind(), ErrorKind::exhausted);
+    return error.what();
+  }
+  ADD_FAILURE() << "nothing was thrown";
+  return {};
+}
+
+TEST(Devices, AreLostInWords) {
+  std::atomic<bool> lost = false;
+  auto options = on("cpu");
+  options.before_launch = [&](const opencl::Device&) {
+    if (lost) fail_as_lost();
+  };
+  Session session(options);
+  EXPECT_EQ(last_words(session, small_scene("sand-empty", {640, 360, 256, 64}), lost),
+            "while starting the kernel trace_camera_rays: the device was lost or gave up "
+            "(CL_DEVICE_NOT_AVAILABLE from clEnqueueNDRangeKernel)");
+  EXPECT_EQ(session.snapshot().width, 640) << "what was done stays readable";
+  EXPECT_THROW(session.render(small_scene("snow")), Error) << "it is still lost";
+  lost = false;
+  EXPECT_TRUE(same_bits(session.render(small_scene("snow")), whole().render(small_scene("snow"))));
+}
+
+TEST(Devices, AreNamedWhenOneIsLost) {
+  const auto scene = small_scene("sand-empty", {640, 360, 256, 64});
+  for (const std::size_t which : {0u, 1u}) {
+    std::atomic<bool> lost = false;
+    auto options = on("cpu/2");
+    const std::string name = options.devices[which].selector();
+    options.before_launch = [&](const opencl::Device& device) {
+      if (lost && device.selector() == name) fail_as_lost();
+    };
+    Session session(options);
+    const std::string words = last_words(session, scene, lost);
+    EXPECT_EQ(words.find("on " + opencl::describe(options.devices[which]) + ": while "), 0u)
+        << words;
+    EXPECT_NE(words.find("the device was lost"), std::string::npos) << words;
+    EXPECT_EQ(session.snapshot().width, 640) << "what was done stays readable";
+    lost = false;
+    const auto next = small_scene("snow");
+    EXPECT_TRUE(same_bits(session.render(next), whole().render(next))) << "the session goes on";
+    options.devices.erase(options.devices.begin() + static_cast<std::ptrdiff_t>(which));
+    EXPECT_TRUE(same_bits(Session(options).render(next), whole().render(next)))
+        << "and so does one of the device that is left";
+  }
 }
 
 TEST(Devices, StopTogether) {

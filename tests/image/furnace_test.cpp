@@ -74,7 +74,7 @@ image::Film film_of(const std::vector<mesh::TriangleMesh>& balls) {
   const auto arrays = std::make_shared<render::FrameArrays>();
   arrays->assemble(geometry, *tree);
 
-  render::DeviceWorker worker(devices().front(), 0, 0);
+  render::DeviceWorker worker(devices().front(), {});
   worker.begin_programs();
   while (!worker.await_programs(std::chrono::milliseconds(100))) continue;
   worker.set_geometry(tree, arrays, {});

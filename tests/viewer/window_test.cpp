@@ -9,7 +9,10 @@
 #include <QStandardPaths>
 #include <QTemporaryDir>
 #include <QtTest>
+#include <atomic>
 
+#include "opencl/cl.hpp"
+#include "opencl/program.hpp"
 #include "viewer/export_dialog.hpp"
 #include "viewer/main_window.hpp"
 #include "viewer/message_bar.hpp"
@@ -48,6 +51,8 @@ class WindowTest : public QObject {
   void the_mouse_moves_the_camera();
   void a_click_puts_the_balloon();
   void a_device_that_is_none_offers_another();
+  void a_lost_device_offers_another_data();
+  void a_lost_device_offers_another();
   void copies_the_picture();
   void exports_and_cancels();
   void asks_before_changes_are_lost();
@@ -56,6 +61,8 @@ class WindowTest : public QObject {
 
  private:
   bool wait_until_done();
+  /// The button in the bar whose text holds `text`; null if none does.
+  static QAbstractButton* offer(MainWindow& window, const QString& text);
 
   std::unique_ptr<MainWindow> window_;
   QTemporaryDir folder_;
@@ -169,20 +176,84 @@ void WindowTest::a_click_puts_the_balloon() {
   QCOMPARE(window_->shown()->look.film.object_id[45 * 160 + 80], 3u);
 }
 
+QAbstractButton* WindowTest::offer(MainWindow& window, const QString& text) {
+  for (auto* button : window.messages().findChildren<QAbstractButton*>()) {
+    if (button->isVisible() && button->text().contains(text)) return button;
+  }
+  return nullptr;
+}
+
 void WindowTest::a_device_that_is_none_offers_another() {
   QVERIFY(wait_until_done());
   MainWindow lost(QStringLiteral("no-such-device"));
   lost.show();
   QVERIFY(QTest::qWaitFor([&] { return !lost.messages().message().isEmpty(); }, kPatience_ms));
   QVERIFY(lost.messages().message().contains("no-such-device"));
-  QAbstractButton* automatic = nullptr;
-  for (auto* button : lost.messages().findChildren<QAbstractButton*>()) {
-    if (button->text().contains("Automatic")) automatic = button;
-  }
+  QAbstractButton* automatic = offer(lost, "Automatic");
   QVERIFY(automatic != nullptr);
   lost.document().start(small_scene(), {});
   automatic->click();
   QVERIFY(QTest::qWaitFor([&] { return lost.shown() != nullptr; }, kPatience_ms));
+}
+
+void WindowTest::a_lost_device_offers_another_data() {
+  QTest::addColumn<QString>("device");
+  QTest::addColumn<QString>("taken");
+  QTest::newRow("the automatic one") << "0:0"
+                                     << "Automatic";
+  QTest::newRow("one by its name") << ""
+                                   << "Use ";
+  QTest::newRow("the same again") << "0:0"
+                                  << "Try Again";
+}
+
+void WindowTest::a_lost_device_offers_another() {
+  QFETCH(QString, device);
+  QFETCH(QString, taken);
+  window_.reset();
+  QSettings().remove("device");
+  std::atomic<bool> is_lost = false;
+  render::Options options;
+  options.before_launch = [&](const opencl::Device&) {
+    if (is_lost) {
+      opencl::rethrow("starting the kernel trace_camera_rays",
+                      cl::Error(CL_DEVICE_NOT_AVAILABLE, "clEnqueueNDRangeKernel"));
+    }
+  };
+  // Long enough to be lost in the middle.
+  MainWindow window(device, options);
+  window.document().start(
+      small_scene().with(
+          {{"/image/width", "2000"}, {"/image/height", "2000"}, {"/image/spp", "256"}}),
+      {});
+  window.show();
+  const auto told = [&] { return window.messages().message(); };
+  QVERIFY(QTest::qWaitFor([&] { return window.shown() != nullptr; }, kPatience_ms));
+  QVERIFY(!window.shown()->look.complete);
+  is_lost = true;
+  QVERIFY(QTest::qWaitFor([&] { return !told().isEmpty(); }, kPatience_ms));
+  QVERIFY2(told().contains("the device was lost"), qPrintable(told()));
+  QVERIFY(!window.view().image().isNull());
+
+  // It goes on taking changes, and tells again what hinders them.
+  window.messages().dismiss();
+  QElapsedTimer watch;
+  watch.start();
+  window.camera().look_by(0.05, 0.0);
+  QCoreApplication::processEvents();
+  QVERIFY(watch.elapsed() < kFirstLook_ms);
+  QVERIFY(QTest::qWaitFor([&] { return !told().isEmpty(); }, kPatience_ms));
+  QVERIFY(window.shown()->request < window.request());
+
+  is_lost = false;
+  QAbstractButton* other = offer(window, taken);
+  QVERIFY2(other != nullptr, qPrintable(taken));
+  other->click();
+  QVERIFY(told().isEmpty());
+  QVERIFY(
+      QTest::qWaitFor([&] { return window.shown()->request == window.request(); }, kPatience_ms));
+  QVERIFY2(told().isEmpty(), qPrintable(told()));
+  QSettings().remove("device");
 }
 
 void WindowTest::copies_the_picture() {
