@@ -55,6 +55,7 @@ class MainWindow : public QMainWindow {
   void add_edit_menu();
   void add_view_menu();
   void add_camera_menu();
+  void list_scene_cameras(class QMenu* menu, QAction* end);
   void add_help_menu();
   QAction* add_action(class QMenu* menu, const QString& text, const QKeySequence& keys,
                       const std::function<void()>& act);
@@ -77,6 +78,7 @@ class MainWindow : public QMainWindow {
   PictureView* view_ = nullptr;
   MessageBar* messages_ = nullptr;
   SceneFiles* files_ = nullptr;
+  std::vector<QAction*> scene_cameras_;  // in the menu, when it was shown last
   QLabel* device_label_ = nullptr;
   QLabel* work_label_ = nullptr;
   QLabel* place_label_ = nullptr;

@@ -7,6 +7,7 @@
 #include "viewer/main_window.hpp"
 #include "viewer/picture_view.hpp"
 #include "viewer/scene_files.hpp"
+#include "viewer/scene_presets.hpp"
 #include "viewer/shortcuts_dialog.hpp"
 
 namespace aerostat::viewer {
@@ -96,6 +97,11 @@ void MainWindow::add_camera_menu() {
                [this, chosen = kind] { camera_.set_kind(chosen); });
   }
   menu->addSeparator();
+  add_action(menu, tr("As in the file"), QKeySequence(),
+             [this] { camera_.take_camera_of(tr("As in the file"), document_.saved()); });
+  QAction* end_of_scenes = menu->addSeparator();
+  connect(menu, &QMenu::aboutToShow, this,
+          [this, menu, end_of_scenes] { list_scene_cameras(menu, end_of_scenes); });
   const QStringList presets = CameraControl::preset_names();
   for (int i = 0; i < presets.size(); ++i) {
     add_action(menu, presets[i], QKeySequence(static_cast<int>(Qt::ALT) | (Qt::Key_1 + i)),
@@ -106,6 +112,19 @@ void MainWindow::add_camera_menu() {
     view_->set_placing(true);
     view_->setFocus();
   });
+}
+
+/// Those of the scenes that came with the program, as far as they are of the biome.
+void MainWindow::list_scene_cameras(QMenu* menu, QAction* end) {
+  qDeleteAll(scene_cameras_);
+  scene_cameras_.clear();
+  for (const ScenePreset& preset : scene_presets(document_.scene().biome.kind)) {
+    auto* action = new QAction(preset.name, menu);
+    connect(action, &QAction::triggered, this,
+            [this, preset] { camera_.take_camera_of(preset.name, preset.scene); });
+    menu->insertAction(end, action);
+    scene_cameras_.push_back(action);
+  }
 }
 
 void MainWindow::add_help_menu() {

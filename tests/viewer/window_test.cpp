@@ -3,6 +3,7 @@
 #include <QClipboard>
 #include <QDropEvent>
 #include <QElapsedTimer>
+#include <QMenuBar>
 #include <QMessageBox>
 #include <QMimeData>
 #include <QSettings>
@@ -18,6 +19,7 @@
 #include "viewer/message_bar.hpp"
 #include "viewer/panels.hpp"
 #include "viewer/picture_view.hpp"
+#include "viewer/scene_presets.hpp"
 
 namespace aerostat::viewer {
 namespace {
@@ -50,6 +52,7 @@ class WindowTest : public QObject {
   void two_hundred_changes_leave_the_last();
   void the_mouse_moves_the_camera();
   void a_click_puts_the_balloon();
+  void the_menu_has_the_cameras_of_the_scenes();
   void a_device_that_is_none_offers_another();
   void a_lost_device_offers_another_data();
   void a_lost_device_offers_another();
@@ -69,6 +72,7 @@ class WindowTest : public QObject {
 };
 
 void WindowTest::initTestCase() {
+  qputenv("AEROSTAT_SCENE_DIR", AEROSTAT_SOURCE_DIR "/scenes");
   QStandardPaths::setTestModeEnabled(true);
   QCoreApplication::setOrganizationName("aerostat");
   QCoreApplication::setApplicationName("aerostat-viewer-test");
@@ -174,6 +178,43 @@ void WindowTest::a_click_puts_the_balloon() {
   window_->camera().aim_at(place);
   QVERIFY(wait_until_done());
   QCOMPARE(window_->shown()->look.film.object_id[45 * 160 + 80], 3u);
+}
+
+void WindowTest::the_menu_has_the_cameras_of_the_scenes() {
+  QMenu* menu = nullptr;
+  for (const QAction* action : window_->menuBar()->actions()) {
+    if (action->text() == "&Camera") menu = action->menu();
+  }
+  QVERIFY(menu != nullptr);
+  const auto entry = [&](const QString& text) -> QAction* {
+    Q_EMIT menu->aboutToShow();
+    for (QAction* action : menu->actions()) {
+      if (action->text() == text) return action;
+    }
+    return nullptr;
+  };
+  const auto size = [&] {
+    Q_EMIT menu->aboutToShow();
+    return menu->actions().size();
+  };
+  const auto of_sand = scene_presets(scene::BiomeKind::sand);
+  QVERIFY(!of_sand.empty());
+  QCOMPARE(entry("snow"), nullptr);
+  for (const ScenePreset& preset : of_sand) {
+    QAction* action = entry(preset.name);
+    QVERIFY2(action != nullptr, qPrintable(preset.name));
+    action->trigger();
+    const auto& camera = window_->document().scene().camera;
+    QCOMPARE(camera.fov_y_deg, preset.scene.scene().camera.fov_y_deg);
+    QVERIFY(camera.position == preset.scene.scene().camera.position);
+  }
+  const auto entries = size();
+  QCOMPARE(size(), entries);
+  entry("As in the file")->trigger();
+  QVERIFY(window_->document().scene().camera.position == small_scene().scene().camera.position);
+  QVERIFY(window_->document().set("biome", "/biome/kind", "\"snow\""));
+  QVERIFY(entry("snow") != nullptr);
+  QCOMPARE(entry("sand"), nullptr);
 }
 
 QAbstractButton* WindowTest::offer(MainWindow& window, const QString& text) {

@@ -1800,6 +1800,10 @@
         <translation>С&amp;вободно</translation>
     </message>
     <message>
+        <source>As in the file</source>
+        <translation>Как в файле</translation>
+    </message>
+    <message>
         <source>&amp;Put the Balloon by a Click</source>
         <translation>&amp;Поставить шар щелчком</translation>
     </message>
