@@ -47,6 +47,7 @@ ExportDialog::ExportDialog(const Document& document, const QString& device, QWid
       height_(pixels_box(document.scene().image.height)),
       progress_(new QProgressBar),
       message_(new QLabel),
+      browse_(new QPushButton(tr("&Browse…"))),
       export_(new QPushButton(tr("&Export"))),
       close_(new QPushButton(tr("Close"))) {
   setWindowTitle(tr("Export Picture"));
@@ -61,11 +62,11 @@ void ExportDialog::build() {
   }
   quality_->addItem(tr("As the scene says"), QString());
   quality_->setCurrentIndex(2);
-  auto* browse = new QPushButton(tr("&Browse…"));
-  connect(browse, &QPushButton::clicked, this, &ExportDialog::choose_path);
+  browse_->setAutoDefault(false);
+  connect(browse_, &QPushButton::clicked, this, &ExportDialog::choose_path);
   auto* file = new QHBoxLayout;
   file->addWidget(path_, 1);
-  file->addWidget(browse);
+  file->addWidget(browse_);
   auto* size = new QHBoxLayout;
   size->addWidget(width_);
   size->addWidget(new QLabel(QStringLiteral("×")));
@@ -80,7 +81,11 @@ void ExportDialog::build() {
                     "normals and objects in layers; any other gives a PNG."));
   hint->setWordWrap(true);
   progress_->setRange(0, 1000);
+  QSizePolicy place = progress_->sizePolicy();
+  place.setRetainSizeWhenHidden(true);  // or the rows above would be squeezed
+  progress_->setSizePolicy(place);
   progress_->setVisible(false);
+  message_->setTextFormat(Qt::PlainText);
   message_->setWordWrap(true);
   auto* buttons = new QHBoxLayout;
   buttons->addStretch(1);
@@ -127,7 +132,10 @@ std::vector<scene::Override> ExportDialog::changes() const {
 void ExportDialog::begin() {
   QString path = path_->text().trimmed();
   if (path.isEmpty()) return;
-  if (QFileInfo(path).suffix().isEmpty()) path += QStringLiteral(".png");
+  const QFileInfo file(path);
+  // "folder/" stays what it is, and is refused.
+  if (file.suffix().isEmpty() && !file.fileName().isEmpty()) path += QStringLiteral(".png");
+  scene::Scene scene;
   try {
     scene::SceneSource source = document_.source().with(changes());
     const QString quality = quality_->currentData().toString();
@@ -135,12 +143,13 @@ void ExportDialog::begin() {
       source = source.without({"/image/spp", "/sun/soft_shadows", "/sky/ambient_occlusion"})
                    .with({{"/quality", quality.toStdString()}});
     }
-    job_ = std::make_unique<ExportJob>(source.scene(), path, device_);
+    scene = source.scene();
   } catch (const std::exception& error) {
     message_->setText(QString::fromUtf8(error.what()));
     return;
   }
   message_->clear();
+  job_ = std::make_unique<ExportJob>();
   connect(job_.get(), &ExportJob::progressed, this, &ExportDialog::show_progress,
           Qt::QueuedConnection);
   connect(
@@ -150,6 +159,7 @@ void ExportDialog::begin() {
       },
       Qt::QueuedConnection);
   set_busy(true);
+  job_->start(scene, path, device_);
 }
 
 void ExportDialog::show_progress(double fraction, const QString& stage) {
@@ -166,9 +176,10 @@ void ExportDialog::end(bool written, const QString& error) {
 }
 
 void ExportDialog::set_busy(bool busy) {
+  if (busy) close_->setFocus();  // not whatever comes after what is disabled
   for (QWidget* widget : {static_cast<QWidget*>(path_), static_cast<QWidget*>(quality_),
                           static_cast<QWidget*>(width_), static_cast<QWidget*>(height_),
-                          static_cast<QWidget*>(export_)}) {
+                          static_cast<QWidget*>(browse_), static_cast<QWidget*>(export_)}) {
     widget->setEnabled(!busy);
   }
   progress_->setVisible(busy);

@@ -54,6 +54,7 @@ class ExportDialog : public QDialog {
   QSpinBox* height_;
   QProgressBar* progress_;
   QLabel* message_;
+  QPushButton* browse_;
   QPushButton* export_;
   QPushButton* close_;
   std::unique_ptr<ExportJob> job_;

@@ -28,15 +28,14 @@ double begin_of(render::Stage stage) {
 
 }  // namespace
 
-ExportJob::ExportJob(const scene::Scene& scene, const QString& path, const QString& device,
-                     QObject* parent)
-    : QObject(parent), thread_([this, scene, path, device](const std::stop_token& stop) {
-        run(stop, scene, path, device);
-      }) {}
-
 ExportJob::~ExportJob() {
   cancel();
-  thread_.join();
+  if (thread_.joinable()) thread_.join();
+}
+
+void ExportJob::start(const scene::Scene& scene, const QString& path, const QString& device) {
+  thread_ = std::jthread(
+      [this, scene, path, device](const std::stop_token& stop) { run(stop, scene, path, device); });
 }
 
 void ExportJob::cancel() {

@@ -18,11 +18,12 @@ class ExportJob : public QObject {
   Q_OBJECT
 
  public:
-  /// `scene` is not resolved; the file's suffix says PNG or EXR.
-  ExportJob(const scene::Scene& scene, const QString& path, const QString& device,
-            QObject* parent = nullptr);
+  using QObject::QObject;
   ~ExportJob() override;
 
+  /// Once, when its signals are connected: it may fail at once. `scene` is not resolved; the file's
+  /// suffix says PNG or EXR.
+  void start(const scene::Scene& scene, const QString& path, const QString& device);
   void cancel();
 
  Q_SIGNALS:

@@ -164,7 +164,10 @@ void MainWindow::closeEvent(QCloseEvent* event) {
 
 void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
   const auto urls = event->mimeData()->urls();
-  if (urls.size() == 1 && urls.front().isLocalFile()) event->acceptProposedAction();
+  if (urls.size() != 1 || !urls.front().isLocalFile()) return;
+  // A pipe would be waited for. Of a folder it is told that it is none.
+  const QFileInfo file(urls.front().toLocalFile());
+  if (file.isFile() || file.isDir()) event->acceptProposedAction();
 }
 
 void MainWindow::dropEvent(QDropEvent* event) {

@@ -6,6 +6,29 @@
 #include <QStyle>
 
 namespace aerostat::viewer {
+namespace {
+
+constexpr qsizetype kLongest = 600, kLongestWord = 120;
+
+/// A broken file may have a key of megabytes, and the message would name it: it loses its middle,
+/// and what words are wider than the window get places to break at.
+QString shortened(const QString& message) {
+  QString text = message;
+  if (text.size() > kLongest) {
+    text = text.left(kLongest / 2) + QStringLiteral(" … ") + text.right(kLongest / 2);
+  }
+  qsizetype word = 0;
+  for (qsizetype i = 0; i < text.size(); ++i) {
+    word = text[i].isSpace() ? 0 : word + 1;
+    if (word == kLongestWord) {
+      text.insert(i + 1, QChar(0x200B));
+      word = -1;
+    }
+  }
+  return text;
+}
+
+}  // namespace
 
 MessageBar::MessageBar(QWidget* parent)
     : QFrame(parent), text_(new QLabel), offers_(new QHBoxLayout) {
@@ -13,7 +36,9 @@ MessageBar::MessageBar(QWidget* parent)
   setAutoFillBackground(true);
   setBackgroundRole(QPalette::ToolTipBase);
   text_->setForegroundRole(QPalette::ToolTipText);
+  text_->setTextFormat(Qt::PlainText);
   text_->setWordWrap(true);
+  text_->setMinimumWidth(200);  // not that of its longest word
   text_->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
   auto* icon = new QLabel;
   const int size = style()->pixelMetric(QStyle::PM_SmallIconSize);
@@ -44,8 +69,9 @@ void MessageBar::clear_offers() {
 
 void MessageBar::show_message(const QString& message, const std::vector<Offer>& offers) {
   clear_offers();
-  text_->setText(message);
-  text_->setAccessibleName(message);
+  const QString shown = shortened(message);
+  text_->setText(shown);
+  text_->setAccessibleName(shown);
   for (const Offer& offer : offers) {
     auto* button = new QPushButton(offer.text);
     connect(button, &QPushButton::clicked, this, [this, accept = offer.accept] {
