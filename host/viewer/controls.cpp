@@ -51,6 +51,11 @@ QString unit_of(const Control& control) {
   return *control.unit == '\0' ? QString() : QCoreApplication::translate("Units", control.unit);
 }
 
+QString none_of(const Control& control) {
+  return control.none == nullptr ? QString()
+                                 : QCoreApplication::translate("Controls", control.none);
+}
+
 QString description_of(const Control& control) {
   const std::string text = scene::field_rule(control.pointer).description;
   return QCoreApplication::translate("Schema", text.c_str());

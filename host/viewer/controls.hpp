@@ -21,7 +21,8 @@ struct Control {
   double from = 0.0, to = 1.0;  // of the slider; the schema's range can be typed
   int decimals = 0;
   bool logarithmic = false;
-  bool folded = false;  // the group that begins here is, until one asks for it
+  bool folded = false;         // the group that begins here is, until one asks for it
+  const char* none = nullptr;  // English, context "Controls": what the least value means
 };
 
 std::span<const Control> controls();
@@ -30,6 +31,7 @@ std::span<const Control> controls();
 QString label_of(const Control& control);
 QString group_of(const Control& control);
 QString unit_of(const Control& control);
+QString none_of(const Control& control);
 QString description_of(const Control& control);
 /// A word of an enumeration, such as "gaussian".
 QString word_text(const QString& word);

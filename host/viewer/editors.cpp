@@ -22,9 +22,9 @@ class NumberRow : public ControlRow {
   NumberRow(const Control& control, Document& document, QObject* parent)
       : ControlRow(control, document, parent) {
     const bool whole = control.editor == Editor::integer;
-    number_ =
-        new NumberEditor({rule().minimum, rule().maximum, control.from, control.to,
-                          whole ? 0 : control.decimals, control.logarithmic, unit_of(control)});
+    number_ = new NumberEditor({rule().minimum, rule().maximum, control.from, control.to,
+                                whole ? 0 : control.decimals, control.logarithmic, unit_of(control),
+                                none_of(control)});
     connect(number_, &NumberEditor::edited, this, [this, whole](double value) {
       set(whole ? QString::number(static_cast<qint64>(value)) : QString::number(value, 'g', 12));
     });

@@ -36,6 +36,7 @@ ItemPicker::ItemPicker(Kind kind, Document& document, std::function<dvec3()> nea
   layout->addWidget(fewer_);
   items_->setFocusPolicy(Qt::StrongFocus);
   setFocusProxy(items_);
+  if (kind == Kind::lamp) items_->setPlaceholderText(tr("No lamp"));
   more_->setText(QStringLiteral("+"));
   more_->setToolTip(kind == Kind::lamp ? tr("One more lamp") : tr("One more balloon"));
   fewer_->setText(QStringLiteral("−"));
@@ -134,6 +135,7 @@ void ItemPicker::refresh() {
       }
     }
     items_->setEnabled(wanted > 0);
+    fewer_->setVisible(wanted > 0);
     more_->setEnabled(count() < most());
     fewer_->setEnabled(chosen().startsWith(list() + "/"));
   }

@@ -54,9 +54,9 @@ double NumberEditor::value() const {
 }
 
 void NumberEditor::show_value(double value) {
-  box_->setSpecialValueText({});
   // A wider value keeps its digits.
   box_->setRange(std::min(range_.least, value), std::max(range_.most, value));
+  box_->setSpecialValueText(range_.none);
   box_->setValue(value);
   if (position_of(value) != slider_->value()) slider_->setValue(position_of(value));
 }

@@ -19,6 +19,7 @@ class NumberEditor : public QWidget {
     int decimals;
     bool logarithmic;
     QString unit;
+    QString none = {};  // shown instead of the least value
   };
   explicit NumberEditor(const Range& range, QWidget* parent = nullptr);
 

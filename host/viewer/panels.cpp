@@ -27,10 +27,14 @@ QLabel* heading(const QString& text) {
   return label;
 }
 
-void hide_with(QToolButton& fold, QFormLayout& form, QWidget* field) {
-  form.setRowVisible(field, fold.isChecked());
-  QObject::connect(&fold, &QToolButton::toggled, &form,
-                   [&form, field](bool open) { form.setRowVisible(field, open); });
+/// Rows of a list that is empty stay away: there is nothing that they could be about.
+void hide_with(QToolButton& fold, QFormLayout& form, QWidget* field, ItemPicker* of = nullptr) {
+  const auto show = [&fold, &form, field, of] {
+    form.setRowVisible(field, fold.isChecked() && (of == nullptr || !of->chosen().isEmpty()));
+  };
+  show();
+  QObject::connect(&fold, &QToolButton::toggled, &form, show);
+  if (of != nullptr) QObject::connect(of, &ItemPicker::chosen_changed, &form, show);
 }
 
 /// Does not change when the wheel scrolls over it.
@@ -113,7 +117,8 @@ void Panels::add_rows(QFormLayout* form, Panel panel) {
     ControlRow* row = ControlRow::make(control, document_, this);
     form->addRow(row->label(), row->editor());
     rows_.push_back(row);
-    if (fold_ != nullptr) hide_with(*fold_, *form, row->editor());
+    const bool of_lamp = !lamps_->prefix_of(QString::fromLatin1(control.pointer)).isEmpty();
+    if (fold_ != nullptr) hide_with(*fold_, *form, row->editor(), of_lamp ? lamps_ : nullptr);
     if (QLatin1String(control.pointer) == QLatin1String("/image/height")) add_sizes(form);
   }
 }

@@ -12,7 +12,8 @@ namespace aerostat::viewer {
 namespace {
 
 QString row(const QString& keys, const QString& meaning) {
-  return QStringLiteral("<tr><td><b>%1</b></td><td style='padding-left:16px'>%2</td></tr>")
+  return QStringLiteral(
+             "<tr><td width='210'><b>%1</b></td><td style='padding-left:16px'>%2</td></tr>")
       .arg(keys.toHtmlEscaped(), meaning.toHtmlEscaped());
 }
 

@@ -6,6 +6,7 @@
 #include <QJsonDocument>
 #include <QJsonObject>
 #include <QTemporaryDir>
+#include <QToolButton>
 #include <QtTest>
 
 #include "scene/field_rule.hpp"
@@ -92,6 +93,7 @@ class ControlsTest : public QObject {
   void every_control_data();
   void every_control();
   void lists_grow_and_shrink();
+  void no_beach_is_said_in_words();
   void every_control_has_a_text_and_a_unit_that_fits();
   void sun_by_disc();
   void sun_by_date();
@@ -210,7 +212,11 @@ void ControlsTest::lists_grow_and_shrink() {
   ItemPicker& lamps = panels_->lamps();
   QCOMPARE(balloons.chosen(), QString("/balloon"));
   QVERIFY(lamps.chosen().isEmpty());
-  QVERIFY(!row("/lights/0/intensity")->editor()->isEnabled());
+  QWidget* intensity = row("/lights/0/intensity")->editor();
+  for (auto* fold : panels_->findChildren<QToolButton*>()) {
+    if (fold->isCheckable()) fold->setChecked(true);
+  }
+  QVERIFY2(intensity->isHidden(), "of a lamp that is not there");
   balloons.add();
   balloons.add();
   QCOMPARE(balloons.chosen(), QString("/balloons/1"));
@@ -226,10 +232,20 @@ void ControlsTest::lists_grow_and_shrink() {
   QCOMPARE(balloons.chosen(), QString("/balloon"));
   QCOMPARE(document_->source().text(), scene::SceneSource().text());
   lamps.add();
-  QVERIFY(row("/lights/0/intensity")->editor()->isEnabled());
+  QVERIFY(intensity->isEnabled());
+  QVERIFY(!intensity->isHidden());
   document_->undo_stack().undo();
   QVERIFY(lamps.chosen().isEmpty());
-  QVERIFY(!row("/lights/0/intensity")->editor()->isEnabled());
+  QVERIFY(intensity->isHidden());
+}
+
+void ControlsTest::no_beach_is_said_in_words() {
+  auto* box = row("/biome/ground/beach_top_m")->editor()->findChild<QDoubleSpinBox*>();
+  QCOMPARE(box->text(), QString("no beach"));
+  row("/biome/ground/beach_top_m")->set("2.5");
+  QCOMPARE(box->text(), QString("2.5 m"));
+  document_->undo_stack().undo();
+  QCOMPARE(box->text(), QString("no beach"));
 }
 
 void ControlsTest::sun_by_disc() {

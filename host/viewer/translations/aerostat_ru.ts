@@ -575,6 +575,10 @@
         <source>Seed of samples</source>
         <translation>Номер выборок</translation>
     </message>
+    <message>
+        <source>no beach</source>
+        <translation>нет пляжа</translation>
+    </message>
 </context>
 <context>
     <name>Presets</name>
@@ -1667,6 +1671,10 @@
     <message>
         <source>Lamp %1</source>
         <translation>Лампа %1</translation>
+    </message>
+    <message>
+        <source>No lamp</source>
+        <translation>Нет ламп</translation>
     </message>
 </context>
 <context>
