@@ -135,8 +135,10 @@ void Session::State::upload() {
 void Session::State::prepare(const scene::Scene& scene, const scene::Scene& shown, Plants plants) {
   report(Stage::world, 0.0);
   team.begin_programs();
-  // Air and clouds fill what the world leaves idle.
-  auto packing = std::async(std::launch::async, [&shown] { return pack::pack_scene(shown); });
+  // Air and clouds fill what the world of a single picture leaves idle. Looks follow each other:
+  // their worlds are small, and a stop would wait for what runs beside.
+  const auto when = options.plants_in_sight_alone ? std::launch::async : std::launch::deferred;
+  auto packing = std::async(when, [&shown] { return pack::pack_scene(shown); });
   build(scene, plants);
   await_programs();
   stop_if_asked();
