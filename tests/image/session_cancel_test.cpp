@@ -81,7 +81,8 @@ TEST(Cancel, WhileTheWorldIsBuiltAndKernelsCompile) {
   EXPECT_LT(seconds_to_stop(session, small, Stage::kernels, 0.05), kPatience_s);
   EXPECT_EQ(session.snapshot().width, 0);
   EXPECT_EQ(session.render(small).width, 96) << "the session goes on";
-  EXPECT_EQ(session.stats().programs_built, render::kProgramCount) << "what compiled meanwhile is used";
+  EXPECT_EQ(session.stats().programs_built, render::kProgramCount)
+      << "what compiled meanwhile is used";
 }
 
 TEST(Cancel, WhileRaysAreTraced) {
