@@ -1,10 +1,9 @@
 // How soon a change of a shipped scene is seen in the window.
 #include <QElapsedTimer>
-#include <QSettings>
-#include <QStandardPaths>
 #include <QtTest>
 #include <algorithm>
 
+#include "small_window.hpp"
 #include "viewer/main_window.hpp"
 
 namespace aerostat::viewer {
@@ -50,10 +49,7 @@ class FirstLookTest : public QObject {
 };
 
 void FirstLookTest::initTestCase() {
-  QStandardPaths::setTestModeEnabled(true);
-  QCoreApplication::setOrganizationName("aerostat");
-  QCoreApplication::setApplicationName("aerostat-viewer-test");
-  QSettings().clear();
+  begin_with_no_settings("aerostat-viewer-test");
 }
 
 void FirstLookTest::changes_are_seen_soon_data() {

@@ -3,9 +3,7 @@
 #include <QElapsedTimer>
 #include <QMimeData>
 #include <QPushButton>
-#include <QSettings>
 #include <QSpinBox>
-#include <QStandardPaths>
 #include <QTemporaryDir>
 #include <QtTest>
 #include <csignal>
@@ -13,6 +11,7 @@
 #include <sys/resource.h>
 #include <sys/stat.h>
 
+#include "small_window.hpp"
 #include "viewer/export_dialog.hpp"
 #include "viewer/main_window.hpp"
 #include "viewer/message_bar.hpp"
@@ -24,14 +23,6 @@ namespace {
 constexpr int kPatience_ms = 180000;
 /// For a machine that is busy with something else, too.
 constexpr qint64 kSoon_ms = 5000;
-
-scene::SceneSource small_scene() {
-  return scene::SceneSource().with({{"/biome/kind", "sand"},
-                                    {"/terrain/cells", "96"},
-                                    {"/vegetation/enabled", "false"},
-                                    {"/image/width", "160"},
-                                    {"/image/height", "90"}});
-}
 
 QByteArray bytes_of(const QString& path) {
   QFile file(path);
@@ -95,10 +86,7 @@ class MishapsTest : public QObject {
 };
 
 void MishapsTest::initTestCase() {
-  QStandardPaths::setTestModeEnabled(true);
-  QCoreApplication::setOrganizationName("aerostat");
-  QCoreApplication::setApplicationName("aerostat-viewer-mishaps-test");
-  QSettings().clear();
+  begin_with_no_settings("aerostat-viewer-mishaps-test");
 }
 
 void MishapsTest::init() {

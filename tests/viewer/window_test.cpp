@@ -7,13 +7,13 @@
 #include <QMessageBox>
 #include <QMimeData>
 #include <QSettings>
-#include <QStandardPaths>
 #include <QTemporaryDir>
 #include <QtTest>
 #include <atomic>
 
 #include "opencl/cl.hpp"
 #include "opencl/program.hpp"
+#include "small_window.hpp"
 #include "viewer/export_dialog.hpp"
 #include "viewer/main_window.hpp"
 #include "viewer/message_bar.hpp"
@@ -29,14 +29,6 @@ constexpr int kPatience_ms = 180000;
 /// Bounds for machines that are busy with something else; what is measured is printed.
 constexpr qint64 kFirstLook_ms = 1000;
 constexpr qint64 kCancel_ms = 3000;
-
-scene::SceneSource small_scene(const char* biome = "sand") {
-  return scene::SceneSource().with({{"/biome/kind", biome},
-                                    {"/terrain/cells", "96"},
-                                    {"/vegetation/enabled", "false"},
-                                    {"/image/width", "160"},
-                                    {"/image/height", "90"}});
-}
 
 }  // namespace
 
@@ -73,10 +65,7 @@ class WindowTest : public QObject {
 
 void WindowTest::initTestCase() {
   qputenv("AEROSTAT_SCENE_DIR", AEROSTAT_SOURCE_DIR "/scenes");
-  QStandardPaths::setTestModeEnabled(true);
-  QCoreApplication::setOrganizationName("aerostat");
-  QCoreApplication::setApplicationName("aerostat-viewer-test");
-  QSettings().clear();
+  begin_with_no_settings("aerostat-viewer-test");
 }
 
 void WindowTest::init() {
