@@ -124,22 +124,7 @@ AEROSTAT_INLINE void develop_loop(const Bath& bath, const Strip& strip) {
   for (int i = 0; i < 3 * count; ++i) rgb[i] = static_cast<std::uint8_t>(bytes[i]);
 }
 
-using Loop = void (*)(const Bath&, const Strip&);
-
-void develop_plain(const Bath& bath, const Strip& strip) {
-  develop_loop(bath, strip);
-}
-
-AEROSTAT_FOR_AVX2 void develop_avx2(const Bath& bath, const Strip& strip) {
-  develop_loop(bath, strip);
-}
-
-AEROSTAT_FOR_AVX512 void develop_avx512(const Bath& bath, const Strip& strip) {
-  develop_loop(bath, strip);
-}
-
 void develop_row(const Film& film, const Look& look, int y, Pixels& pixels) {
-  static const Loop loop = widest(develop_plain, develop_avx2, develop_avx512);
   static const Table encode(srgb_from_linear, 1.0);
   static const Table curve(tone_curve, kWhitePoint);
   const Vignette vignette(film, look);
@@ -153,7 +138,7 @@ void develop_row(const Film& film, const Look& look, int y, Pixels& pixels) {
     strip.count = std::min(kBlock, film.width - x);
     strip.rgb = &pixels.rgb[3 * first];
     vignette.shares(x, y, strip.count, strip.share);
-    loop(bath, strip);
+    in_vectors([&]() AEROSTAT_INLINE_LAMBDA { develop_loop(bath, strip); });
   }
 }
 

@@ -88,25 +88,6 @@ AEROSTAT_INLINE void octave_loop(const Octave& octave, const Spots& spots, Block
   }
 }
 
-void octave_plain(const Octave& octave, const Spots& spots, Block& values) {
-  octave_loop(octave, spots, values);
-}
-
-AEROSTAT_FOR_AVX2 void octave_avx2(const Octave& octave, const Spots& spots, Block& values) {
-  octave_loop(octave, spots, values);
-}
-
-AEROSTAT_FOR_AVX512 void octave_avx512(const Octave& octave, const Spots& spots, Block& values) {
-  octave_loop(octave, spots, values);
-}
-
-using OctaveLoop = void (*)(const Octave&, const Spots&, Block&);
-
-OctaveLoop best_loop() {
-  static const OctaveLoop chosen = widest(octave_plain, octave_avx2, octave_avx512);
-  return chosen;
-}
-
 float resolved(float wavelength, float footprint) {
   return std::clamp(wavelength / (2.0f * footprint) - 1.0f, 0.0f, 1.0f);
 }
@@ -121,15 +102,14 @@ float amplitudes(const SolidFbm& fbm) {
 }  // namespace
 
 void SolidFbm::at(const Spots& spots, float footprint, Block& values) const {
-  const OctaveLoop loop = best_loop();
   values.fill(0.0f);
   float amplitude = 1.0f, wavelength = wavelength_m;
   for (int i = 0; i < octaves; ++i) {
     const float weight = amplitude * resolved(wavelength, footprint);
     if (!(weight > 0.0f)) break;
-    loop({weight, 1.0f / wavelength, 0.37f * static_cast<float>(i + 1),
-          seed + static_cast<std::uint32_t>(i), ridges},
-         spots, values);
+    const Octave octave{weight, 1.0f / wavelength, 0.37f * static_cast<float>(i + 1),
+                        seed + static_cast<std::uint32_t>(i), ridges};
+    in_vectors([&]() AEROSTAT_INLINE_LAMBDA { octave_loop(octave, spots, values); });
     wavelength *= 0.5f;
     amplitude *= gain;
   }

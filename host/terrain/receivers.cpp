@@ -80,23 +80,8 @@ AEROSTAT_INLINE void either_loop(const Run& run, std::uint8_t* directions) {
   }
 }
 
-using Loop = void (*)(const Run&, std::uint8_t*);
-
-void choose_plain(const Run& run, std::uint8_t* directions) {
-  either_loop(run, directions);
-}
-
-AEROSTAT_FOR_AVX2 void choose_avx2(const Run& run, std::uint8_t* directions) {
-  either_loop(run, directions);
-}
-
-AEROSTAT_FOR_AVX512 void choose_avx512(const Run& run, std::uint8_t* directions) {
-  either_loop(run, directions);
-}
-
 Rimmed<std::uint8_t> choose(const RimmedGrid& grid, const Rimmed<float>& heights, const int* ranks,
                             const Rimmed<std::uint8_t>& outlets, std::uint32_t seed) {
-  static const Loop loop = widest(choose_plain, choose_avx2, choose_avx512);
   Rimmed<std::uint8_t> directions(grid.size(), kNoReceiver);
   Run all{};
   for (int d = 0; d < 8; ++d) {
@@ -113,7 +98,8 @@ Rimmed<std::uint8_t> choose(const RimmedGrid& grid, const Rimmed<float>& heights
         run.ranks = ranks == nullptr ? nullptr : ranks + place;
         run.first = j * grid.nodes + i;
         run.count = std::min(kBlock, grid.nodes - i);
-        loop(run, &directions[place]);
+        std::uint8_t* const to = &directions[place];
+        in_vectors([&]() AEROSTAT_INLINE_LAMBDA { either_loop(run, to); });
       }
       const int begin = grid.at(0, j);
       for (int place = begin; place < begin + grid.nodes; ++place)
