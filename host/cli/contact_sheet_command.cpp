@@ -9,6 +9,7 @@
 #include "cli/picture.hpp"
 #include "cli/scene_input.hpp"
 #include "core/error.hpp"
+#include "core/stop_scope.hpp"
 #include "core/stopwatch.hpp"
 #include "image/sheet.hpp"
 #include "world/world.hpp"
@@ -106,7 +107,7 @@ int contact_sheet(const ContactSheetOptions& options) {
   const image::Sheet sheet = sheet_render.render(scene, seeds, layout, interrupt.token());
   bar.clear();
   const auto bytes = image::encode_png(sheet.pixels());
-  if (interrupt.token().stop_requested()) throw Error(ErrorKind::interrupted, "interrupted");
+  stop_if_asked(interrupt.token());
   image::write_file(output, bytes);
   if (!options.quiet) {
     bar.message(fmt::format("wrote {} ({} tiles of {} x {}, {} spp) in {:.1f} s on {}",

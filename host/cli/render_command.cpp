@@ -12,6 +12,7 @@
 #include "cli/report.hpp"
 #include "cli/scene_input.hpp"
 #include "core/error.hpp"
+#include "core/stop_scope.hpp"
 #include "core/stopwatch.hpp"
 #include "image/write.hpp"
 #include "render/session.hpp"
@@ -116,7 +117,7 @@ int render(const RenderOptions& options) {
   phase.restart();
   const auto bytes = encode(film, format, scene.image, options.crop);
   seconds.encoding = phase.restart();
-  if (interrupt.token().stop_requested()) throw Error(ErrorKind::interrupted, "interrupted");
+  stop_if_asked(interrupt.token());
   image::write_file(output, bytes);
   seconds.writing = phase.seconds();
 

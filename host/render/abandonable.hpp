@@ -26,7 +26,7 @@ class AbandonableWork {
   auto run(Work work, const std::stop_token& stop, Waiting waiting) -> decltype(work()) {
     while (given_up() > 1) {
       waiting();
-      if (stop.stop_requested()) throw Error(ErrorKind::interrupted, "interrupted");
+      stop_if_asked(stop);
       std::this_thread::sleep_for(std::chrono::milliseconds(10));
     }
     std::packaged_task<decltype(work())()> task([work = std::move(work), stop]() mutable {

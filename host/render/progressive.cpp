@@ -6,7 +6,7 @@
 #include <mutex>
 #include <optional>
 
-#include "core/error.hpp"
+#include "core/stop_scope.hpp"
 #include "core/stopwatch.hpp"
 #include "render/abandonable.hpp"
 #include "world/world.hpp"
@@ -68,7 +68,7 @@ void rest(std::chrono::milliseconds time, const std::stop_token& stop) {
   std::condition_variable_any wake;
   std::unique_lock lock(mutex);
   wake.wait_for(lock, stop, time, [] { return false; });
-  if (stop.stop_requested()) throw Error(ErrorKind::interrupted, "interrupted");
+  stop_if_asked(stop);
 }
 
 }  // namespace

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "core/error.hpp"
+#include "core/stop_scope.hpp"
 #include "core/stopwatch.hpp"
 #include "image/tone.hpp"
 #include "pack/daylight.hpp"
@@ -82,7 +83,7 @@ struct Session::State {
 };
 
 void Session::State::stop_if_asked() const {
-  if (stop.stop_requested()) throw Error(ErrorKind::interrupted, "interrupted");
+  aerostat::stop_if_asked(stop);
 }
 
 void Session::State::report(Stage stage, double fraction) {

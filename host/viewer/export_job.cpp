@@ -3,6 +3,7 @@
 #include <QFileInfo>
 
 #include "core/error.hpp"
+#include "core/stop_scope.hpp"
 #include "image/write.hpp"
 #include "opencl/device.hpp"
 #include "render/look.hpp"
@@ -62,7 +63,7 @@ void ExportJob::run(const std::stop_token& stop, scene::Scene scene, const QStri
     const auto bytes =
         exr ? image::encode_exr(film)
             : image::encode_png(image::develop(film, render::look_of(scene.image, film)));
-    if (stop.stop_requested()) throw Error(ErrorKind::interrupted, "interrupted");
+    stop_if_asked(stop);
     image::write_file(path.toStdString(), bytes);
     Q_EMIT finished(true, {});
   } catch (const Error& error) {
