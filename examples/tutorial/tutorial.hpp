@@ -1,0 +1,114 @@
+#pragma once
+
+// What all steps of the tutorial share: opening a device, building a program from its text,
+// small vectors, a camera, two meshes, a tree and a PNG writer. The ray tracing itself is in the
+// .cl files, which is where to look first.
+
+#define CL_HPP_ENABLE_EXCEPTIONS
+#define CL_HPP_TARGET_OPENCL_VERSION 120
+#define CL_HPP_MINIMUM_OPENCL_VERSION 120
+#define CL_TARGET_OPENCL_VERSION 120
+#pragma GCC system_header  // the bindings of OpenCL are not free of warnings
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include <CL/opencl.hpp>
+
+namespace tutorial {
+
+using Vec3 = std::array<float, 3>;
+
+Vec3 operator+(Vec3 a, Vec3 b);
+Vec3 operator-(Vec3 a, Vec3 b);
+Vec3 operator*(Vec3 a, float s);
+float dot(Vec3 a, Vec3 b);
+Vec3 cross(Vec3 a, Vec3 b);
+Vec3 normalize(Vec3 a);
+
+/// The same structs stand in rays.clh: only 32-bit members, so that both sides agree on the layout.
+struct Triangle {
+  Vec3 v0, v1, v2;
+};
+static_assert(sizeof(Triangle) == 36);
+
+/// A pinhole camera. The ray through the picture's point (x, y), both from -1 to 1, has the
+/// direction forward + x * right + y * up.
+struct Camera {
+  Vec3 eye, right, up, forward;
+};
+static_assert(sizeof(Camera) == 48);
+
+Camera look_at(Vec3 eye, Vec3 target, float fov_y_deg, int width, int height);
+
+/// A node of a bounding volume hierarchy. A leaf has `count` triangles from `first` on. An inner
+/// node has a count of 0, and its two children are the nodes `first` and `first` + 1.
+struct Node {
+  Vec3 low, high;
+  std::uint32_t first, count;
+};
+static_assert(sizeof(Node) == 32);
+
+/// Builds a tree by splitting at the median along the longest axis. Reorders the triangles.
+std::vector<Node> build_tree(std::vector<Triangle>& triangles);
+
+/// Hills over a square of 2 x 2 with `cells` x `cells` cells of two triangles each; y is up.
+std::vector<Triangle> hills(int cells);
+/// A closed sphere of 2 * rings * (2 * rings - 2) triangles.
+std::vector<Triangle> sphere(Vec3 center, float radius, int rings);
+
+/// The first CPU device of the machine, or the first device of any kind.
+class Device {
+ public:
+  Device();
+  /// Joins the files of examples/tutorial to one program and compiles it. Prints the compiler's
+  /// words and throws cl::Error if it does not compile.
+  cl::Program build(const std::vector<std::string>& files, const std::string& options = "") const;
+
+  template <typename Item>
+  cl::Buffer upload(const std::vector<Item>& items) const {
+    return cl::Buffer(context, CL_MEM_READ_ONLY | CL_MEM_COPY_HOST_PTR, items.size() * sizeof(Item),
+                      const_cast<Item*>(items.data()));
+  }
+  template <typename Item>
+  cl::Buffer allocate(std::size_t count) const {
+    return cl::Buffer(context, CL_MEM_READ_WRITE, count * sizeof(Item));
+  }
+  template <typename Item>
+  std::vector<Item> download(const cl::Buffer& buffer, std::size_t count) const {
+    std::vector<Item> items(count);
+    queue.enqueueReadBuffer(buffer, CL_TRUE, 0, count * sizeof(Item), items.data());
+    return items;
+  }
+  /// Runs a kernel over columns x rows work-items, waits, and returns the seconds that it took.
+  double run(const cl::Kernel& kernel, int columns, int rows) const;
+
+  cl::Context context;
+  cl::CommandQueue queue;
+};
+
+/// Makes a kernel and sets its arguments in their order.
+template <typename... Arguments>
+cl::Kernel kernel_with(const cl::Program& program, const char* name,
+                       const Arguments&... arguments) {
+  cl::Kernel kernel(program, name);
+  cl_uint index = 0;
+  (kernel.setArg(index++, arguments), ...);
+  return kernel;
+}
+
+/// Writes 3 bytes a pixel, row 0 at the top. Throws std::runtime_error if that fails.
+void write_png(const std::string& path, int width, int height,
+               const std::vector<std::uint8_t>& rgb);
+
+/// Prints what was checked. A step ends with the number of checks that failed as its exit code, so
+/// that the tests can run it.
+void check(bool holds, const std::string& what);
+int failed_checks();
+
+/// Where a step writes its picture: the folder named on the command line, or the current one.
+std::string output_path(int argc, char** argv, const std::string& name);
+
+}  // namespace tutorial
