@@ -8,7 +8,7 @@
 using namespace tutorial;
 
 int main() {
-  const int count = 200000;
+  const int count = 100000;
   const Vec3 center{3.1f, -1.7f, 0.9f};
   const std::vector<Triangle> triangles = sphere(center, 1.0f, 12);
 
