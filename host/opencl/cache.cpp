@@ -12,6 +12,7 @@
 
 #include "core/error.hpp"
 #include "core/log.hpp"
+#include "opencl/cache_check.hpp"
 
 namespace aerostat::opencl {
 namespace {
@@ -75,16 +76,34 @@ std::optional<std::string> make_private(const fs::path& path) {
   return std::nullopt;
 }
 
-std::optional<std::string> usable_as_preferred(const fs::path& path, std::uint64_t min_free) {
-  if (auto problem = make_folders(path)) return problem;
-  if (auto problem = make_private(path)) return problem;
-  return write_obstacle(path, min_free);
+/// Removes what PoCL would stumble over, and says so in `folder`; or says why it cannot.
+std::optional<std::string> mend(CacheFolder& folder) {
+  try {
+    const auto removed = remove_damaged_programs(folder.path);
+    if (removed > 0) {
+      folder.warning = fmt::format(
+          "compiled kernels in {} were damaged and have been removed; they are compiled anew",
+          folder.path.string());
+    }
+    return std::nullopt;
+  } catch (const Error& error) {
+    return error.what();
+  }
+}
+
+std::optional<std::string> usable_as_preferred(CacheFolder& folder, std::uint64_t min_free) {
+  if (auto problem = make_folders(folder.path)) return problem;
+  if (auto problem = make_private(folder.path)) return problem;
+  if (auto problem = write_obstacle(folder.path, min_free)) return problem;
+  return mend(folder);
 }
 
 CacheFolder users_folder(const fs::path& path, std::uint64_t min_free) {
+  CacheFolder folder{path, false, {}};
   auto problem = make_folders(path);
   if (!problem) problem = write_obstacle(path, min_free);
-  if (!problem) return {path, false, {}};
+  if (!problem) problem = mend(folder);
+  if (!problem) return folder;
   throw Error(ErrorKind::io,
               fmt::format("POCL_CACHE_DIR names {}, where PoCL cannot keep compiled kernels: {}",
                           path.string(), *problem));
@@ -159,10 +178,16 @@ CacheFolder prepare_cache(const CacheEnvironment& environment, std::uint64_t min
   if (!preferred) {
     return temporary_folder(environment, "neither HOME nor XDG_CACHE_HOME is set", min_free_bytes);
   }
-  const auto problem = usable_as_preferred(*preferred, min_free_bytes);
-  if (!problem) return {*preferred, false, {}};
+  CacheFolder folder{*preferred, false, {}};
+  const auto problem = usable_as_preferred(folder, min_free_bytes);
+  if (!problem) return folder;
   return temporary_folder(environment, fmt::format("{}: {}", preferred->string(), *problem),
                           min_free_bytes);
+}
+
+void keep_compiled_kernels() {
+  if (!ensure_pocl_cache().empty()) return;
+  if (const auto folder = variable("POCL_CACHE_DIR")) seal_programs(*folder);
 }
 
 std::string ensure_pocl_cache() {

@@ -22,7 +22,7 @@ struct CacheEnvironment {
 struct CacheFolder {
   std::filesystem::path path;
   bool temporary = false;  // to be removed at exit
-  std::string warning;     // a sentence for the user if it is not where it should be
+  std::string warning;     // a sentence for the user if it is not as it should be
 };
 
 /// Free space below which a kernel build may fail for lack of it.
@@ -33,8 +33,9 @@ inline constexpr std::uint64_t kMinCacheBytes = 32ull << 20;
 std::optional<std::filesystem::path> preferred_cache_path(const CacheEnvironment& environment);
 
 /// Makes the folder and proves that it can be written: the user's POCL_CACHE_DIR as it is, else the
-/// preferred one with mode 0700, else a new private one under the temporary directory. Throws
-/// Error{io} that names POCL_CACHE_DIR if none has `min_free_bytes` or can be written.
+/// preferred one with mode 0700, else a new private one under the temporary directory. Removes
+/// damaged kernels (see cache_check.hpp), with a warning. Throws Error{io} that names
+/// POCL_CACHE_DIR if no folder has `min_free_bytes`, can be written and is rid of damaged kernels.
 CacheFolder prepare_cache(const CacheEnvironment& environment,
                           std::uint64_t min_free_bytes = kMinCacheBytes);
 
@@ -42,5 +43,9 @@ CacheFolder prepare_cache(const CacheEnvironment& environment,
 /// temporary folder at exit. Call it before the first call of OpenCL and before other threads run.
 /// Returns what is wrong, or an empty string.
 std::string ensure_pocl_cache();
+
+/// Notes what the kernels in PoCL's folder are like, now that PoCL has loaded them, so that a later
+/// run sees whether they were damaged since. Call it when kernels were compiled and launched.
+void keep_compiled_kernels();
 
 }  // namespace aerostat::opencl

@@ -5,6 +5,7 @@
 #include "camera.h"
 #include "core/stopwatch.hpp"
 #include "film_pixel.h"
+#include "opencl/cache.hpp"
 
 namespace aerostat::render {
 namespace {
@@ -60,6 +61,7 @@ Programs build_programs(const opencl::Context& context, int lanes) {
   programs.clear_film = rendering.kernel("clear_film");
   programs.settle_film = rendering.kernel("settle_film");
   warm_up(context, programs, lanes);
+  opencl::keep_compiled_kernels();
   programs.seconds = watch.seconds();
   return programs;
 }

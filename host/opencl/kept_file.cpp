@@ -1,0 +1,75 @@
+#include "opencl/kept_file.hpp"
+
+#include <cstdio>
+#include <cstdlib>
+#include <system_error>
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+namespace aerostat::opencl {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct File {
+  int descriptor = -1;
+  ~File() {
+    if (descriptor >= 0) close(descriptor);
+  }
+};
+
+bool write_all(int descriptor, std::string_view bytes) {
+  while (!bytes.empty()) {
+    const auto written = write(descriptor, bytes.data(), bytes.size());
+    if (written <= 0) return false;
+    bytes.remove_prefix(static_cast<std::size_t>(written));
+  }
+  return fsync(descriptor) == 0;
+}
+
+}  // namespace
+
+std::optional<std::string> read_kept_file(const fs::path& path) {
+  // A pipe in a file's place would wait for a writer.
+  const File file{open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK | O_NOFOLLOW)};
+  struct stat status = {};
+  if (file.descriptor < 0 || fstat(file.descriptor, &status) != 0 || !S_ISREG(status.st_mode)) {
+    return std::nullopt;
+  }
+  std::string bytes(static_cast<std::size_t>(status.st_size), '\0');
+  std::size_t done = 0;
+  while (done < bytes.size()) {
+    const auto count = read(file.descriptor, bytes.data() + done, bytes.size() - done);
+    if (count <= 0) return std::nullopt;
+    done += static_cast<std::size_t>(count);
+  }
+  return bytes;
+}
+
+bool write_kept_file(const fs::path& path, std::string_view bytes) {
+  std::string temporary = path.string() + ".XXXXXX";
+  bool is_written = false;
+  {
+    const File file{mkostemp(temporary.data(), O_CLOEXEC)};
+    if (file.descriptor < 0) return false;
+    is_written = write_all(file.descriptor, bytes);
+  }
+  if (is_written && std::rename(temporary.c_str(), path.c_str()) == 0) return true;
+  unlink(temporary.c_str());
+  return false;
+}
+
+bool remove_kept(const fs::path& path) {
+  std::error_code error;
+  const fs::path aside =
+      path.parent_path() / fmt::format("removed-{}-{}", getpid(), path.filename().string());
+  fs::rename(path, aside, error);
+  std::error_code ignored;
+  fs::remove_all(error ? path : aside, ignored);
+  return fs::symlink_status(path, ignored).type() == fs::file_type::not_found;
+}
+
+}  // namespace aerostat::opencl
