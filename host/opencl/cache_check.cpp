@@ -83,10 +83,7 @@ bool is_sound_code(const fs::path& path, const SealedFile* sealed) {
   }
   const auto bytes = read_kept_file(path);
   if (!bytes) return false;
-  if (sealed != nullptr && checksum(*bytes) == sealed->checksum) return true;
-  // Another process may have compiled the same program and put its file in place of the sealed one.
-  const bool is_same_file = sealed != nullptr && now->inode == sealed->inode;
-  return !is_same_file && is_whole_code(path, *bytes);
+  return sealed != nullptr ? checksum(*bytes) == sealed->checksum : is_whole_code(path, *bytes);
 }
 
 bool is_usable_folder(const fs::path& path) {
@@ -191,10 +188,16 @@ void put_on_disk(const fs::path& program, const Seal& seal) {
 
 }  // namespace
 
+fs::path suspect_mark(const fs::path& cache) {
+  return cache / "aerostat.suspect";
+}
+
 std::size_t remove_damaged_programs(const fs::path& cache) {
   std::size_t removed = 0;
+  std::error_code ignored;
+  const bool is_suspect = fs::exists(fs::symlink_status(suspect_mark(cache), ignored));
   for (const auto& group : entries_named(cache, is_named_as_group)) {
-    if (!is_usable_folder(group)) {
+    if (is_suspect || !is_usable_folder(group)) {
       remove_or_throw(group);
       ++removed;
       continue;
@@ -205,6 +208,7 @@ std::size_t remove_damaged_programs(const fs::path& cache) {
       ++removed;
     }
   }
+  if (is_suspect) remove_or_throw(suspect_mark(cache));
   return removed;
 }
 

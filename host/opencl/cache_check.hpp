@@ -13,7 +13,11 @@ namespace aerostat::opencl {
 /// whole (cut off, empty, not of its kind), cannot be opened, or is in a folder's place or the
 /// other way round. Returns how many were removed. Throws Error{io} that names what cannot be
 /// removed.
+/// If the cache is marked as suspect, all are removed, and the mark with them.
 std::size_t remove_damaged_programs(const std::filesystem::path& cache);
+
+/// The file that marks the cache as suspect.
+std::filesystem::path suspect_mark(const std::filesystem::path& cache);
 
 /// Seals the programs in the cache. Those that cannot be sealed stay as they are.
 void seal_programs(const std::filesystem::path& cache);

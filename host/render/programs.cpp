@@ -6,6 +6,7 @@
 #include "core/stopwatch.hpp"
 #include "film_pixel.h"
 #include "opencl/cache.hpp"
+#include "opencl/driver_abort.hpp"
 
 namespace aerostat::render {
 namespace {
@@ -50,6 +51,7 @@ opencl::LaunchSize packet_range(std::uint64_t packets, int lanes) {
 
 Programs build_programs(const opencl::Context& context, int lanes) {
   const Stopwatch watch;
+  const opencl::DriverAbortGuard guard;
   opencl::SourceTree sources = opencl::kernel_sources();
   sources.emplace(kRendering, kRenderingText);
   const opencl::Program rendering(context, sources, kRendering, lanes);

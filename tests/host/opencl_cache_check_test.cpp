@@ -1,15 +1,18 @@
 // Damage to PoCL's compiled kernels is found before PoCL comes upon it.
+#include <csignal>
+#include <cstdlib>
 #include <fstream>
 #include <functional>
 
 #include <elf.h>
 #include <gtest/gtest.h>
+#include <sys/resource.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include "error_of.hpp"
 #include "opencl/cache.hpp"
 #include "opencl/cache_check.hpp"
+#include "opencl/driver_abort.hpp"
 
 namespace aerostat::opencl {
 namespace {
@@ -166,22 +169,24 @@ TEST_F(CacheCheck, FindsDamagedSeals) {
   });
 }
 
-TEST_F(CacheCheck, LetsProgramsBeCopiedAndCompiledAgain) {
+TEST_F(CacheCheck, LetsProgramsBeCopied) {
   seal_programs(cache_);
-  const fs::path file = cache_ / kProgram / kLibrary;
-  fs::copy_file(file, file.string() + ".copy");
-  fs::rename(file.string() + ".copy", file);
-  EXPECT_EQ(remove_damaged_programs(cache_), 0u) << "the same bytes in another file";
+  const fs::path copy = cache_ / "copy";
+  fs::create_directory(copy);
+  fs::copy(cache_ / "PN", copy / "PN", fs::copy_options::recursive);
+  EXPECT_EQ(remove_damaged_programs(copy), 0u);
+  std::fstream(copy / kProgram / kLibrary, std::ios::in | std::ios::out).seekp(500) << "d";
+  EXPECT_EQ(remove_damaged_programs(copy), 1u);
+}
+
+TEST_F(CacheCheck, SealsWhatWasCompiledSince) {
   seal_programs(cache_);
-  // Another process has compiled the same program and renamed its file.
-  std::string other = library();
-  other[500] = 'd';
-  write(file.string() + ".new", other);
-  fs::rename(file.string() + ".new", file);
+  const fs::path file = cache_ / kProgram / "trace/8-1-1-goffs0-smallgrid/trace.so";
+  write(file, library());
+  seal_programs(cache_);
   EXPECT_EQ(remove_damaged_programs(cache_), 0u);
-  seal_programs(cache_);
-  std::fstream(file, std::ios::binary | std::ios::in | std::ios::out).seekp(500) << "c";
-  EXPECT_EQ(remove_damaged_programs(cache_), 1u) << "it was sealed anew";
+  std::fstream(file, std::ios::in | std::ios::out).seekp(500) << "d";
+  EXPECT_EQ(remove_damaged_programs(cache_), 1u);
 }
 
 TEST_F(CacheCheck, LeavesWhatIsNotOfAProgram) {
@@ -191,6 +196,39 @@ TEST_F(CacheCheck, LeavesWhatIsNotOfAProgram) {
   write(cache_ / kProgram / "program.bc_abc.temp", "half");
   write(cache_ / kProgram / "build.log", "");
   EXPECT_EQ(remove_damaged_programs(cache_), 0u);
+}
+
+TEST_F(CacheCheck, RemovesAllAfterADriverAborted) {
+  setenv("POCL_CACHE_DIR", cache_.c_str(), 1);
+  const auto abort_while_compiling = [] {
+    const DriverAbortGuard guard;
+    { const DriverAbortGuard another; }
+    std::abort();
+  };
+  EXPECT_EXIT(abort_while_compiling(), testing::ExitedWithCode(70), cache_.string());
+  unsetenv("POCL_CACHE_DIR");
+  EXPECT_EQ(remove_damaged_programs(cache_), 2u);
+  fill();
+  EXPECT_EQ(remove_damaged_programs(cache_), 0u) << "the mark is gone";
+}
+
+TEST_F(CacheCheck, NamesMemoryIfADriverAbortsInALimitedAddressSpace) {
+  setenv("POCL_CACHE_DIR", cache_.c_str(), 1);
+  const auto abort_in_little_memory = [] {
+    const rlimit limit{1ull << 40, 1ull << 40};
+    setrlimit(RLIMIT_AS, &limit);
+    const DriverAbortGuard guard;
+    std::abort();
+  };
+  EXPECT_EXIT(abort_in_little_memory(), testing::ExitedWithCode(75), "ulimit -v");
+  unsetenv("POCL_CACHE_DIR");
+  EXPECT_EQ(remove_damaged_programs(cache_), 0u);
+  EXPECT_EXIT(
+      {
+        { const DriverAbortGuard guard; }
+        std::abort();
+      },
+      testing::KilledBySignal(SIGABRT), "");
 }
 
 TEST_F(CacheCheck, SaysWhatItRemoved) {

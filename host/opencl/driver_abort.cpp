@@ -1,0 +1,83 @@
+#include "opencl/driver_abort.hpp"
+
+#include <csignal>
+#include <cstdlib>
+#include <mutex>
+#include <string>
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <sys/resource.h>
+#include <unistd.h>
+
+#include "core/error.hpp"
+#include "opencl/cache_check.hpp"
+
+namespace aerostat::opencl {
+namespace {
+
+/// What the handler needs: it may neither allocate nor lock.
+struct LastWords {
+  std::string message;
+  std::string suspect_path;  // empty: the cache is not the cause
+  int exit_code = 0;
+};
+
+std::mutex mutex;
+int guards = 0;
+struct sigaction former = {};
+LastWords& last_words = *new LastWords;  // kept: a driver may abort after main
+
+extern "C" void tell_and_exit(int) {
+  if (!last_words.suspect_path.empty()) {
+    const int file = open(last_words.suspect_path.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC, 0600);
+    if (file >= 0) close(file);
+  }
+  [[maybe_unused]] const auto written =
+      write(STDERR_FILENO, last_words.message.data(), last_words.message.size());
+  _exit(last_words.exit_code);
+}
+
+bool address_space_is_limited() {
+  rlimit limit = {};
+  return getrlimit(RLIMIT_AS, &limit) == 0 && limit.rlim_cur != RLIM_INFINITY;
+}
+
+LastWords compose() {
+  const std::string head =
+      "aerostat: the process was aborted while kernels were compiled, most likely by the OpenCL "
+      "driver; ";
+  if (address_space_is_limited()) {
+    return {head +
+                "it may need more memory than the limit of the address space (ulimit -v) "
+                "allows: raise the limit\n",
+            {},
+            static_cast<int>(ErrorKind::exhausted)};
+  }
+  const char* folder = std::getenv("POCL_CACHE_DIR");
+  if (folder == nullptr) {
+    return {head + "its message, if any, is above\n", {}, static_cast<int>(ErrorKind::internal)};
+  }
+  return {fmt::format("{}the compiled kernels in {} will be removed by the next run, which "
+                      "compiles them anew\n",
+                      head, folder),
+          suspect_mark(folder).string(), static_cast<int>(ErrorKind::internal)};
+}
+
+}  // namespace
+
+DriverAbortGuard::DriverAbortGuard() {
+  const std::lock_guard lock(mutex);
+  if (guards++ > 0) return;
+  last_words = compose();
+  struct sigaction action = {};
+  action.sa_handler = tell_and_exit;
+  sigaction(SIGABRT, &action, &former);
+}
+
+DriverAbortGuard::~DriverAbortGuard() {
+  const std::lock_guard lock(mutex);
+  if (--guards == 0) sigaction(SIGABRT, &former, nullptr);
+}
+
+}  // namespace aerostat::opencl
