@@ -10,9 +10,7 @@ install(DIRECTORY scenes/ DESTINATION "${CMAKE_INSTALL_DATADIR}/aerostat/scenes"
         FILES_MATCHING PATTERN "*.json")
 install(DIRECTORY docs/manual DESTINATION "${CMAKE_INSTALL_DOCDIR}")
 # What the manual links to.
-install(FILES docs/performance.md docs/performance-process.md CONTRIBUTING.md
-        DESTINATION "${CMAKE_INSTALL_DOCDIR}")
-install(DIRECTORY docs/decisions DESTINATION "${CMAKE_INSTALL_DOCDIR}")
+install(FILES docs/performance.md DESTINATION "${CMAKE_INSTALL_DOCDIR}")
 install(FILES docs/gallery/viewer.png DESTINATION "${CMAKE_INSTALL_DOCDIR}/gallery")
 
 function(aerostat_install_extras program)
