@@ -7,10 +7,10 @@
 #include <QHBoxLayout>
 #include <QKeyEvent>
 #include <QRandomGenerator>
-#include <QSpinBox>
 #include <QToolButton>
 
 #include "viewer/color_editor.hpp"
+#include "viewer/number_box.hpp"
 #include "viewer/number_editor.hpp"
 #include "viewer/triple_editor.hpp"
 
@@ -54,10 +54,9 @@ class SeedRow : public ControlRow {
     auto* layout = new QHBoxLayout(box);
     layout->setContentsMargins(0, 0, 0, 0);
     // Wider than a QSpinBox's int: seeds go to 2^32 - 1.
-    number_ = new QDoubleSpinBox;
+    number_ = new NumberBox;
     number_->setDecimals(0);
     number_->setRange(rule().minimum, rule().maximum);
-    number_->setKeyboardTracking(false);
     dice_ = new QToolButton;
     dice_->setText(ControlRow::tr("Dice"));
     dice_->setToolTip(ControlRow::tr("Another land"));
@@ -93,7 +92,7 @@ class SeedRow : public ControlRow {
  private:
   void put(double value) { set(QString::number(value, 'f', 0)); }
 
-  QDoubleSpinBox* number_;
+  NumberBox* number_;
   QToolButton* dice_;
   QToolButton* back_;
   std::vector<double> before_;

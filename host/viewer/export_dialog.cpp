@@ -10,7 +10,6 @@
 #include <QLineEdit>
 #include <QProgressBar>
 #include <QPushButton>
-#include <QSpinBox>
 #include <QVBoxLayout>
 
 #include "viewer/controls.hpp"
@@ -27,8 +26,8 @@ QString suggested_path(const Document& document) {
   return folder + "/" + name + ".png";
 }
 
-QSpinBox* pixels_box(int value) {
-  auto* box = new QSpinBox;
+WholeBox* pixels_box(int value) {
+  auto* box = new WholeBox;
   box->setRange(1, 32768);
   box->setSuffix(ExportDialog::tr(" px"));
   box->setValue(value);
@@ -130,6 +129,13 @@ std::vector<scene::Override> ExportDialog::changes() const {
 }
 
 void ExportDialog::begin() {
+  for (WholeBox* box : {width_, height_}) {
+    if (!box->is_readable()) {
+      message_->setText(tr("Size: %1").arg(box->expected()));
+      return;
+    }
+    box->interpretText();  // Alt+E leaves the focus where it is
+  }
   QString path = path_->text().trimmed();
   if (path.isEmpty()) return;
   const QFileInfo file(path);

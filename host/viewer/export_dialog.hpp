@@ -4,13 +4,13 @@
 #include <memory>
 
 #include "viewer/document.hpp"
+#include "viewer/number_box.hpp"
 
 class QComboBox;
 class QLabel;
 class QLineEdit;
 class QProgressBar;
 class QPushButton;
-class QSpinBox;
 
 namespace aerostat::viewer {
 
@@ -50,8 +50,8 @@ class ExportDialog : public QDialog {
   QString device_;
   QLineEdit* path_;
   QComboBox* quality_;
-  QSpinBox* width_;
-  QSpinBox* height_;
+  WholeBox* width_;
+  WholeBox* height_;
   QProgressBar* progress_;
   QLabel* message_;
   QPushButton* browse_;

@@ -16,7 +16,9 @@ constexpr double kApart_m = 60.0;
 constexpr double kLampAbove_m = 30.0;
 
 QString place_text(const dvec3& place) {
-  return QStringLiteral("{\"position\": [%1, %2, %3]}").arg(place.x).arg(place.y).arg(place.z);
+  const auto number = [](double value) { return QString::number(value, 'g', 12); };
+  return QStringLiteral("{\"position\": [%1, %2, %3]}")
+      .arg(number(place.x), number(place.y), number(place.z));
 }
 
 }  // namespace

@@ -153,6 +153,7 @@ void MainWindow::show_title() {
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {
+  take_typed();
   if (!files_->may_discard()) {
     event->ignore();
     return;

@@ -60,6 +60,7 @@ class MainWindow : public QMainWindow {
   QAction* add_action(class QMenu* menu, const QString& text, const QKeySequence& keys,
                       const std::function<void()>& act);
 
+  void take_typed();
   void render();
   void show_look(std::shared_ptr<const Shown> shown);
   void show_progress(const render::Progress& progress);

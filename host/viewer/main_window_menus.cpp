@@ -1,3 +1,4 @@
+#include <QAbstractSpinBox>
 #include <QActionGroup>
 #include <QApplication>
 #include <QDockWidget>
@@ -16,8 +17,16 @@ QAction* MainWindow::add_action(QMenu* menu, const QString& text, const QKeySequ
                                 const std::function<void()>& act) {
   QAction* action = menu->addAction(text);
   action->setShortcut(keys);
-  connect(action, &QAction::triggered, this, act);
+  connect(action, &QAction::triggered, this, [this, act] {
+    take_typed();
+    act();
+  });
   return action;
+}
+
+/// A shortcut leaves the focus where it is: a number that was typed there counts all the same.
+void MainWindow::take_typed() {
+  if (auto* box = qobject_cast<QAbstractSpinBox*>(focusWidget())) box->interpretText();
 }
 
 void MainWindow::add_file_menu() {

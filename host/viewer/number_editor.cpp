@@ -33,7 +33,6 @@ NumberEditor::NumberEditor(const Range& range, QWidget* parent)
   slider_->setMinimumWidth(60);
   box_->setDecimals(range.decimals);
   box_->setRange(range.least, range.most);
-  box_->setKeyboardTracking(false);
   box_->setAccelerated(true);
   box_->setStepType(range.decimals == 0 || range.logarithmic
                         ? QAbstractSpinBox::AdaptiveDecimalStepType

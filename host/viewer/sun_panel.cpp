@@ -1,9 +1,9 @@
 #include "viewer/sun_panel.hpp"
 
+#include <QCalendarWidget>
 #include <QCheckBox>
 #include <QCoreApplication>
 #include <QDateEdit>
-#include <QDoubleSpinBox>
 #include <QFormLayout>
 #include <QRegularExpression>
 #include <QTimeEdit>
@@ -11,6 +11,8 @@
 #include <cmath>
 
 #include "scene/field_rule.hpp"
+#include "viewer/iso_edit.hpp"
+#include "viewer/number_box.hpp"
 #include "viewer/sun_disc.hpp"
 
 namespace aerostat::viewer {
@@ -22,12 +24,11 @@ const QStringList kPointers = {"/sun/direction",    "/sun/azimuth_deg", "/sun/el
 
 QDoubleSpinBox* degrees_box(const char* pointer, double step, int decimals) {
   const scene::FieldRule rule = scene::field_rule(pointer);
-  auto* box = new QDoubleSpinBox;
+  auto* box = new NumberBox;
   box->setDecimals(decimals);
   box->setRange(rule.minimum, rule.maximum);
   box->setSingleStep(step);
   box->setSuffix(QStringLiteral("°"));
-  box->setKeyboardTracking(false);
   box->setFocusPolicy(Qt::StrongFocus);
   box->setObjectName(QString::fromLatin1(pointer));
   box->setToolTip(QCoreApplication::translate("Schema", rule.description.c_str()));
@@ -41,6 +42,10 @@ QString offset_text(double hours) {
       .arg(QLatin1Char(minutes < 0 ? '-' : '+'))
       .arg(std::abs(minutes) / 60, 2, 10, QLatin1Char('0'))
       .arg(std::abs(minutes) % 60, 2, 10, QLatin1Char('0'));
+}
+
+std::string text_of(double value) {
+  return QString::number(value, 'g', 12).toStdString();
 }
 
 std::string quoted(const QString& text) {
@@ -61,9 +66,9 @@ SunPanel::SunPanel(Document& document, QWidget* parent)
       elevation_(degrees_box("/sun/elevation_deg", 1.0, 1)),
       by_date_(new QCheckBox(tr("By date, time and place"))),
       date_box_(new QWidget),
-      date_(new QDateEdit(QDate(2024, 6, 21))),
-      time_(new QTimeEdit(QTime(6, 30))),
-      offset_(new QDoubleSpinBox),
+      date_(new IsoEdit<QDateEdit>(QDate(2024, 6, 21))),
+      time_(new IsoEdit<QTimeEdit>(QTime(6, 30))),
+      offset_(new NumberBox),
       latitude_(degrees_box("/sun/latitude_deg", 1.0, 4)),
       longitude_(degrees_box("/sun/longitude_deg", 1.0, 4)) {
   build();
@@ -94,6 +99,7 @@ SunPanel::SunPanel(Document& document, QWidget* parent)
 void SunPanel::build() {
   date_->setDisplayFormat(QStringLiteral("yyyy-MM-dd"));
   date_->setCalendarPopup(true);
+  date_->calendarWidget()->setLocale(locale());  // its months have names
   date_->setDateRange(QDate(1900, 1, 1), QDate(2100, 12, 31));
   date_->setToolTip(tr("Day at which the sun stands where it stands"));
   time_->setDisplayFormat(QStringLiteral("HH:mm"));
@@ -126,9 +132,8 @@ void SunPanel::build() {
 }
 
 void SunPanel::set_angles(double azimuth_deg, double elevation_deg) {
-  document_.change(tr("Move the Sun"),
-                   {{"/sun/azimuth_deg", QString::number(azimuth_deg, 'g', 12).toStdString()},
-                    {"/sun/elevation_deg", QString::number(elevation_deg, 'g', 12).toStdString()}});
+  document_.change(tr("Move the Sun"), {{"/sun/azimuth_deg", text_of(azimuth_deg)},
+                                        {"/sun/elevation_deg", text_of(elevation_deg)}});
 }
 
 void SunPanel::set_date() {
@@ -138,8 +143,8 @@ void SunPanel::set_date() {
   document_.change(tr("Move the Sun by Date"),
                    {{"/sun/date", quoted(date_->date().toString(Qt::ISODate))},
                     {"/sun/time", quoted(time)},
-                    {"/sun/latitude_deg", QString::number(latitude_->value()).toStdString()},
-                    {"/sun/longitude_deg", QString::number(longitude_->value()).toStdString()}});
+                    {"/sun/latitude_deg", text_of(latitude_->value())},
+                    {"/sun/longitude_deg", text_of(longitude_->value())}});
 }
 
 void SunPanel::reset() {

@@ -18,7 +18,6 @@ TripleEditor::TripleEditor(double least, double most, int decimals, QWidget* par
     box->setRange(least, most);
     box->setStepType(QAbstractSpinBox::AdaptiveDecimalStepType);
     box->setButtonSymbols(QAbstractSpinBox::NoButtons);
-    box->setKeyboardTracking(false);
     box->setMinimumWidth(box->fontMetrics().horizontalAdvance(QStringLiteral("-00,000.0")) + 16);
     layout->addWidget(box, 1);
     connect(box, &QDoubleSpinBox::valueChanged, this, &TripleEditor::tell);

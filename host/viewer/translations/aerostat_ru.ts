@@ -581,6 +581,21 @@
     </message>
 </context>
 <context>
+    <name>NumberBox</name>
+    <message>
+        <source>Expected a whole number from %1 to %2, without marks.</source>
+        <translation>Ожидается целое число от %1 до %2, без знаков.</translation>
+    </message>
+    <message>
+        <source>Expected a number from %1 to %2.</source>
+        <translation>Ожидается число от %1 до %2.</translation>
+    </message>
+    <message>
+        <source>The value is still %1.</source>
+        <translation>Значение осталось прежним: %1.</translation>
+    </message>
+</context>
+<context>
     <name>Presets</name>
     <message>
         <source>Near the balloon</source>
@@ -1629,6 +1644,10 @@
     <message>
         <source>Size</source>
         <translation>Размер</translation>
+    </message>
+    <message>
+        <source>Size: %1</source>
+        <translation>Размер: %1</translation>
     </message>
 </context>
 <context>
