@@ -60,8 +60,9 @@ DeviceBench::DeviceBench(const opencl::Device& device, int lanes,
   scene::Scene scene = geometry.scene;
   scene.image.spp = 1;
   launch_.frame = pack::pack_frame(scene);
-  launch_.tile = render::tile_of({0, 0, scene.image.width, scene.image.height},
-                                 render::packet_shape(lanes_, 1), 0);
+  const render::Crop all{0, 0, scene.image.width, scene.image.height};
+  launch_.tile = render::tile_of(all, render::packet_shape(lanes_, 1), 0);
+  launch_.film = render::window_of(all);
   const AeroScene packed = pack::pack_scene(scene);
   scene_ = {context_, budget_, std::span(&packed, 1), "the scene"};
   const std::vector<AeroFilmPixel> film(std::size_t{launch_.frame.width} * launch_.frame.height);

@@ -13,7 +13,7 @@ __kernel void shade_hits(const AeroLaunch launch, __global const AeroScene* scen
   if (block >= launch.tile.block_count) return;
   const AeroLaunch task = launch;
   PixelPacket packet = pixel_packet(&task.tile, block);
-  leave_settled(film, task.frame.width, task.tile.first_sample, &packet);
+  leave_settled(film, &task.film, task.tile.first_sample, &packet);
   if (!lane_any(packet.active)) return;
   const Ray ray = generate_rays(&task.frame, &packet);
   const Hit hit = hits[block];

@@ -12,6 +12,7 @@ __kernel void trace_camera_rays(const AeroLaunch launch, __global const AeroBvhN
   const World world = make_world(nodes, triangles, instances, grid);
   const AeroFrame frame = launch.frame;
   const AeroTile tile = launch.tile;
+  const AeroWindow window = launch.film;
   /* All packets of a tile hold the same samples, which look the same way beside their pixels. */
   const PixelPacket block = pixel_packet(&tile, first);
   lane_float dx, dy;
@@ -20,7 +21,7 @@ __kernel void trace_camera_rays(const AeroLaunch launch, __global const AeroBvhN
   for (uint i = 0u; i < BUNDLE; ++i) {
     /* Blocks beyond the tile's last lie below it: their lanes are off. */
     PixelPacket packet = pixel_packet(&tile, first + i);
-    leave_settled(film, frame.width, tile.first_sample, &packet);
+    leave_settled(film, &window, tile.first_sample, &packet);
     const Ray ray = generate_offset_rays(&frame, &packet, dx, dy);
     start_packet(packets + i, &ray);
   }

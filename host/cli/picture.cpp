@@ -50,9 +50,8 @@ void warn_of_nan(const image::Film& film) {
   warn(fmt::format("{} pixels came out as no number and were set to black", film.nan_pixels));
 }
 
-image::Pixels develop(const image::Film& film, const scene::Image& image,
-                      const std::optional<render::Crop>& crop) {
-  return image::develop(film, render::look_of(image, film, crop));
+image::Pixels develop(const image::Film& film, const scene::Image& image) {
+  return image::develop(film, render::look_of(image, film));
 }
 
 }  // namespace aerostat::cli

@@ -39,7 +39,6 @@ std::string names_of(const std::vector<opencl::Device>& devices);
 void warn_of_nan(const image::Film& film);
 
 /// As render::look_of says.
-image::Pixels develop(const image::Film& film, const scene::Image& image,
-                      const std::optional<render::Crop>& crop = {});
+image::Pixels develop(const image::Film& film, const scene::Image& image);
 
 }  // namespace aerostat::cli

@@ -49,10 +49,9 @@ void require_encodable(const RenderOptions& options, const scene::Image& image,
 }
 
 std::vector<std::uint8_t> encode(const image::Film& film, PictureFormat format,
-                                 const scene::Image& image,
-                                 const std::optional<render::Crop>& crop) {
+                                 const scene::Image& image) {
   if (format == PictureFormat::exr) return image::encode_exr(film);
-  return image::encode_png(develop(film, image, crop));
+  return image::encode_png(develop(film, image));
 }
 
 struct Opened {
@@ -115,7 +114,7 @@ int render(const RenderOptions& options) {
   bar.clear();
   warn_of_nan(film);
   phase.restart();
-  const auto bytes = encode(film, format, scene.image, options.crop);
+  const auto bytes = encode(film, format, scene.image);
   seconds.encoding = phase.restart();
   stop_if_asked(interrupt.token());
   image::write_file(output, bytes);

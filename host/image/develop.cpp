@@ -56,8 +56,8 @@ class Vignette {
  public:
   Vignette(const Film& film, const Look& look)
       : lost_(look.vignette),
-        first_(look.first),
-        size_(look.whole == glm::ivec2(0) ? dvec2(film.width, film.height) : dvec2(look.whole)) {}
+        first_(film.first),
+        size_(film.whole == glm::ivec2(0) ? dvec2(film.width, film.height) : dvec2(film.whole)) {}
 
   /// Of `count` pixels from x on.
   void shares(int x, int y, int count, Values& share) const {
@@ -130,7 +130,8 @@ void develop_row(const Film& film, const Look& look, int y, Pixels& pixels) {
   const Vignette vignette(film, look);
   const Bath bath{look.white_balance * std::exp2(look.exposure_ev), curve.lines(), encode.lines()};
   Strip strip;
-  for (int i = 0; i < kBlock; ++i) strip.thresholds[i] = dither_threshold(i, y);
+  for (int i = 0; i < kBlock; ++i)
+    strip.thresholds[i] = dither_threshold(film.first.x + i, film.first.y + y);
   for (int x = 0; x < film.width; x += kBlock) {
     const std::size_t first = static_cast<std::size_t>(y) * static_cast<std::size_t>(film.width) +
                               static_cast<std::size_t>(x);
@@ -150,7 +151,7 @@ double vignette_share(double distance, double lost) {
 }
 
 Pixels develop(const Film& film, double exposure_ev) {
-  return develop(film, Look{exposure_ev, glm::dmat3(1.0), 0.0, {0, 0}, {0, 0}});
+  return develop(film, Look{exposure_ev, glm::dmat3(1.0), 0.0});
 }
 
 Pixels develop(const Film& film, const Look& look) {

@@ -42,7 +42,9 @@ class MemoryStream : public Imf::OStream {
 class Layers {
  public:
   explicit Layers(const Film& film)
-      : header_(film.width, film.height), width_(static_cast<std::size_t>(film.width)) {
+      : data_({film.first.x, film.first.y},
+              {film.first.x + film.width - 1, film.first.y + film.height - 1}),
+        header_(display_of(film), data_) {
     header_.compression() = Imf::ZIP_COMPRESSION;
     Imf::addChromaticities(header_, Imf::Chromaticities{});  // Rec. 709
     header_.insert("software", Imf::StringAttribute("aerostat"));
@@ -50,9 +52,7 @@ class Layers {
 
   void add(const char* name, Imf::PixelType type, const void* first, std::size_t stride) {
     header_.channels().insert(name, Imf::Channel(type));
-    // The frame buffer takes char* but is only read from when writing.
-    frame_.insert(name, Imf::Slice(type, static_cast<char*>(const_cast<void*>(first)), stride,
-                                   stride * width_));
+    frame_.insert(name, Imf::Slice::Make(type, first, data_, stride));
   }
 
   void add_vector(const char* x, const char* y, const char* z, const Array<vec3>& values) {
@@ -65,9 +65,15 @@ class Layers {
   const Imf::FrameBuffer& frame() const { return frame_; }
 
  private:
+  static Imath::Box2i display_of(const Film& film) {
+    const glm::ivec2 size =
+        film.whole == glm::ivec2(0) ? glm::ivec2(film.width, film.height) : film.whole;
+    return {{0, 0}, {size.x - 1, size.y - 1}};
+  }
+
+  Imath::Box2i data_;
   Imf::Header header_;
   Imf::FrameBuffer frame_;
-  std::size_t width_;
 };
 
 void require_layer(std::size_t size, std::size_t pixels, bool optional) {

@@ -12,6 +12,8 @@ namespace aerostat::image {
 struct Film {
   int width = 0;
   int height = 0;
+  glm::ivec2 first{0, 0};  // its first pixel in the whole picture
+  glm::ivec2 whole{0, 0};  // size of that; {0, 0}: the film is all of it
   Array<vec3> radiance;
   Array<float> alpha;              // share of the samples that hit something
   Array<float> distance_m;         // along the ray, nearest sample; +inf for sky

@@ -27,12 +27,11 @@ struct Look {
   double exposure_ev = 0.0;       // stops
   glm::dmat3 white_balance{1.0};  // of linear Rec. 709
   double vignette = 0.0;          // share of the light lost in the corners, 0 to below 1
-  glm::ivec2 first{0, 0};         // the film's first pixel in the whole picture
-  glm::ivec2 whole{0, 0};         // size of that; {0, 0}: the film is all of it
 };
 
 /// Vignette, exposure (2^ev), white balance, a filmic tone curve, the sRGB transfer function, and
-/// ordered dither against banding; deterministic.
+/// ordered dither against banding; deterministic. A part of a picture becomes the same pixels as in
+/// the whole.
 Pixels develop(const Film& film, const Look& look);
 Pixels develop(const Film& film, double exposure_ev);
 
@@ -48,7 +47,8 @@ bool png_can_hold(int width, int height);
 std::vector<std::uint8_t> encode_png(const Pixels& pixels);
 
 /// The bytes of an OpenEXR file: float channels R G B A, Z, N.X N.Y N.Z, uint channel id,
-/// compressed without loss (ZIP). Layers that the film does not have are left out. Throws
+/// compressed without loss (ZIP). The display window is the whole picture, the data window the part
+/// of it that the film shows. Layers that the film does not have are left out. Throws
 /// Error{internal} if a layer's length is wrong or the encoder fails.
 std::vector<std::uint8_t> encode_exr(const Film& film);
 

@@ -65,6 +65,10 @@ void DeviceTeam::begin_frame(const AeroScene& scene, std::size_t pixels) {
   on_each([&](DeviceWorker& worker) { worker.begin_frame(scene, pixels); });
 }
 
+void DeviceTeam::begin_film(const Crop& window) {
+  on_each([&](DeviceWorker& worker) { worker.begin_film(window); });
+}
+
 int DeviceTeam::await_programs(const Waiting& waiting, double& seconds) {
   int built = 0;
   double slowest = 0.0;
@@ -83,13 +87,12 @@ int DeviceTeam::await_programs(const Waiting& waiting, double& seconds) {
 void DeviceTeam::settle(const AeroSettling& settling, const RowQueue& queue) {
   // A pixel asks its neighbours, also those that another device holds.
   const std::vector<RowRun> runs = queue.held();
-  const auto width = static_cast<int>(settling.width);
   for (std::size_t i = 1; i < runs.size(); ++i) {
     const RowRun &above = runs[i - 1], &below = runs[i];
     DeviceWorker& upper = *workers_[static_cast<std::size_t>(above.holder)];
     DeviceWorker& lower = *workers_[static_cast<std::size_t>(below.holder)];
-    on(upper, [&] { upper.adopt(below.y0, below.y0 + 1, width, lower.film()); });
-    on(lower, [&] { lower.adopt(above.y1 - 1, above.y1, width, upper.film()); });
+    on(upper, [&] { upper.adopt(below.y0, below.y0 + 1, lower.film()); });
+    on(lower, [&] { lower.adopt(above.y1 - 1, above.y1, upper.film()); });
   }
   on_each([&](DeviceWorker& worker) { worker.settle(settling); });
 }
@@ -97,7 +100,7 @@ void DeviceTeam::settle(const AeroSettling& settling, const RowQueue& queue) {
 /// One thread a device; this one waits for them.
 void DeviceTeam::trace(const Pass& pass, RowQueue& queue, const std::stop_token& stop,
                        const Waiting& waiting) {
-  queue.begin_pass();
+  queue.begin_pass(pass.area.y0, pass.area.y1);
   const auto film_of = [this](int index) -> const FilmBuffer& { return worker(index).film(); };
   std::vector<std::future<void>> running;
   const Closing closing{queue};

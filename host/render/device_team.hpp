@@ -30,6 +30,7 @@ class DeviceTeam {
                     const std::shared_ptr<const FrameArrays>& frame,
                     const std::function<void()>& between);
   void begin_frame(const AeroScene& scene, std::size_t pixels);
+  void begin_film(const Crop& window);
 
   /// Waits for programs that were begun. Returns how many were built since the last call, and adds
   /// to `seconds` what the slowest device took.
@@ -45,7 +46,7 @@ class DeviceTeam {
   /// Where the rows of `queue` lie after whole passes.
   std::vector<FilmRows> film_rows(const RowQueue& queue) const;
 
-  /// Eye rays of the frame whose light is in the films or that settled pixels had no need of.
+  /// Eye rays of the film whose light is in the films or that settled pixels had no need of.
   std::uint64_t rays_done() const;
 
   const DeviceGeometry& geometry() const { return workers_.front()->geometry(); }

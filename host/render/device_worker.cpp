@@ -43,22 +43,28 @@ void DeviceWorker::set_geometry(const std::shared_ptr<const bvh::Bvh>& tree,
 
 void DeviceWorker::begin_frame(const AeroScene& scene, std::size_t pixels) {
   in_flight_.clear();
-  rays_done_ = 0;
-  some_settled_ = false;
-  stats_ = {};
   occlusion_ = scene.sky.ambient_reach > 0.0f;
   scene_ = {context_, budget_, std::span(&scene, 1), "the scene"};
   if (film_.size() != pixels) {
     film_ = {};
     film_ = {context_, budget_, pixels, "the film", CL_MEM_READ_WRITE, opencl::Content::unset};
   }
-  opencl::launch(context_, programs_->clear_film, packet_range(pixels, 1), film_,
-                 static_cast<cl_uint>(pixels));
+}
+
+void DeviceWorker::begin_film(const Crop& window) {
+  in_flight_.clear();
+  rays_done_ = 0;
+  some_settled_ = false;
+  stats_ = {};
+  window_ = window;
+  opencl::launch(context_, programs_->clear_film, packet_range(window.pixels(), 1), film_,
+                 static_cast<cl_uint>(window.pixels()));
 }
 
 void DeviceWorker::settle(const AeroSettling& settling) {
   some_settled_ = true;
-  opencl::launch(context_, programs_->settle_film, packet_range(film_.size(), 1), film_, settling);
+  opencl::launch(context_, programs_->settle_film, packet_range(window_.pixels(), 1), film_,
+                 settling);
 }
 
 /// Rows that keep the device busy for the time of a launch, in one launch or, where a packet holds
@@ -72,7 +78,7 @@ int DeviceWorker::rows_at_once(const Pass& pass, const PacketShape& shape) const
     rays = std::clamp(static_cast<std::uint64_t>(rate_ * pass.launch_seconds),
                       kFirstLaunchRays / 16, kMostLaunchRays * launches);
   }
-  const auto width = static_cast<std::uint64_t>(pass.crop.x1 - pass.crop.x0);
+  const auto width = static_cast<std::uint64_t>(pass.area.x1 - pass.area.x0);
   const std::uint64_t block_row = (width * launches) << (shape.log2_h + shape.log2_samples);
   return static_cast<int>(std::max<std::uint64_t>(1, rays / block_row)) << shape.log2_h;
 }
@@ -81,14 +87,14 @@ void DeviceWorker::trace(const Pass& pass, RowQueue& queue, int index,
                          const std::function<const FilmBuffer&(int)>& film_of,
                          const std::stop_token& stop) {
   const PacketShape shape = packet_shape(lanes_, pass.samples);
-  AeroLaunch launch{pass.frame, {}};
+  AeroLaunch launch{pass.frame, {}, window_of(window_)};
   while (!stop.stop_requested()) {
     const auto run = queue.next(index, 1 << shape.log2_h, rows_at_once(pass, shape));
     if (!run) break;
     if (run->holder != index && run->holder != RowQueue::kNobody) {
-      adopt(run->y0, run->y1, static_cast<int>(pass.frame.width), film_of(run->holder));
+      adopt(run->y0, run->y1, film_of(run->holder));
     }
-    const Crop area{pass.crop.x0, run->y0, pass.crop.x1, run->y1};
+    const Crop area{pass.area.x0, run->y0, pass.area.x1, run->y1};
     for (int done = 0; done < pass.samples; done += 1 << shape.log2_samples) {
       if (stop.stop_requested()) return;
       launch.tile = tile_of(area, shape, static_cast<cl_uint>(pass.first_sample + done));
@@ -101,9 +107,9 @@ void DeviceWorker::trace(const Pass& pass, RowQueue& queue, int index,
 
 /// Takes over what another device's film holds of these rows, so that the sums go on in their
 /// order.
-void DeviceWorker::adopt(int y0, int y1, int image_width, const FilmBuffer& from) {
-  const auto width = static_cast<std::size_t>(image_width);
-  const std::size_t first = static_cast<std::size_t>(y0) * width;
+void DeviceWorker::adopt(int y0, int y1, const FilmBuffer& from) {
+  const auto width = static_cast<std::size_t>(window_.x1 - window_.x0);
+  const std::size_t first = static_cast<std::size_t>(y0 - window_.y0) * width;
   std::vector<AeroFilmPixel> rows(static_cast<std::size_t>(y1 - y0) * width);
   from.read(std::span(rows), first);
   film_.write(rows, first);

@@ -19,10 +19,10 @@
 
 namespace aerostat::render {
 
-/// A number of samples for every pixel of a crop.
+/// A number of samples for every pixel of an area, which lies in the window of the film.
 struct Pass {
   AeroFrame frame{};
-  Crop crop;
+  Crop area;
   int first_sample = 0;
   int samples = 0;      // per pixel: a power of two
   int tile_pixels = 0;  // as in Options
@@ -54,11 +54,14 @@ class DeviceWorker {
   void drop_geometry() { geometry_ = {}; }
   const DeviceGeometry& geometry() const { return geometry_; }
 
-  /// Gives the scene to the device, and an empty film of as many pixels.
+  /// Gives the scene to the device, and room for films of as many pixels.
   void begin_frame(const AeroScene& scene, std::size_t pixels);
 
-  /// Takes over rows y0 <= y < y1 of another device's film.
-  void adopt(int y0, int y1, int image_width, const FilmBuffer& from);
+  /// Begins with an empty film of these pixels of the image, at most as many as there is room for.
+  void begin_film(const Crop& window);
+
+  /// Takes over rows y0 <= y < y1 of the image from another device's film of the same window.
+  void adopt(int y0, int y1, const FilmBuffer& from);
 
   /// Settles the pixels of the film that have samples enough. Between passes.
   void settle(const AeroSettling& settling);
@@ -74,7 +77,7 @@ class DeviceWorker {
   /// Eye rays whose light is in the film, and those that settled pixels had no need of. From any
   /// thread.
   std::uint64_t rays_done() const { return rays_done_; }
-  /// Of the frame so far. Not during `trace`.
+  /// Of the film so far. Not during `trace`.
   DeviceStats stats() const;
 
  private:
@@ -98,6 +101,7 @@ class DeviceWorker {
   DeviceGeometry geometry_;
   opencl::Buffer<AeroScene> scene_;
   FilmBuffer film_;
+  Crop window_;                // of the image, that the film holds
   bool occlusion_ = false;     // whether the frame asks for ambient occlusion
   bool some_settled_ = false;  // pixels of the frame may be
   opencl::RawBuffer hits_, visible_, found_;

@@ -54,11 +54,14 @@ Counts store_row(image::Film& film, std::size_t first, std::span<const AeroFilmP
   return counts;
 }
 
-image::Film empty_film(const Crop& crop, Layers layers) {
+image::Film empty_film(const FilmArea& area, Layers layers) {
+  const Crop& crop = area.crop;
   image::Film film;
+  film.first = {crop.x0, crop.y0};
+  film.whole = {area.image_width, area.image_height};
   film.width = crop.x1 - crop.x0;
   film.height = crop.y1 - crop.y0;
-  const auto pixels = static_cast<std::size_t>(film.width) * static_cast<std::size_t>(film.height);
+  const std::size_t pixels = crop.pixels();
   film.radiance.resize(pixels);
   if (layers == Layers::light_alone) return film;
   film.alpha.resize(pixels);
@@ -71,24 +74,25 @@ image::Film empty_film(const Crop& crop, Layers layers) {
 
 }  // namespace
 
-ReadFilm read_film(std::span<const FilmRows> parts, int image_width, const Crop& crop,
-                   Layers layers) {
-  image::Film film = empty_film(crop, layers);
+ReadFilm read_film(std::span<const FilmRows> parts, const FilmArea& area, Layers layers) {
+  image::Film film = empty_film(area, layers);
+  const Crop &window = area.window, &crop = area.crop;
   const auto width = static_cast<std::size_t>(film.width);
-  const auto columns = static_cast<std::size_t>(image_width);
+  const auto columns = static_cast<std::size_t>(window.x1 - window.x0);
+  const auto left = static_cast<std::size_t>(crop.x0 - window.x0);
   Counts all;
   std::mutex counting;
   for (const FilmRows& part : parts) {
-    for (int y0 = part.y0; y0 < part.y1; y0 += kBandRows) {
-      const int y1 = std::min(y0 + kBandRows, part.y1);
-      const std::size_t first = static_cast<std::size_t>(y0) * columns;
+    const int end = std::min(part.y1, crop.y1);
+    for (int y0 = std::max(part.y0, crop.y0); y0 < end; y0 += kBandRows) {
+      const int y1 = std::min(y0 + kBandRows, end);
+      const std::size_t first = static_cast<std::size_t>(y0 - window.y0) * columns;
       const std::size_t count = static_cast<std::size_t>(y1 - y0) * columns;
       part.film->look_at(first, count, [&](std::span<const AeroFilmPixel> band) {
         tbb::parallel_for(y0, y1, [&](int y) {
           const std::size_t row = static_cast<std::size_t>(y - y0) * columns;
-          const Counts counts =
-              store_row(film, static_cast<std::size_t>(y - crop.y0) * width,
-                        band.subspan(row + static_cast<std::size_t>(crop.x0), width));
+          const Counts counts = store_row(film, static_cast<std::size_t>(y - crop.y0) * width,
+                                          band.subspan(row + left, width));
           const std::lock_guard lock(counting);
           all.add(counts);
         });

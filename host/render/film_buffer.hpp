@@ -23,9 +23,16 @@ struct ReadFilm {
   std::uint64_t hits = 0;     // samples that met something
 };
 
-/// Reads the pixels of `crop`, whose rows are `parts` from the top, and averages their samples.
-/// Pixels that are NaN or infinite become black and are counted.
-ReadFilm read_film(std::span<const FilmRows> parts, int image_width, const Crop& crop,
+/// What films on devices hold, and what of it is wanted.
+struct FilmArea {
+  int image_width = 0, image_height = 0;
+  Crop window;  // of the image, that the films hold
+  Crop crop;    // inside the window
+};
+
+/// Reads the pixels of the crop, whose rows are among `parts`, and averages their samples. Pixels
+/// that are NaN or infinite become black and are counted.
+ReadFilm read_film(std::span<const FilmRows> parts, const FilmArea& area,
                    Layers layers = Layers::all);
 
 }  // namespace aerostat::render

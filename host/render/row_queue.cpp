@@ -10,10 +10,10 @@ RowQueue::RowQueue(int y0, int y1, int devices)
       rows_(static_cast<std::size_t>(y1 - y0)),
       first_own_(static_cast<std::size_t>(devices), y0) {}
 
-void RowQueue::begin_pass() {
+void RowQueue::begin_pass(int y0, int y1) {
   const std::lock_guard lock(mutex_);
-  for (Row& row : rows_) row.waits = true;
-  waiting_ = y1_ - y0_;
+  for (int y = y0_; y < y1_; ++y) row(y).waits = y >= y0 && y < y1;
+  waiting_ = y1 - y0;
   std::fill(first_own_.begin(), first_own_.end(), y0_);
 }
 

@@ -22,8 +22,10 @@ class RowQueue {
   /// For the rows y0 <= y < y1 and devices 0 to `devices` - 1.
   RowQueue(int y0, int y1, int devices);
 
-  /// Every row is to be rendered once more. Not while a pass is under way.
-  void begin_pass();
+  /// Every row is to be rendered once more, or those of y0 <= y < y1. Not while a pass is under
+  /// way.
+  void begin_pass() { begin_pass(y0_, y1_); }
+  void begin_pass(int y0, int y1);
 
   /// Up to `most` rows for `device`, which holds them from now on; `holder` is who did before.
   /// Several devices are given less towards the end of a pass, but not below `least` where so much

@@ -15,6 +15,7 @@
 #include "pack/pack_scene.hpp"
 #include "render/abandonable.hpp"
 #include "render/device_team.hpp"
+#include "render/passes.hpp"
 
 namespace aerostat::render {
 namespace {
@@ -26,23 +27,13 @@ std::uint64_t shadow_rays_of(std::uint64_t hits, const scene::Scene& scene) {
   return hits * (static_cast<std::uint64_t>(lamps) + (scene.sun.shadows ? 1 : 0));
 }
 
-/// As many samples per pixel as the widest packet holds, but no more than are left. A long render
-/// shows something early; samples are added in their order all the same, so every bit stays.
-int samples_of_pass(int lanes, int done, int wanted, bool adaptive) {
-  const bool first_look = done == 0 && wanted > lanes;
-  // Whatever the width, pixels are settled after the same samples.
-  const int round = done / AERO_LEAST_SAMPLES + 1;
-  const int until = adaptive ? std::min(wanted, round * AERO_LEAST_SAMPLES) : wanted;
-  return 1 << packet_shape(lanes, first_look ? 1 : until - done).log2_samples;
-}
-
 /// A display shows about the square root of the light: noise counts by what it is there, where a
 /// white card in the sun is white and the darkest shades, a fiftieth as bright, stay in the dark.
-AeroSettling settling_of(const scene::Image& image, const dvec3& daylight) {
+AeroSettling settling_of(const scene::Image& image, const dvec3& daylight, const AeroWindow& film) {
   const double white = image::luminance(daylight);
   const double noise = image.adaptive_threshold;
   return {static_cast<float>(4.0 * noise * noise * white), static_cast<float>(0.02 * white),
-          static_cast<cl_uint>(image.width), static_cast<cl_uint>(image.height)};
+          film.width, film.height};
 }
 
 }  // namespace
@@ -53,12 +44,13 @@ struct Session::State {
   void await_programs();
   void build(const scene::Scene& scene, Plants plants);
   void upload();
-  void prepare(const scene::Scene& scene, const scene::Scene& shown, Plants plants);
+  void prepare(const scene::Scene& scene, const scene::Scene& shown, const Crop& crop,
+               Plants plants);
   image::Film trace(const scene::Scene& scene, const Crop& crop);
-  void trace_pass(const Pass& pass, RowQueue& queue);
-  image::Film read_passes(const scene::Scene& scene, const Crop& crop, const RowQueue& queue);
+  void trace_pass(const Pass& pass, RowQueue& queue, const PassPlan& plan);
+  image::Film read_passes(const scene::Scene& scene, const FilmArea& area, const RowQueue& queue);
   void publish(image::Film read);
-  void finish(const scene::Scene& scene, const Crop& crop, const RowQueue& queue);
+  void finish(const FilmArea& area, const RowQueue& queue);
   void report(Stage stage, double fraction);
   void stop_if_asked() const;
   void collect_stats();
@@ -133,7 +125,8 @@ void Session::State::upload() {
 
 /// Everything before the first ray: world, trees, kernels, buffers, as far as they are not there.
 /// `shown` is the scene at the size of the film.
-void Session::State::prepare(const scene::Scene& scene, const scene::Scene& shown, Plants plants) {
+void Session::State::prepare(const scene::Scene& scene, const scene::Scene& shown, const Crop& crop,
+                             Plants plants) {
   report(Stage::world, 0.0);
   team.begin_programs();
   // Air and clouds fill what the world of a single picture leaves idle. Looks follow each other:
@@ -147,17 +140,13 @@ void Session::State::prepare(const scene::Scene& scene, const scene::Scene& show
   const Stopwatch upload_watch;
   upload();
   const AeroScene packed = packing.get();
-  const auto pixels =
-      static_cast<std::size_t>(shown.image.width) * static_cast<std::size_t>(shown.image.height);
-  team.begin_frame(packed, pixels);
+  team.begin_frame(packed, PassPlan(shown.image, crop, team.lanes()).area_from(0).pixels());
   daylight = vec3(pack::daylight(packed, scene.camera.position.y));
   stats.upload_seconds = upload_watch.seconds();
 }
 
-void Session::State::trace_pass(const Pass& pass, RowQueue& queue) {
-  const double rays_in_all = static_cast<double>(pass.crop.x1 - pass.crop.x0) *
-                             static_cast<double>(pass.crop.y1 - pass.crop.y0) *
-                             static_cast<double>(pass.frame.samples);
+void Session::State::trace_pass(const Pass& pass, RowQueue& queue, const PassPlan& plan) {
+  const auto rays_in_all = static_cast<double>(plan.rays());
   team.trace(pass, queue, stop, [&] {
     stats.primary_rays = team.rays_done();
     report(Stage::rays, std::min(1.0, static_cast<double>(stats.primary_rays) / rays_in_all));
@@ -168,29 +157,29 @@ void Session::State::trace_pass(const Pass& pass, RowQueue& queue) {
 
 image::Film Session::State::trace(const scene::Scene& scene, const Crop& crop) {
   const Stopwatch rays_watch;
-  RowQueue queue(crop.y0, crop.y1, static_cast<int>(options.devices.size()));
-  Pass pass{pack::pack_frame(scene), crop, 0, 0, options.tile_pixels, options.launch_seconds};
-  const int wanted = scene.image.spp;
-  const bool adaptive = scene.image.adaptive_threshold > 0.0;
-  const AeroSettling settling = settling_of(scene.image, dvec3(daylight));
-  for (passes_done = 0; passes_done < wanted; passes_done += pass.samples) {
-    if (passes_done > 0) publish(read_passes(scene, crop, queue));
+  const PassPlan plan(scene.image, crop, team.lanes());
+  const FilmArea area{scene.image.width, scene.image.height, plan.area_from(0), crop};
+  team.begin_film(area.window);
+  RowQueue queue(area.window.y0, area.window.y1, static_cast<int>(options.devices.size()));
+  Pass pass{pack::pack_frame(scene), {}, 0, 0, options.tile_pixels, options.launch_seconds};
+  const AeroSettling settling = settling_of(scene.image, dvec3(daylight), window_of(area.window));
+  for (passes_done = 0; passes_done < scene.image.spp; passes_done += pass.samples) {
+    if (passes_done > 0) publish(read_passes(scene, area, queue));
+    pass.area = plan.area_from(passes_done);
     pass.first_sample = passes_done;
-    pass.samples = samples_of_pass(team.lanes(), passes_done, wanted, adaptive);
-    if (adaptive && passes_done > 0 && passes_done % AERO_LEAST_SAMPLES == 0) {
-      team.settle(settling, queue);
-    }
-    trace_pass(pass, queue);
+    pass.samples = plan.samples_from(passes_done);
+    if (plan.settles_before(passes_done)) team.settle(settling, queue);
+    trace_pass(pass, queue, plan);
   }
-  image::Film read = read_passes(scene, crop, queue);
-  finish(scene, crop, queue);
+  image::Film read = read_passes(scene, area, queue);
+  finish(area, queue);
   stats.rays_seconds = rays_watch.seconds();
   return read;
 }
 
-image::Film Session::State::read_passes(const scene::Scene& scene, const Crop& crop,
+image::Film Session::State::read_passes(const scene::Scene& scene, const FilmArea& area,
                                         const RowQueue& queue) {
-  ReadFilm read = read_film(team.film_rows(queue), scene.image.width, crop, options.layers);
+  ReadFilm read = read_film(team.film_rows(queue), area, options.layers);
   read.film.daylight = daylight;
   stats.primary_rays = read.samples;
   stats.shadow_rays = shadow_rays_of(read.hits, scene);
@@ -205,12 +194,11 @@ void Session::State::publish(image::Film read) {
 
 /// The whole film goes to the caller; for a snapshot it is read again from the devices, where it
 /// stays until the next render.
-void Session::State::finish(const scene::Scene& scene, const Crop& crop, const RowQueue& queue) {
+void Session::State::finish(const FilmArea& area, const RowQueue& queue) {
   const std::lock_guard lock(snapshot_mutex);
   latest = {};
-  finished = [parts = team.film_rows(queue), width = scene.image.width, crop, light = daylight,
-              layers = options.layers] {
-    image::Film film = read_film(parts, width, crop, layers).film;
+  finished = [parts = team.film_rows(queue), area, light = daylight, layers = options.layers] {
+    image::Film film = read_film(parts, area, layers).film;
     film.daylight = light;
     return film;
   };
@@ -271,7 +259,7 @@ image::Film Session::render(const scene::Scene& scene, std::stop_token stop,
     state.latest = {};
     state.finished = nullptr;
   }
-  state.prepare(scene, shown, plants);
+  state.prepare(scene, shown, area, plants);
   image::Film film = state.trace(shown, area);
   state.collect_stats();
   state.report(Stage::done, 1.0);

@@ -41,6 +41,10 @@ struct Options {
 /// A part of the image: pixels x0 <= x < x1, y0 <= y < y1.
 struct Crop {
   int x0 = 0, y0 = 0, x1 = 0, y1 = 0;
+
+  std::size_t pixels() const {
+    return static_cast<std::size_t>(x1 - x0) * static_cast<std::size_t>(y1 - y0);
+  }
 };
 
 /// Which plants a picture shows. They are placed around the eye, in the detail that it sees, which

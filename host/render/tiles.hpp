@@ -21,4 +21,7 @@ PacketShape packet_shape(int lanes, int remaining);
 /// depend on where that is, since a packet's rays do not influence each other.
 AeroTile tile_of(const Crop& area, const PacketShape& shape, std::uint32_t first_sample);
 
+/// The window of a film that holds these pixels of the image.
+AeroWindow window_of(const Crop& pixels);
+
 }  // namespace aerostat::render

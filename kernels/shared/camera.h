@@ -57,12 +57,21 @@ typedef struct AeroTile {
 
 AERO_ASSERT_LAYOUT(AeroTile, 40);
 
-/* What every rendering kernel is launched with. */
+/* The part of the image that a film holds, row by row. */
+typedef struct AeroWindow {
+  aero_uint x0, y0; /* first pixel */
+  aero_uint width, height;
+} AeroWindow;
+
+AERO_ASSERT_LAYOUT(AeroWindow, 16);
+
+/* What every rendering kernel is launched with. The tile lies inside the film's window. */
 typedef struct AeroLaunch {
   AeroFrame frame;
   AeroTile tile;
+  AeroWindow film;
 } AeroLaunch;
 
-AERO_ASSERT_LAYOUT(AeroLaunch, 172);
+AERO_ASSERT_LAYOUT(AeroLaunch, 188);
 
 #endif

@@ -7,6 +7,7 @@
 #include <iterator>
 
 #include <fcntl.h>
+#include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -57,9 +58,11 @@ void Process::send(int signal) const {
 
 Outcome Process::wait() {
   int status = 0;
-  ::waitpid(pid_, &status, 0);
+  rusage usage{};
+  ::wait4(pid_, &status, 0, &usage);
   Outcome outcome{WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status),
-                  read_bytes(out_), read_bytes(err_)};
+                  read_bytes(out_), read_bytes(err_),
+                  static_cast<std::uint64_t>(usage.ru_maxrss) * 1024u};
   fs::remove(out_);
   fs::remove(err_);
   return outcome;

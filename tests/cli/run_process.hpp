@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <string>
 #include <utility>
@@ -14,6 +15,7 @@ struct Outcome {
   int code = -1;  // exit code; 128 + signal if one ended it
   std::string out;
   std::string err;
+  std::uint64_t peak_bytes = 0;  // of memory that was resident
 };
 
 /// What of the environment differs from this process: "NAME=VALUE", or "NAME" to take it away.

@@ -134,15 +134,14 @@ Array<T> read_channel(const std::vector<std::uint8_t>& bytes, const char* name) 
   const Imf::Channel* channel = file.header().channels().findChannel(name);
   if (!channel) return {};
   const auto window = file.header().dataWindow();
-  const std::size_t width = static_cast<std::size_t>(window.max.x + 1);
-  const std::size_t height = static_cast<std::size_t>(window.max.y + 1);
+  const auto width = static_cast<std::size_t>(window.max.x - window.min.x + 1);
+  const auto height = static_cast<std::size_t>(window.max.y - window.min.y + 1);
   Array<T> values(width * height);
   Imf::FrameBuffer frame;
-  frame.insert(name,
-               Imf::Slice(std::is_same_v<T, float> ? Imf::FLOAT : Imf::UINT,
-                          reinterpret_cast<char*>(values.data()), sizeof(T), sizeof(T) * width));
+  frame.insert(name, Imf::Slice::Make(std::is_same_v<T, float> ? Imf::FLOAT : Imf::UINT,
+                                      values.data(), window, sizeof(T)));
   file.setFrameBuffer(frame);
-  file.readPixels(0, window.max.y);
+  file.readPixels(window.min.y, window.max.y);
   EXPECT_EQ(channel->type, (std::is_same_v<T, float> ? Imf::FLOAT : Imf::UINT)) << name;
   return values;
 }
@@ -174,6 +173,19 @@ TEST(Exr, HasASaneHeader) {
   EXPECT_FLOAT_EQ(Imf::chromaticities(file.header()).red.x, 0.64f);
   EXPECT_FLOAT_EQ(Imf::chromaticities(file.header()).white.y, 0.329f);
   EXPECT_TRUE(file.isComplete());
+}
+
+TEST(Exr, OfAPartSaysWhereItBelongs) {
+  Film film = example_film(5, 3);
+  film.first = {100, 30000};
+  film.whole = {32768, 32768};
+  const auto bytes = encode_exr(film);
+  MemoryInput stream(bytes);
+  Imf::InputFile file(stream);
+  EXPECT_EQ(file.header().dataWindow(), Imath::Box2i({100, 30000}, {104, 30002}));
+  EXPECT_EQ(file.header().displayWindow(), Imath::Box2i({0, 0}, {32767, 32767}));
+  EXPECT_EQ(read_channel<float>(bytes, "Z"), film.distance_m);
+  EXPECT_EQ(read_channel<std::uint32_t>(bytes, "id"), film.object_id);
 }
 
 TEST(Exr, LeavesOutWhatTheFilmLacks) {

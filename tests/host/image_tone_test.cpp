@@ -316,5 +316,33 @@ TEST(Develop, FollowsTheCurvesThoughItReadsThemFromTables) {
   EXPECT_LT(different, 100) << "of 786432 values";
 }
 
+TEST(Develop, DithersAPartAsTheWhole) {
+  // Light between two steps: the pattern shows.
+  std::vector<float> radiances(40 * 24);
+  for (std::size_t i = 0; i < radiances.size(); ++i) {
+    radiances[i] = 0.1f + 1e-5f * static_cast<float>(i);
+  }
+  Film film = grey_film(radiances);
+  film.width = 40;
+  film.height = 24;
+  const Pixels all = develop(film, 0.0);
+  for (const glm::ivec2 first : {glm::ivec2{5, 3}, glm::ivec2{8, 1}, glm::ivec2{39, 23}}) {
+    Film part;
+    part.width = 40 - first.x;
+    part.height = 24 - first.y;
+    part.first = first;
+    part.whole = {40, 24};
+    std::vector<std::uint8_t> expected;
+    for (int y = first.y; y < 24; ++y) {
+      for (int x = first.x; x < 40; ++x) {
+        const auto at = static_cast<std::size_t>(y * 40 + x);
+        part.radiance.push_back(film.radiance[at]);
+        expected.insert(expected.end(), &all.rgb[3 * at], &all.rgb[3 * at] + 3);
+      }
+    }
+    EXPECT_EQ(develop(part, 0.0).rgb, expected) << first.x << ", " << first.y;
+  }
+}
+
 }  // namespace
 }  // namespace aerostat::image

@@ -107,8 +107,8 @@ TEST(Vignette, OfACropIsThatOfThePicture) {
   EXPECT_LT(all.rgb[0] + 20, all.rgb[3 * (4 * 16 + 8)]);
   film.width = 8;
   film.radiance.assign(64, vec3(0.3f));
-  look.whole = {16, 8};
-  look.first = {8, 0};
+  film.whole = {16, 8};
+  film.first = {8, 0};
   const Pixels right = develop(film, look);
   for (int y = 0; y < 8; ++y) {
     for (int x = 0; x < 8; ++x) {

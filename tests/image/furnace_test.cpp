@@ -80,8 +80,9 @@ image::Film film_of(const std::vector<mesh::TriangleMesh>& balls) {
   worker.set_geometry(tree, arrays, {});
   scene::Scene white = scene;
   white.materials[static_cast<std::size_t>(scene::ObjectId::envelope)] = {};
-  worker.begin_frame(even_light(white), std::size_t{kWidth} * kHeight);
   const render::Crop all{0, 0, kWidth, kHeight};
+  worker.begin_frame(even_light(white), all.pixels());
+  worker.begin_film(all);
   render::RowQueue queue(0, kHeight, 1);
   for (int sample = 0; sample < kSamples; ++sample) {
     queue.begin_pass();
@@ -89,7 +90,7 @@ image::Film film_of(const std::vector<mesh::TriangleMesh>& balls) {
                  [&](int) -> const render::FilmBuffer& { return worker.film(); }, {});
   }
   const render::FilmRows rows{0, kHeight, &worker.film()};
-  return render::read_film(std::span(&rows, 1), kWidth, all).film;
+  return render::read_film(std::span(&rows, 1), {kWidth, kHeight, all, all}).film;
 }
 
 TEST(Furnace, AWhiteBallInAnEvenSkyIsNotSeen) {

@@ -95,18 +95,23 @@ testing::AssertionResult same_bits(const image::Film& a, const image::Film& b) {
   if (auto r = same_layer("alpha", a.alpha, b.alpha, a.width); !r) return r;
   if (auto r = same_layer("distance", a.distance_m, b.distance_m, a.width); !r) return r;
   if (auto r = same_layer("normal", a.normal_ws, b.normal_ws, a.width); !r) return r;
-  return same_layer("object", a.object_id, b.object_id, a.width);
+  if (auto r = same_layer("object", a.object_id, b.object_id, a.width); !r) return r;
+  return same_layer("samples", a.samples, b.samples, a.width);
 }
 
 image::Film cut(const image::Film& film, const render::Crop& crop) {
   image::Film part;
   part.width = crop.x1 - crop.x0;
   part.height = crop.y1 - crop.y0;
+  part.first = film.first + glm::ivec2(crop.x0, crop.y0);
+  part.whole = film.whole;
+  part.daylight = film.daylight;
   part.radiance = cut_layer(film.radiance, film.width, crop);
   part.alpha = cut_layer(film.alpha, film.width, crop);
   part.distance_m = cut_layer(film.distance_m, film.width, crop);
   part.normal_ws = cut_layer(film.normal_ws, film.width, crop);
   part.object_id = cut_layer(film.object_id, film.width, crop);
+  part.samples = cut_layer(film.samples, film.width, crop);
   return part;
 }
 

@@ -101,7 +101,7 @@ void expect_near(const vec3& actual, const vec3& expected) {
 TEST_P(Camera, OneSampleLooksThroughThePixelsCentre) {
   for (const Word filter : {AERO_FILTER_BOX, AERO_FILTER_TENT, AERO_FILTER_GAUSSIAN}) {
     // 5 x 3 pixels: the middle one looks straight ahead.
-    AeroLaunch launch{frame_of(5, 3, 1, Word(filter)), tile_of(2, 1, 3, 2, log2_lanes, 0, 0)};
+    AeroLaunch launch{frame_of(5, 3, 1, Word(filter)), tile_of(2, 1, 3, 2, log2_lanes, 0, 0), {}};
     launch.frame.camera.corner[1] = 0.6f;
     const Rays rays = rays_of(probe, launch);
     expect_near(from_planes(rays.direction, 0), {0, 0, -1});
@@ -113,7 +113,8 @@ TEST_P(Camera, OneSampleLooksThroughThePixelsCentre) {
 TEST_P(Camera, CornerPixelsLookAtTheCorners) {
   const Word width = 64, height = 32;
   const AeroLaunch launch{frame_of(width, height, 1, AERO_FILTER_BOX),
-                          tile_of(0, 0, width, height, log2_lanes, 0, 0)};
+                          tile_of(0, 0, width, height, log2_lanes, 0, 0),
+                          {}};
   const Rays rays = rays_of(probe, launch);
   const std::size_t count = std::size_t{width} * height;
   const auto x_of = output<Word>(count), y_of = output<Word>(count), sample = output<Word>(count);
@@ -136,8 +137,8 @@ TEST_P(Camera, CornerPixelsLookAtTheCorners) {
 }
 
 TEST_P(Camera, LanesOutsideTheTileAreOff) {
-  const AeroLaunch launch{frame_of(64, 32, 1, AERO_FILTER_BOX),
-                          tile_of(0, 0, 1, 1, log2_lanes, 0, 0)};
+  const AeroLaunch launch{
+      frame_of(64, 32, 1, AERO_FILTER_BOX), tile_of(0, 0, 1, 1, log2_lanes, 0, 0), {}};
   const Rays rays = rays_of(probe, launch);
   EXPECT_EQ(rays.t_max[0], kInfinity);
   for (std::size_t i = 1; i < rays.t_max.size(); ++i) EXPECT_LT(rays.t_max[i], 0.0f);

@@ -46,7 +46,7 @@ class Lens : public LaneTest {
 
 Rays Lens::trace(const AeroFrame& frame, Word sample) const {
   const auto log2_lanes = static_cast<Word>(std::bit_width(static_cast<Word>(GetParam()))) - 1;
-  AeroLaunch launch{frame, {0, 0, kWidth, kHeight, 0, 0, sample, log2_lanes, 0, 0}};
+  AeroLaunch launch{frame, {0, 0, kWidth, kHeight, 0, 0, sample, log2_lanes, 0, 0}, {}};
   launch.tile.blocks_per_row = kWidth >> log2_lanes;
   launch.tile.block_count = launch.tile.blocks_per_row * kHeight;
   const std::size_t count = kWidth * kHeight;

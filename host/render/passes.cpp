@@ -1,0 +1,50 @@
+#include "render/passes.hpp"
+
+#include <algorithm>
+
+#include "film_pixel.h"
+#include "render/tiles.hpp"
+
+namespace aerostat::render {
+
+PassPlan::PassPlan(const scene::Image& image, const Crop& crop, int lanes)
+    : crop_(crop),
+      width_(image.width),
+      height_(image.height),
+      samples_(image.spp),
+      adaptive_(image.adaptive_threshold > 0.0),
+      lanes_(lanes) {}
+
+int PassPlan::samples_from(int done) const {
+  const bool first_look = done == 0 && samples_ > lanes_;
+  // Whatever the width, pixels are settled after the same samples.
+  const int round = done / AERO_LEAST_SAMPLES + 1;
+  const int until = adaptive_ ? std::min(samples_, round * AERO_LEAST_SAMPLES) : samples_;
+  return 1 << packet_shape(lanes_, first_look ? 1 : until - done).log2_samples;
+}
+
+bool PassPlan::settles_before(int done) const {
+  return adaptive_ && done > 0 && done % AERO_LEAST_SAMPLES == 0;
+}
+
+int PassPlan::decisions_after(int done) const {
+  return adaptive_ ? (samples_ - 1) / AERO_LEAST_SAMPLES - done / AERO_LEAST_SAMPLES : 0;
+}
+
+Crop PassPlan::area_from(int done) const {
+  const int apron = decisions_after(done);
+  return {std::max(crop_.x0 - apron, 0), std::max(crop_.y0 - apron, 0),
+          std::min(crop_.x1 + apron, width_), std::min(crop_.y1 + apron, height_)};
+}
+
+std::uint64_t PassPlan::rays() const {
+  std::uint64_t rays = 0;
+  const int round = adaptive_ ? AERO_LEAST_SAMPLES : samples_;
+  for (int done = 0; done < samples_; done += round) {
+    const auto each = static_cast<std::uint64_t>(std::min(round, samples_ - done));
+    rays += each * area_from(done).pixels();
+  }
+  return rays;
+}
+
+}  // namespace aerostat::render
