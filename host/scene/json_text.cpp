@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "core/dot_decimals.hpp"
 #include "core/error.hpp"
 
 namespace aerostat::scene::detail {
@@ -153,6 +154,7 @@ std::string describe(const Json& value) {
 }
 
 Json parse_json(std::string_view text, const std::string& name) {
+  const DotDecimals dot;
   Watcher watcher(name);
   const auto callback = [&watcher](int, Json::parse_event_t event, Json& parsed) {
     return watcher(event, parsed);

@@ -18,7 +18,7 @@ using Adapter = valijson::adapters::NlohmannJsonAdapter;
 
 /// The schema as a document, for messages, and as valijson's constraints.
 struct SceneSchema {
-  SceneSchema() : document(Json::parse(kSchemaText)) {
+  SceneSchema() : document(parse_json(kSchemaText, "the schema of scenes")) {
     valijson::SchemaParser(valijson::SchemaParser::kDraft7)
         .populateSchema(Adapter(document), constraints);
   }
