@@ -10,7 +10,7 @@ namespace aerostat {
 enum class ErrorKind : int {
   usage = 64,         ///< wrong command line
   bad_data = 65,      ///< a scene or data file that cannot be used
-  no_device = 69,     ///< no OpenCL device, or not the one asked for
+  no_device = 69,     ///< no OpenCL device, or not the one asked for; no display for a window
   internal = 70,      ///< a fault of aerostat's own, or a kernel that does not build
   io = 74,            ///< a file that cannot be read or written
   exhausted = 75,     ///< out of memory, or the device was lost

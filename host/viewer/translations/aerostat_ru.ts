@@ -2294,5 +2294,13 @@
         <source>What computes, as of aerostat render</source>
         <translation>Что вычисляет, как у aerostat render</translation>
     </message>
+    <message>
+        <source>Expected one scene at most, found %1: %2.</source>
+        <translation>Ожидается не больше одной сцены, получено %1: %2.</translation>
+    </message>
+    <message>
+        <source>aerostat-viewer --help lists what can be asked for.</source>
+        <translation>aerostat-viewer --help показывает все параметры.</translation>
+    </message>
 </context>
 </TS>
