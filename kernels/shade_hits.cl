@@ -16,6 +16,8 @@ __kernel void shade_hits(const AeroLaunch launch, __global const AeroScene* scen
   leave_settled(film, &task.film, task.tile.first_sample, &packet);
   if (!lane_any(packet.active)) return;
   const Ray ray = generate_rays(&task.frame, &packet);
+  Ray way = ray; /* by places: through air and clouds */
+  way.origin = place_of(scene, ray.origin);
   const Hit hit = hits[block];
   const lane_int met = lane_mask(hit.triangle != NO_TRIANGLE);
 
@@ -23,7 +25,7 @@ __kernel void shade_hits(const AeroLaunch launch, __global const AeroScene* scen
   Lane3 radiance = lane3(zero, zero, zero);
   Lane3 normal = lane3(zero, zero, zero);
   lane_uint object = (lane_uint)AERO_OBJECT_SKY;
-  if (!lane_all(met)) radiance = sky_radiance(scene, &ray);
+  if (!lane_all(met)) radiance = sky_radiance(scene, &way);
   if (lane_any(met)) {
     const HeightGrid ground = height_grid(grid);
     const MeshArrays meshes = mesh_arrays(faces, vertices, instances);
@@ -36,7 +38,7 @@ __kernel void shade_hits(const AeroLaunch launch, __global const AeroScene* scen
     const lane_float across = pixel_across(&task.frame, hit.t);
     const Lane3 surface =
         shade_hit(scene, &triangle, &ray, &hit, across, visible[block], &around, &shading_normal);
-    radiance = select3(met, through_air(scene, surface, &ray, hit.t), radiance);
+    radiance = select3(met, through_air(scene, surface, &way, hit.t), radiance);
     normal = select3(met, shading_normal, normal);
     object = lane_select(met, triangle.object, object);
   }
@@ -44,7 +46,7 @@ __kernel void shade_hits(const AeroLaunch launch, __global const AeroScene* scen
     const LightSample at = light_sample(&task.frame, &packet);
     /* A pixel of parallel rays counts as one seen a kilometre away. */
     const float angle = task.frame.pixel_angle + 1e-3f * task.frame.pixel_width;
-    radiance = behind_clouds(scene, radiance, &ray, hit.t, angle, at.w);
+    radiance = behind_clouds(scene, radiance, &way, hit.t, angle, at.w);
   }
 
   Samples samples;

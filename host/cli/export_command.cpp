@@ -18,7 +18,8 @@ int export_world(const ExportOptions& options) {
     objects.push_back(
         {static_cast<std::uint32_t>(object.id), scene::object_name(object.id), &object.mesh});
   }
-  const auto file = format == MeshFormat::ply ? mesh::ply_bytes(objects) : mesh::obj_bytes(objects);
+  const auto file = format == MeshFormat::ply ? mesh::ply_bytes(objects, scene.origin)
+                                              : mesh::obj_bytes(objects, scene.origin);
   image::write_file(options.output, file);
   return 0;
 }

@@ -73,13 +73,14 @@ std::size_t count_lines(std::span<const ExportObject> objects) {
 
 }  // namespace
 
-std::vector<std::uint8_t> obj_bytes(std::span<const ExportObject> objects) {
+std::vector<std::uint8_t> obj_bytes(std::span<const ExportObject> objects, const dvec3& origin) {
   std::vector<std::uint8_t> text;
   text.reserve(kTypicalLine * (count_lines(objects) + 1));
   const auto add = [&text](std::string_view line) {
     text.insert(text.end(), line.begin(), line.end());
   };
   add("# metres, right-handed, y up\n");
+  if (const std::string from = origin_text(origin); !from.empty()) add("# " + from + "\n");
   LineWriter line(text);
   std::uint32_t first = 1;
   for (const ExportObject& object : objects) {

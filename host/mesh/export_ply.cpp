@@ -40,14 +40,14 @@ Totals measure(std::span<const ExportObject> objects) {
   return totals;
 }
 
-std::string header(const Totals& totals) {
+std::string header(const Totals& totals, const std::string& origin) {
   return fmt::format(
-      "ply\nformat binary_little_endian 1.0\ncomment metres, right-handed, y up\n"
+      "ply\nformat binary_little_endian 1.0\ncomment metres, right-handed, y up\n{}"
       "element vertex {}\nproperty float x\nproperty float y\nproperty float z\n"
       "property float nx\nproperty float ny\nproperty float nz\n{}"
       "element face {}\nproperty list uchar int vertex_indices\nproperty uint object_id\n"
       "end_header\n",
-      totals.vertices,
+      origin.empty() ? "" : "comment " + origin + "\n", totals.vertices,
       totals.colored ? "property uchar red\nproperty uchar green\nproperty uchar blue\n" : "",
       totals.triangles);
 }
@@ -93,9 +93,14 @@ std::uint8_t* put_faces(std::uint8_t* out, const ExportObject& object, std::uint
 
 }  // namespace
 
-std::vector<std::uint8_t> ply_bytes(std::span<const ExportObject> objects) {
+std::string origin_text(const dvec3& origin) {
+  if (origin == dvec3(0.0)) return {};
+  return fmt::format("origin {} {} {}", origin.x, origin.y, origin.z);
+}
+
+std::vector<std::uint8_t> ply_bytes(std::span<const ExportObject> objects, const dvec3& origin) {
   const Totals totals = measure(objects);
-  const std::string head = header(totals);
+  const std::string head = header(totals, origin_text(origin));
   const std::size_t vertex_bytes = kVertexBytes + (totals.colored ? kColorBytes : 0);
   std::vector<std::uint8_t> bytes(head.size() + totals.vertices * vertex_bytes +
                                   totals.triangles * kFaceBytes);

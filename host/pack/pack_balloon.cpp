@@ -51,7 +51,7 @@ AeroBalloon pack_balloon(const scene::Scene& scene) {
   const dvec3 flame = kFlameColor * (from->burner * kFlameIntensity / std::numbers::pi);
   const double radius = 0.5 * from->diameter_m;
   copy(balloon.glow_flame, flame * reflected * kept / (radius * radius));
-  copy(balloon.flame, model::flame_middle(*from));
+  copy(balloon.flame, model::flame_middle(*from) - scene.origin);
   copy(balloon.flame_light, flame);
   return balloon;
 }

@@ -80,14 +80,14 @@ double aperture_radius(const scene::Camera& camera) {
   return 0.25 * kSensorHeightM / tangent / camera.f_number;
 }
 
-AeroCamera pack_camera(const scene::Camera& from, int width, int height) {
+AeroCamera pack_camera(const scene::Camera& from, const dvec3& origin, int width, int height) {
   const auto [right, up, forward] = camera_axes(from);
   const bool parallel = from.lens == scene::Lens::orthographic;
   const double half_height =
       parallel ? 0.5 * from.view_height_m : std::tan(from.fov_y_deg * (std::numbers::pi / 360.0));
   const double pixel = 2.0 * half_height / height;
   AeroCamera camera{};
-  copy(camera.origin, from.position);
+  copy(camera.origin, from.position - origin);
   copy(camera.step_x, right * pixel);
   copy(camera.step_y, up * -pixel);
   const dvec3 ahead = parallel ? dvec3(0.0) : forward;
@@ -106,7 +106,7 @@ AeroCamera pack_camera(const scene::Camera& from, int width, int height) {
 
 AeroFrame pack_frame(const scene::Scene& scene) {
   AeroFrame frame{};
-  frame.camera = pack_camera(scene.camera, scene.image.width, scene.image.height);
+  frame.camera = pack_camera(scene.camera, scene.origin, scene.image.width, scene.image.height);
   frame.width = static_cast<std::uint32_t>(scene.image.width);
   frame.height = static_cast<std::uint32_t>(scene.image.height);
   frame.filter = filter_of(scene.image.filter);

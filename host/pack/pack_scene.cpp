@@ -11,6 +11,7 @@
 #include "pack/copy.hpp"
 #include "pack/pack_air.hpp"
 #include "pack/pack_balloon.hpp"
+#include "scene/local_frame.hpp"
 
 namespace aerostat::pack {
 namespace {
@@ -30,6 +31,7 @@ float cumulus_threshold(double cover) {
   return static_cast<float>(0.155 * std::log((1.0 - share) / share));
 }
 
+/// `eye` is the place of the eye over the terrain.
 AeroCumulus pack_cumulus(const scene::Cumulus& from, const dvec3& eye) {
   AeroCumulus cumulus{};
   cumulus.base = static_cast<float>(from.base_m);
@@ -54,7 +56,7 @@ AeroSky pack_sky(const scene::Scene& scene) {
   sky.ambient_reach =
       scene.sky.ambient_occlusion ? static_cast<float>(scene.sky.occlusion_m) : 0.0f;
   sky.bounced = scene.sky.bounced_light ? 1u : 0u;
-  sky.cumulus = pack_cumulus(scene.sky.cumulus, scene.camera.position);
+  sky.cumulus = pack_cumulus(scene.sky.cumulus, scene::place_of(scene, scene.camera.position));
   return sky;
 }
 
@@ -116,9 +118,9 @@ AeroMaterial pack_material(const scene::Material& from) {
   return material;
 }
 
-AeroPointLight pack_light(const scene::PointLight& from) {
+AeroPointLight pack_light(const scene::PointLight& from, const dvec3& origin) {
   AeroPointLight light{};
-  copy(light.position, from.position);
+  copy(light.position, from.position - origin);
   copy(light.intensity, dvec3(from.color) * from.intensity);
   light.shadows = from.shadows ? 1u : 0u;
   return light;
@@ -153,11 +155,12 @@ AeroScene pack_scene(const scene::Scene& scene) {
     packed.materials[i] = pack_material(scene.materials[i]);
   }
   for (std::size_t i = 0; i < scene.lights.size(); ++i) {
-    packed.lights[i] = pack_light(scene.lights[i]);
+    packed.lights[i] = pack_light(scene.lights[i], scene.origin);
   }
   packed.light_count = static_cast<std::uint32_t>(scene.lights.size());
   packed.shading = shading_of(scene.shading);
   packed.air = pack_air(scene);
+  copy(packed.place, scene::place_of(scene, scene.origin));
   return packed;
 }
 

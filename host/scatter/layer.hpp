@@ -13,7 +13,7 @@ namespace aerostat::scatter {
 
 /// A place where something may grow.
 struct Site {
-  vec3 position{0.0f};
+  vec3 position{0.0f};  // over the terrain, as all positions here
   vec3 normal{0.0f, 1.0f, 0.0f};
   float above_sea = 0.0f;  // metres; far above where there is no sea
   GroundNoise noise;
@@ -45,7 +45,7 @@ struct Layer {
   std::function<Choice(const Site&, plant::Random&)> choose;
 };
 
-/// What the layers are placed upon.
+/// What the layers are placed upon. Squares are counted by places over the terrain.
 struct Place {
   const Surface& surface;
   const GroundRule& rule;

@@ -40,7 +40,7 @@ double kept_at(double distance, double reach) {
 class Planter {
  public:
   Planter(const Layer& layer, const Place& place, std::span<const plant::ModelKey> models)
-      : layer_(layer), place_(place), models_(models) {}
+      : layer_(layer), place_(place), models_(models), origin_(place.surface.origin()) {}
 
   /// What grows in the row of squares with z number j.
   std::vector<Instance> plant_row(std::int64_t j) const {
@@ -97,9 +97,9 @@ class Planter {
     const RowRandom random(place_.seed, layer_.id, j);
     candidates.reserve(512);
     std::optional<Sight::Row> sight;
-    if (place_.sight != nullptr) sight = place_.sight->row(middle(j));
+    if (place_.sight != nullptr) sight = place_.sight->row(middle(j) - origin_.z);
     for (std::int64_t i = square(place_.center.x - half); i <= last; ++i) {
-      if (sight && !sight->matters(middle(i))) continue;
+      if (sight && !sight->matters(middle(i) - origin_.x)) continue;
       add_candidate(i, j, random.square(i), candidates);
     }
     return candidates;
@@ -131,9 +131,9 @@ class Planter {
     Surface::Spot& spot = candidate.spot;
     Site& site = candidate.site;
     place_.surface.find(x, z, spot);
-    const float height = spot.position.y;
+    site.position = place_.surface.place(spot);
+    const float height = site.position.y;
     if (height < layer_.lowest || height > layer_.highest) return false;
-    site.position = spot.position;
     site.above_sea = height - place_.sea_level_m;
     if (!(layer_.steepest_cos > 0.0f)) return true;
     site.normal = place_.surface.normal(spot);
@@ -157,12 +157,14 @@ class Planter {
     for (const KeepOut& out : place_.keep_out) {
       if (glm::distance(foot, out.center) < out.radius_m + reach) return;
     }
-    row.push_back(instance_of(site, choice, candidate.random));
+    row.push_back(instance_of(candidate, choice));
   }
 
-  Instance instance_of(const Site& site, const Choice& choice, plant::Random& random) const {
+  Instance instance_of(Candidate& candidate, const Choice& choice) const {
+    const Site& site = candidate.site;
+    plant::Random& random = candidate.random;
     Instance instance;
-    instance.position = site.position;
+    instance.position = candidate.spot.position;
     instance.yaw_rad = static_cast<float>(random.turn());
     const vec3 axis = glm::normalize(glm::mix(site.normal, vec3(0.0f, 1.0f, 0.0f), choice.upright) +
                                      vec3(choice.lean.x, 0.0f, choice.lean.y));
@@ -177,6 +179,7 @@ class Planter {
   const Layer& layer_;
   const Place& place_;
   std::span<const plant::ModelKey> models_;
+  dvec3 origin_;
 };
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "scatter/biome_layers.hpp"
+#include "scene/local_frame.hpp"
 
 namespace aerostat::scatter {
 namespace {
@@ -29,8 +30,11 @@ std::vector<KeepOut> kept_out(const scene::Scene& scene, const Surface& surface)
     const double above = at.y - static_cast<double>(surface.height(at.x, at.z));
     if (above < kClearM) circles.push_back({{at.x, at.z}, radius_m});
   };
-  add(scene.camera.position, 5.0);
-  if (scene.balloon.enabled) add(scene.balloon.position, 0.6 * scene.balloon.diameter_m + 3.0);
+  add(scene::place_of(scene, scene.camera.position), 5.0);
+  const scene::Balloon& balloon = scene.balloon;
+  if (balloon.enabled) {
+    add(scene::place_of(scene, balloon.position), 0.6 * balloon.diameter_m + 3.0);
+  }
   return circles;
 }
 
@@ -82,7 +86,7 @@ Growth scatter(const scene::Scene& scene, const mesh::GridMesh& ground, Where wh
   const scene::Vegetation& vegetation = scene.vegetation;
   if (!vegetation.enabled || !(vegetation.density > 0.0)) return growth;
   growth.models = all_models();
-  const Surface surface(ground);
+  const Surface surface(ground, scene::place_of(scene, scene.origin));
   const GroundRule rule(scene.biome.ground, scene.terrain.seed, kFootprintM);
   const std::vector<KeepOut> circles = kept_out(scene, surface);
   const Nature nature{scene, surface, rule};
@@ -90,12 +94,14 @@ Growth scatter(const scene::Scene& scene, const mesh::GridMesh& ground, Where wh
   const double tallest_m = tallest_of(growth.models, scene);
   std::optional<Sight> sight;
   if (where == Where::in_sight) {
-    sight.emplace(scene, ground, vegetation.reach_m, extent_of(layers, tallest_m));
+    sight.emplace(scene::counted_from_origin(scene), ground, vegetation.reach_m,
+                  extent_of(layers, tallest_m));
   }
+  const dvec3 middle = scene::place_of(scene, scene::point_of_view(scene.camera));
   const Place place{surface,
                     rule,
                     sea_level(nature),
-                    scene::middle_of_view(scene.camera),
+                    {middle.x, middle.z},
                     circles,
                     vegetation.seed,
                     sight ? &*sight : nullptr,

@@ -14,7 +14,7 @@ namespace aerostat::scatter {
 
 /// A model that stands somewhere. Its foot lies on the ground.
 struct Instance {
-  vec3 position{0.0f};  // of the model's origin
+  vec3 position{0.0f};  // of the model's origin, as the ground counts
   float yaw_rad = 0.0f;
   vec2 lean{0.0f};  // x and z of the model's axis, a unit vector that points up
   float scale = 1.0f;

@@ -18,7 +18,8 @@ struct Extent {
 /// without it.
 class Sight {
  public:
-  /// For a resolved scene upon `ground`, as far as `reach_m` from the eye.
+  /// For a resolved scene upon `ground`, which count from the same origin, as far as `reach_m` from
+  /// the eye.
   Sight(const scene::Scene& scene, const mesh::GridMesh& ground, double reach_m,
         const Extent& extent);
 

@@ -27,7 +27,8 @@ Lines::Place Lines::at(double value) const {
   return {cell, static_cast<float>(std::clamp(share, 0.0, 1.0))};
 }
 
-Surface::Surface(const mesh::GridMesh& ground) : ground_(ground) {
+Surface::Surface(const mesh::GridMesh& ground, const dvec3& origin)
+    : ground_(ground), origin_(origin) {
   for (std::uint32_t i = 0; i <= ground.columns(); ++i) x_.add(ground.x(i));
   for (std::uint32_t j = 0; j <= ground.rows(); ++j) z_.add(ground.z(j));
   x_.index();
@@ -35,11 +36,12 @@ Surface::Surface(const mesh::GridMesh& ground) : ground_(ground) {
 }
 
 bool Surface::covers(double x, double z) const {
-  return x_.cover(x) && z_.cover(z);
+  return x_.cover(x - origin_.x) && z_.cover(z - origin_.z);
 }
 
 void Surface::find(double x, double z, Spot& spot) const {
-  const Lines::Place u = x_.at(x), v = z_.at(z);
+  const double mesh_x = x - origin_.x, mesh_z = z - origin_.z;
+  const Lines::Place u = x_.at(mesh_x), v = z_.at(mesh_z);
   const std::uint32_t i = spot.i = u.cell, j = spot.j = v.cell;
   const float a = ground_.height(i, j), b = ground_.height(i + 1, j);
   const float c = ground_.height(i, j + 1), d = ground_.height(i + 1, j + 1);
@@ -58,9 +60,9 @@ void Surface::find(double x, double z, Spot& spot) const {
     weight[2] = v.share - beyond;
     weight[3] = beyond;
   }
-  spot.position = {static_cast<float>(x),
+  spot.position = {static_cast<float>(mesh_x),
                    weight[0] * a + weight[1] * b + weight[2] * c + weight[3] * d,
-                   static_cast<float>(z)};
+                   static_cast<float>(mesh_z)};
 }
 
 vec3 Surface::normal(const Spot& spot) const {

@@ -39,33 +39,38 @@ class Lines {
 /// The ground's mesh as a function of the place; `ground` must outlive this.
 class Surface {
  public:
-  explicit Surface(const mesh::GridMesh& ground);
+  /// The ground counts from a point whose place over the terrain is `origin`. All that follows is
+  /// asked by places, metres.
+  explicit Surface(const mesh::GridMesh& ground, const dvec3& origin = dvec3(0.0));
 
   /// The point of the triangle over or under (x, z); outside the mesh its rim goes on level.
   SurfacePoint at(double x, double z) const {
     Spot spot;
     find(x, z, spot);
-    return {spot.position, normal(spot)};
+    return {place(spot), normal(spot)};
   }
 
   /// The same without its normal, which takes most of the time.
   struct Spot {
-    vec3 position;
+    vec3 position;       // as the mesh counts
     std::uint32_t i, j;  // the cell
     float weight[4];     // of its vertices (i, j), (i + 1, j), (i, j + 1), (i + 1, j + 1)
   };
   void find(double x, double z, Spot& spot) const;
   vec3 normal(const Spot& spot) const;
+  vec3 place(const Spot& spot) const { return vec3(origin_ + dvec3(spot.position)); }
 
   bool covers(double x, double z) const;
+  const dvec3& origin() const { return origin_; }
   float height(double x, double z) const {
     Spot spot;
     find(x, z, spot);
-    return spot.position.y;
+    return place(spot).y;
   }
 
  private:
   const mesh::GridMesh& ground_;
+  dvec3 origin_;
   Lines x_, z_;  // the grid's
 };
 

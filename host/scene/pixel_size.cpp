@@ -19,9 +19,8 @@ PixelSize pixel_size(const Scene& scene) {
   return {2.0 * std::tan(scene.camera.fov_y_deg * (std::numbers::pi / 360.0)) / height, 0.0};
 }
 
-dvec2 middle_of_view(const Camera& camera) {
-  const dvec3& at = camera.lens == Lens::orthographic ? camera.target : camera.position;
-  return {at.x, at.z};
+dvec3 point_of_view(const Camera& camera) {
+  return camera.lens == Lens::orthographic ? camera.target : camera.position;
 }
 
 }  // namespace aerostat::scene

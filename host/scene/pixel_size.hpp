@@ -16,8 +16,8 @@ struct PixelSize {
 
 PixelSize pixel_size(const Scene& scene);
 
-/// Around which point of the map (x, z) the world is to be rich: below the eye, or for an
-/// orthographic camera below its target.
-dvec2 middle_of_view(const Camera& camera);
+/// Around which point the world is to be rich and precise: the eye, or an orthographic camera's
+/// target.
+dvec3 point_of_view(const Camera& camera);
 
 }  // namespace aerostat::scene

@@ -289,6 +289,9 @@ struct Scene {
   Shading shading = Shading::phong;
   Quality quality = Quality::standard;
   Image image;
+  /// What meshes and kernels count positions from (local_frame.hpp); no field of the file.
+  /// world::resolve sets it.
+  dvec3 origin{0.0};
 
   const Material& material(ObjectId id) const { return materials[static_cast<std::size_t>(id)]; }
 };

@@ -82,11 +82,15 @@ class Samples {
     return ground_.values.data() + static_cast<std::size_t>(j) * static_cast<std::size_t>(stride_);
   }
 
-  /// The lines without the ring, in world coordinates.
+  /// The lines without the ring around a centre. Far from it single precision cannot tell fine
+  /// cells apart: they become as wide as it can.
   std::vector<float> lines(double center) const {
     std::vector<float> moved;
-    for (std::size_t k = 1; k + 1 < ground_.lines.size(); ++k)
-      moved.push_back(static_cast<float>(ground_.lines[k] + center));
+    for (std::size_t k = 1; k + 1 < ground_.lines.size(); ++k) {
+      const auto line = static_cast<float>(ground_.lines[k] + center);
+      const float least = moved.empty() ? line : std::nextafter(moved.back(), kInfinity);
+      moved.push_back(std::max(line, least));
+    }
     return moved;
   }
 

@@ -25,10 +25,10 @@ scene::ObjectId object_of(plant::Species species) {
 void choose_details(const scene::Scene& scene, const std::vector<plant::ModelKey>& models,
                     std::vector<scatter::Instance>& instances) {
   const scene::PixelSize pixel = scene::pixel_size(scene);
+  const dvec3 eye = scene.camera.position - scene.origin;
   tbb::parallel_for(std::size_t{0}, instances.size(), [&](std::size_t i) {
     scatter::Instance& instance = instances[i];
-    const plant::Detail detail =
-        scatter::detail_of(instance, models[instance.model], scene.camera.position, pixel);
+    const plant::Detail detail = scatter::detail_of(instance, models[instance.model], eye, pixel);
     instance.model = instance.model * kDetails + static_cast<std::uint32_t>(detail);
   });
 }
@@ -77,7 +77,7 @@ bool same_plants(const scene::Scene& a, const scene::Scene& b, scatter::Where wh
   if (where == scatter::Where::in_sight && !scatter::same_sight(a, b)) return false;
   return a.vegetation == b.vegetation && a.biome == b.biome &&
          a.camera.position == b.camera.position &&
-         scene::middle_of_view(a.camera) == scene::middle_of_view(b.camera) &&
+         scene::point_of_view(a.camera) == scene::point_of_view(b.camera) &&
          scene::pixel_size(a) == scene::pixel_size(b) && a.balloon.enabled == b.balloon.enabled &&
          a.balloon.position == b.balloon.position && a.balloon.diameter_m == b.balloon.diameter_m;
 }

@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "model/balloon.hpp"
+#include "scene/local_frame.hpp"
 #include "terrain/terrain_mesh.hpp"
 #include "world/surface.hpp"
 #include "world/world.hpp"
@@ -82,6 +83,7 @@ void resolve(scene::Scene& scene, const Surface& surface) {
   camera.height_above = scene::HeightReference::sea;
   if (camera.view == scene::View::basket) look_from_basket(scene);
   camera.position_given = camera.target_given = true;
+  scene.origin = scene::origin_for(scene);
 }
 
 void unbury_eye(scene::Scene& scene, const Surface& surface, int cells) {

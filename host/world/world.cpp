@@ -9,6 +9,7 @@
 #include "core/error.hpp"
 #include "core/stop_scope.hpp"
 #include "model/balloon.hpp"
+#include "scene/local_frame.hpp"
 #include "terrain/terrain_mesh.hpp"
 #include "world/plants.hpp"
 
@@ -17,12 +18,13 @@ namespace {
 
 constexpr double kCoarseEnvelope_m = 0x1p-5, kCoarseBasket_m = 0x1p-8;
 
-std::shared_ptr<const Land> build_land(const scene::Scene& scene, Carving carving) {
+/// `local` counts from its origin, here and below.
+std::shared_ptr<const Land> build_land(const scene::Scene& local, Carving carving) {
   auto land = std::make_shared<Land>();
   land->ground = std::make_shared<const mesh::GridMesh>(
-      terrain::terrain_mesh(scene.terrain, terrain::HeightField(scene.terrain, carving)));
-  if (scene.biome.water.enabled) {
-    auto water = terrain::water_mesh(scene.terrain, scene.biome.water, *land->ground);
+      terrain::terrain_mesh(local.terrain, terrain::HeightField(local.terrain, carving)));
+  if (local.biome.water.enabled) {
+    auto water = terrain::water_mesh(local.terrain, local.biome.water, *land->ground);
     if (!water.empty()) land->objects.push_back({scene::ObjectId::water, std::move(water)});
   }
   return land;
@@ -51,6 +53,7 @@ model::Detail balloon_detail(const scene::Scene& scene, const scene::Balloon& ba
 }
 
 bool same_balloons(const scene::Scene& a, const scene::Scene& b, Carving carving) {
+  if (a.origin != b.origin) return false;
   const auto of_a = balloons_of(a), of_b = balloons_of(b);
   return std::equal(of_a.begin(), of_a.end(), of_b.begin(), of_b.end(),
                     [&](const scene::Balloon* one, const scene::Balloon* other) {
@@ -59,12 +62,12 @@ bool same_balloons(const scene::Scene& a, const scene::Scene& b, Carving carving
                     });
 }
 
-std::shared_ptr<const Objects> build_balloons(const scene::Scene& scene, Carving carving) {
-  const auto balloons = balloons_of(scene);
+std::shared_ptr<const Objects> build_balloons(const scene::Scene& local, Carving carving) {
+  const auto balloons = balloons_of(local);
   if (balloons.empty()) return nullptr;
   std::vector<Objects> built(balloons.size());
   tbb::parallel_for(std::size_t{0}, balloons.size(), [&](std::size_t i) {
-    for (auto& part : model::balloon(*balloons[i], balloon_detail(scene, *balloons[i], carving))) {
+    for (auto& part : model::balloon(*balloons[i], balloon_detail(local, *balloons[i], carving))) {
       built[i].push_back({part.id, std::move(part.mesh)});
     }
   });
@@ -78,25 +81,26 @@ std::shared_ptr<const Objects> build_balloons(const scene::Scene& scene, Carving
 }  // namespace
 
 bool same_land(const scene::Scene& a, const scene::Scene& b) {
-  return a.terrain == b.terrain && a.biome.water == b.biome.water;
+  return a.origin == b.origin && a.terrain == b.terrain && a.biome.water == b.biome.water;
 }
 
 World build(const scene::Scene& scene, const World* previous, const scene::Scene* previous_scene,
             scatter::Where where, Carving carving) {
   const bool known = previous != nullptr && previous_scene != nullptr;
+  const scene::Scene local = scene::counted_from_origin(scene);
   World world;
   try {
     tbb::parallel_invoke(
         [&, stop = current_stop()] {
           const StopScope scope(stop);
           const bool same = known && same_land(scene, *previous_scene);
-          world.land = same ? previous->land : build_land(scene, carving);
+          world.land = same ? previous->land : build_land(local, carving);
           const bool grown = same && same_plants(scene, *previous_scene, where);
           world.plants = grown ? previous->plants : build_plants(scene, *world.land->ground, where);
         },
         [&] {
           const bool same = known && same_balloons(scene, *previous_scene, carving);
-          world.balloon = same ? previous->balloon : build_balloons(scene, carving);
+          world.balloon = same ? previous->balloon : build_balloons(local, carving);
         });
   } catch (const std::bad_alloc&) {
     throw Error(ErrorKind::exhausted,

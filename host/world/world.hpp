@@ -34,6 +34,8 @@ struct Plants {
   std::vector<scatter::Instance> instances;  // `model` counts in `models`
 };
 
+/// Positions count from Scene::origin.
+///
 /// What is built, moved and thrown away together is shared, because an edit of the scene keeps what
 /// it does not touch.
 struct World {
@@ -42,7 +44,7 @@ struct World {
   std::shared_ptr<const Plants> plants;    // null if there are none
 };
 
-/// Whether two scenes stand on the same land and sea.
+/// Whether two scenes stand on the same land and sea, counted from the same origin.
 bool same_land(const scene::Scene& a, const scene::Scene& b);
 
 /// Builds the world of a resolved scene, with plants everywhere or in sight. Parts of `previous`
@@ -60,7 +62,7 @@ enum class Grown { left_out, included };
 Objects as_triangles(const World& world, Grown plants = Grown::left_out);
 
 /// Fills in what depends on the terrain: positions given above the ground become positions above
-/// the sea, and the basket view gets its camera.
+/// the sea, the basket view gets its camera, and Scene::origin is chosen.
 void resolve(scene::Scene& scene);
 
 /// The same on a surface that is already there.

@@ -8,10 +8,11 @@
 #define AERO_LENS_PANORAMA 2
 #define AERO_LENS_ORTHOGRAPHIC 3
 
-/* A camera in world space. Image point (x, y), in pixels from the top left corner, is the vector
- * p = corner + x step_x + y step_y from `origin`. A pinhole's ray goes from there through p, one
- * unit of depth ahead; a thin lens's from a point of its disc across the axis through focus p. An
- * orthographic ray goes from p ahead. A panorama has no use for p. */
+/* A camera; its position counts from where those of meshes do. Image point (x, y), in pixels from
+ * the top left corner, is the vector p = corner + x step_x + y step_y from `origin`. A pinhole's
+ * ray goes from there through p, one unit of depth ahead; a thin lens's from a point of its disc
+ * across the axis through focus p. An orthographic ray goes from p ahead. A panorama has no use for
+ * p. */
 typedef struct AeroCamera {
   aero_float origin[3];
   aero_float corner[3];

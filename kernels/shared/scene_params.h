@@ -134,8 +134,11 @@ typedef struct AeroScene {
   aero_uint light_count;
   aero_uint shading; /* AERO_SHADING_... */
   AeroAir air;
+  /* Positions count from a point near the eye; this is its place over the terrain, as seen from the
+   * centre at sea level. Patterns and heights go by places. */
+  aero_float place[3];
 } AeroScene;
 
-AERO_ASSERT_LAYOUT(AeroScene, 296056);
+AERO_ASSERT_LAYOUT(AeroScene, 296068);
 
 #endif

@@ -147,6 +147,20 @@ TEST(Ply, OfNothingIsStillAFile) {
   EXPECT_TRUE(ply.body.empty());
 }
 
+TEST(Export, SaysWhatPositionsCountFrom) {
+  const TriangleMesh mesh = quad(0, false);
+  const ExportObject objects[] = {{1, "terrain", &mesh}};
+  const auto holds = [](const std::vector<std::uint8_t>& bytes, const std::string& text) {
+    return std::string(bytes.begin(), bytes.end()).find(text) != std::string::npos;
+  };
+  const dvec3 origin(1e6 + 0.1, 0.0, -12345678.25);
+  EXPECT_TRUE(holds(ply_bytes(objects, origin), "\ncomment origin 1000000.1 0 -12345678.25\n"));
+  EXPECT_TRUE(holds(obj_bytes(objects, origin), "\n# origin 1000000.1 0 -12345678.25\n"));
+  EXPECT_EQ(Ply(ply_bytes(objects, origin)).body, Ply(ply_bytes(objects)).body);
+  EXPECT_FALSE(holds(ply_bytes(objects), "origin"));
+  EXPECT_FALSE(holds(obj_bytes(objects), "origin"));
+}
+
 TEST(Ply, RefusesABrokenMesh) {
   TriangleMesh mesh = quad(0, false);
   mesh.triangles[0].x = 9;

@@ -789,8 +789,8 @@
         <translation>Сторона квадрата в метрах, от 10 до 1000000.</translation>
     </message>
     <message>
-        <source>[x, z] in metres of the finest cells.</source>
-        <translation>[x, z] самых мелких ячеек в метрах.</translation>
+        <source>[x, z] in metres of the finest cells. Relief, ground patterns, plants, waves and clouds go with it.</source>
+        <translation>[x, z] самых мелких ячеек в метрах. Рельеф, рисунок земли, растения, волны и облака перемещаются вместе с ним.</translation>
     </message>
     <message>
         <source>Cell size at the rim over that at the centre, 1 (even) to 1000.</source>

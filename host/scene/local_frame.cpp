@@ -1,0 +1,44 @@
+#include "scene/local_frame.hpp"
+
+#include <cmath>
+
+#include "scene/pixel_size.hpp"
+
+namespace aerostat::scene {
+namespace {
+
+/// Up to here coordinates are exact to half a millimetre.
+constexpr double kNear_m = 8192.0;
+constexpr double kStep_m = 4096.0;
+
+double origin_near(double place) {
+  return std::abs(place) < kNear_m ? 0.0 : kStep_m * std::round(place / kStep_m);
+}
+
+}  // namespace
+
+dvec3 origin_for(const Scene& scene) {
+  const dvec2& center = scene.terrain.center;
+  const dvec3 eye = place_of(scene, point_of_view(scene.camera));
+  return {center.x + origin_near(eye.x), origin_near(eye.y), center.y + origin_near(eye.z)};
+}
+
+dvec3 place_of(const Scene& scene, const dvec3& position) {
+  const dvec2& center = scene.terrain.center;
+  return position - dvec3(center.x, 0.0, center.y);
+}
+
+Scene counted_from_origin(Scene scene) {
+  const dvec3& origin = scene.origin;
+  scene.terrain.center -= dvec2(origin.x, origin.z);
+  scene.terrain.base_m -= origin.y;
+  scene.biome.water.level_m -= origin.y;
+  scene.balloon.position -= origin;
+  for (Balloon& further : scene.balloons) further.position -= origin;
+  scene.camera.position -= origin;
+  scene.camera.target -= origin;
+  for (PointLight& light : scene.lights) light.position -= origin;
+  return scene;
+}
+
+}  // namespace aerostat::scene

@@ -1,0 +1,142 @@
+// Far from the origin of the world's coordinates pictures are as clean as at it.
+#include <algorithm>
+
+#include "flat_land.hpp"
+#include "scene/local_frame.hpp"
+#include "world/world.hpp"
+
+namespace aerostat::test {
+namespace {
+
+const dvec3 kFar{1e6, 0.0, -1e6};
+
+scene::Scene unresolved(const std::string& name) {
+  scene::Scene scene =
+      scene::read_file(std::string(AEROSTAT_SOURCE_DIR "/scenes/") + name + ".json",
+                       {{"/image/width", "96"},
+                        {"/image/height", "54"},
+                        {"/quality", "\"standard\""},
+                        {"/image/spp", "2"},
+                        {"/terrain/cells", "256"},
+                        {"/fog", R"({"enabled": true, "visibility_m": 20000, "top_m": 300})"},
+                        {"/sky/cumulus/cover", "0.4"}});
+  scene.vegetation.reach_m = 1000.0;
+  scene::PointLight lamp;
+  lamp.position = scene.balloon.position + dvec3(3.0, 300.0, 2.0);
+  lamp.intensity = 500.0;
+  scene.lights.push_back(lamp);
+  return scene;
+}
+
+/// Everything of a scene by the same way: what is given in its own coordinates stays near it.
+scene::Scene moved(scene::Scene scene, const dvec3& by) {
+  scene.terrain.center += dvec2(by.x, by.z);
+  scene.balloon.position += by;
+  scene.camera.position += by;
+  scene.camera.target += by;
+  for (scene::PointLight& light : scene.lights) light.position += by;
+  return scene;
+}
+
+image::Film render_resolved(scene::Scene scene) {
+  world::resolve(scene);
+  return shared_session().render(scene);
+}
+
+class FarScene : public testing::TestWithParam<const char*> {};
+
+// The sums with 1e6 are exact to 2^-33 m: hardly ever does a float see it.
+TEST_P(FarScene, IsTheSamePictureToTheBit) {
+  const scene::Scene scene = unresolved(GetParam());
+  EXPECT_TRUE(same_bits(render_resolved(scene), render_resolved(moved(scene, kFar))));
+}
+
+/// Mean over both pictures' differences, relative to the mean radiance.
+double difference(const image::Film& a, const image::Film& b) {
+  double apart = 0.0, sum = 0.0;
+  for (std::size_t i = 0; i < a.radiance.size(); ++i) {
+    apart += glm::length(dvec3(a.radiance[i]) - dvec3(b.radiance[i]));
+    sum += glm::length(dvec3(a.radiance[i]));
+  }
+  return apart / sum;
+}
+
+// Plants, patterns, waves, clouds, fog and light go by places: another origin of the meshes changes
+// what is rounded and nothing else. Here and there that moves an edge or a shadow by a pixel.
+TEST_P(FarScene, LooksTheSameFromAnotherOrigin) {
+  scene::Scene scene = unresolved(GetParam());
+  world::resolve(scene);
+  const image::Film film = shared_session().render(scene);
+  scene.origin = {4096.0, -4096.0, 8192.0};
+  const image::Film other = shared_session().render(scene);
+  EXPECT_FALSE(same_bits(film, other)) << "the origin is not used";
+  EXPECT_LT(difference(film, other), 0.005);
+}
+
+INSTANTIATE_TEST_SUITE_P(OfEachKind, FarScene,
+                         testing::Values("snow", "tropical", "sand", "tropical-basket"),
+                         [](const auto& name) {
+                           std::string text = name.param;
+                           std::replace(text.begin(), text.end(), '-', '_');
+                           return text;
+                         });
+
+/// A balloon over level land a thousand kilometres across, at places ever farther from its middle.
+scene::Scene over_the_plain(const dvec3& where) {
+  scene::Scene scene = flat_land();
+  scene.terrain.size_m = 1e6;
+  scene.balloon.enabled = true;
+  scene.balloon.position = where + dvec3(0.0, 100.0, 0.0);
+  scene.camera.up = {0.0, 1.0, 0.0};
+  scene.camera.position = where + dvec3(0.0, 102.0, 4.5);
+  scene.camera.target = where + dvec3(0.0, 102.0, 0.0);
+  scene.camera.fov_y_deg = 50.0;
+  scene.terrain.base_m = where.y;
+  scene.sun.irradiance = 3.0;
+  scene.sun.direction = {0.4, 0.5, 0.6};
+  scene.image.width = 240;
+  scene.image.height = 180;
+  return scene;
+}
+
+double share_of(const image::Film& film, scene::ObjectId id) {
+  const auto count =
+      std::count(film.object_id.begin(), film.object_id.end(), static_cast<std::uint32_t>(id));
+  return static_cast<double>(count) / static_cast<double>(film.object_id.size());
+}
+
+TEST(FarBalloon, KeepsItsRopesAndItsWicker) {
+  const image::Film near = render_resolved(over_the_plain({0.0, 0.0, 0.0}));
+  ASSERT_GT(share_of(near, scene::ObjectId::cables), 0.005);
+  ASSERT_GT(share_of(near, scene::ObjectId::basket), 0.05);
+  for (const dvec3& where :
+       {dvec3(20000.0, 0.0, 0.0), dvec3(100000.0, 0.0, -100000.0), dvec3(-490000.0, 0.0, 490000.0),
+        dvec3(1e6, 0.0, -1e6), dvec3(0.0, 100000.0, 0.0)}) {
+    SCOPED_TRACE(testing::Message() << where.x << ", " << where.y << ", " << where.z);
+    const image::Film film = render_resolved(over_the_plain(where));
+    std::size_t others = 0, lit_otherwise = 0, balloon = 0;
+    for (std::size_t i = 0; i < film.object_id.size(); ++i) {
+      const bool same = film.object_id[i] == near.object_id[i];
+      if (!same) ++others;
+      if (!same || film.object_id[i] < static_cast<std::uint32_t>(scene::ObjectId::envelope)) {
+        continue;
+      }
+      ++balloon;
+      // Without air, light depends on nothing but the balloon: edges of shadows move by the two
+      // millimetres by which their rays are lifted off.
+      const dvec3 a(film.radiance[i]), b(near.radiance[i]);
+      lit_otherwise += glm::length(a - b) > 0.02 * glm::length(b) + 1e-4;
+    }
+    // Beyond the plain there is no ground.
+    if (std::abs(where.x) < 5e5) {
+      EXPECT_LT(others, film.object_id.size() / 200);
+    }
+    EXPECT_LT(lit_otherwise, balloon / 40);
+    for (const auto id : {scene::ObjectId::cables, scene::ObjectId::basket}) {
+      EXPECT_NEAR(share_of(film, id) / share_of(near, id), 1.0, 0.02) << scene::object_name(id);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace aerostat::test
