@@ -58,11 +58,12 @@ struct Shares {
   // Where no cost is a number, halves of the slots, and no less stack than they may need.
   Float8 cost = Float8{} + kInfinity;
   Int8 left{0, 1, 1, 2, 2, 3, 3, 4};
-  Int8 stack{};
+  Int8 stack;
   Int8 used{1, 2, 3, 4, 5, 6, 7, 8};
 
   AEROSTAT_INLINE Shares(const Forest& l, const Forest& r) {
-    stack += std::max(l.stack[0], r.stack[0]);
+    const Int8 deeper = l.stack > r.stack ? l.stack : r.stack;
+    stack = __builtin_shufflevector(deeper, deeper, 0, 0, 0, 0, 0, 0, 0, 0);
   }
 
   /// Tries to give the left child kLeft slots.

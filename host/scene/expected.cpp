@@ -81,14 +81,14 @@ std::size_t edit_distance(const std::string& a, const std::string& b) {
 
 }  // namespace
 
-const Json& resolve_rule(const Json& rule, const Json& schema, const Json& value) {
+const Json& resolve_rule(const Json& rule, const Json& schema, std::string_view type) {
   if (rule.contains("$ref")) {
     const std::string path = rule["$ref"].get<std::string>().substr(1);
     return schema.at(Json::json_pointer(path));
   }
   if (rule.contains("anyOf")) {
     for (const Json& alternative : rule["anyOf"]) {
-      if (alternative["type"] == value.type_name()) return alternative;
+      if (alternative["type"] == type) return alternative;
     }
   }
   return rule;

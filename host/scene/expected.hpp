@@ -1,14 +1,16 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 
 #include "scene/json_text.hpp"
 
 /// What a rule of the JSON Schema asks for, in words.
 namespace aerostat::scene::detail {
 
-/// The rule behind a "$ref" into `schema`, and of an "anyOf" the alternative of the value's type.
-const Json& resolve_rule(const Json& rule, const Json& schema, const Json& value);
+/// The rule behind a "$ref" into `schema`, and of an "anyOf" the alternative for values of `type`,
+/// a name as Json::type_name gives it. A part of `rule` or of `schema`.
+const Json& resolve_rule(const Json& rule, const Json& schema, std::string_view type);
 
 /// The rule of a member or an element.
 const Json& child_rule(const Json& rule, const std::string& token);

@@ -48,13 +48,13 @@ FieldRule read_rule(const Json& rule) {
 
 void collect_pointers(const Json& rule, const std::string& pointer,
                       std::vector<std::string>& pointers) {
-  const Json& resolved = detail::resolve_rule(rule, detail::schema_document(), Json::object());
+  const Json& resolved = detail::resolve_rule(rule, detail::schema_document(), "object");
   if (resolved.contains("properties")) {
     for (const auto& [key, child] : resolved["properties"].items()) {
       collect_pointers(child, pointer + "/" + key, pointers);
     }
   } else if (resolved.contains("items") &&
-             detail::resolve_rule(resolved["items"], detail::schema_document(), Json::object())
+             detail::resolve_rule(resolved["items"], detail::schema_document(), "object")
                  .contains("properties")) {
     collect_pointers(resolved["items"], pointer + "/0", pointers);
   } else {
@@ -74,7 +74,7 @@ FieldRule field_rule(const std::string& pointer) {
       throw Error(ErrorKind::usage, fmt::format("{}: a scene has no such value", pointer));
     }
     if (is_array) description = rule->value("description", "");
-    rule = &detail::resolve_rule(detail::child_rule(*rule, token), schema, Json::object());
+    rule = &detail::resolve_rule(detail::child_rule(*rule, token), schema, "object");
   }
   FieldRule field = read_rule(*rule);
   if (field.description.empty()) field.description = description;

@@ -68,10 +68,10 @@ void check_schema(const Json& document, const std::string& name) {
 
   const Pointer pointer = deepest(results);
   const Json* value = &document;
-  const Json* rule = &resolve_rule(schema.document, schema.document, *value);
+  const Json* rule = &resolve_rule(schema.document, schema.document, value->type_name());
   for (const std::string& token : pointer) {
     value = &child(*value, token);
-    rule = &resolve_rule(child_rule(*rule, token), schema.document, *value);
+    rule = &resolve_rule(child_rule(*rule, token), schema.document, value->type_name());
   }
   fail_by_rule(name, pointer, *value, *rule);
 }
