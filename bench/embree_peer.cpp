@@ -1,10 +1,12 @@
 #include "embree_peer.hpp"
 
-#include <embree3/rtcore.h>
+#include <algorithm>
+
 #include <oneapi/tbb/blocked_range.h>
 #include <oneapi/tbb/parallel_for.h>
 
 #include "core/stopwatch.hpp"
+#include "embree_api.hpp"
 
 namespace aerostat::bench {
 
@@ -50,12 +52,8 @@ double over_packets(const RaySet& rays, F f) {
   return watch.seconds();
 }
 
-RTCIntersectContext context_for(Coherence coherence) {
-  RTCIntersectContext context;
-  rtcInitIntersectContext(&context);
-  context.flags = coherence == Coherence::coherent ? RTC_INTERSECT_CONTEXT_FLAG_COHERENT
-                                                   : RTC_INTERSECT_CONTEXT_FLAG_INCOHERENT;
-  return context;
+embree::Query query_for(Coherence coherence) {
+  return embree::Query(coherence == Coherence::coherent);
 }
 
 template <typename Ray>
@@ -116,23 +114,23 @@ double EmbreePeer::time_commit(const mesh::TriangleMesh& mesh) const {
 
 double EmbreePeer::time_closest_1(const RaySet& rays) const {
   return over_packets(rays, [&](const float* packet) {
-    auto context = context_for(Coherence::incoherent);
+    auto query = query_for(Coherence::incoherent);
     for (std::size_t i = 0; i < static_cast<std::size_t>(rays.lanes); ++i) {
       RTCRayHit hit;
       set_ray(hit.ray, packet, static_cast<std::size_t>(rays.lanes), i);
       hit.hit.geomID = RTC_INVALID_GEOMETRY_ID;
-      if (hit.ray.tfar >= 0.0f) rtcIntersect1(state_->scene, &context, &hit);
+      if (hit.ray.tfar >= 0.0f) query.closest_1(state_->scene, hit);
     }
   });
 }
 
 double EmbreePeer::time_occluded_1(const RaySet& rays) const {
   return over_packets(rays, [&](const float* packet) {
-    auto context = context_for(Coherence::incoherent);
+    auto query = query_for(Coherence::incoherent);
     for (std::size_t i = 0; i < static_cast<std::size_t>(rays.lanes); ++i) {
       RTCRay ray;
       set_ray(ray, packet, static_cast<std::size_t>(rays.lanes), i);
-      if (ray.tfar >= 0.0f) rtcOccluded1(state_->scene, &context, &ray);
+      if (ray.tfar >= 0.0f) query.occluded_1(state_->scene, ray);
     }
   });
 }
@@ -143,8 +141,8 @@ double EmbreePeer::time_closest_16(const RaySet& rays, Coherence coherence) cons
     alignas(64) RTCRayHit16 hits;
     set_rays(hits.ray, valid, packet);
     std::fill_n(hits.hit.geomID, kWidth, RTC_INVALID_GEOMETRY_ID);
-    auto context = context_for(coherence);
-    rtcIntersect16(valid, state_->scene, &context, &hits);
+    auto query = query_for(coherence);
+    query.closest_16(valid, state_->scene, hits);
   });
 }
 
@@ -153,8 +151,8 @@ double EmbreePeer::time_occluded_16(const RaySet& rays, Coherence coherence) con
     alignas(64) int valid[kWidth];
     alignas(64) RTCRay16 ray;
     set_rays(ray, valid, packet);
-    auto context = context_for(coherence);
-    rtcOccluded16(valid, state_->scene, &context, &ray);
+    auto query = query_for(coherence);
+    query.occluded_16(valid, state_->scene, ray);
   });
 }
 

@@ -11,7 +11,7 @@
 #include "scene/io.hpp"
 #include "soup.hpp"
 #include "world/world.hpp"
-#ifdef AEROSTAT_HAVE_EMBREE
+#ifdef AEROSTAT_EMBREE
 #include "embree_peer.hpp"
 #endif
 
@@ -109,7 +109,7 @@ struct Kind {
   bool any_hit, coherent;
 };
 
-#ifdef AEROSTAT_HAVE_EMBREE
+#ifdef AEROSTAT_EMBREE
 void add_peer(const bench::EmbreePeer& embree, const Kind& kind, std::vector<Entry>& entries) {
   const bench::RaySet& rays = kind.rays.get();
   const std::string name = kind.any_hit ? "Embree rtcOccluded" : "Embree rtcIntersect";
@@ -189,7 +189,7 @@ void run(const Arguments& arguments) {
                                                           opencl::kernel_sources(folder)));
     add_kernels(*others.back(), "kernels of " + folder, kinds, entries);
   }
-#ifdef AEROSTAT_HAVE_EMBREE
+#ifdef AEROSTAT_EMBREE
   std::unique_ptr<bench::EmbreePeer> embree;
   if (arguments.peers) {
     embree = std::make_unique<bench::EmbreePeer>(*geometry);

@@ -1,4 +1,5 @@
 // Samples go where noise is: the same ones whatever the tiles, devices and widths.
+#include <cmath>
 #include <numeric>
 
 #include "pictures.hpp"

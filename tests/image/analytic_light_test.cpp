@@ -1,4 +1,6 @@
 // Pixels whose value is known in closed form: gloss, lamps, air.
+#include <algorithm>
+#include <cmath>
 #include <numbers>
 
 #include "flat_land.hpp"

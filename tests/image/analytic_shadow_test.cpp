@@ -1,4 +1,6 @@
 // The balloon's penumbra and the sky that it hides, by closed forms of its outline.
+#include <algorithm>
+#include <cmath>
 #include <numbers>
 
 #include "air/atmosphere.hpp"

@@ -1,4 +1,5 @@
 // Pixels whose value is known in closed form: geometry, Lambert's cosine, ambient light, shadows.
+#include <cmath>
 #include <numbers>
 
 #include "flat_land.hpp"

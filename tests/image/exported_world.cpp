@@ -1,5 +1,7 @@
 #include "exported_world.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <cstring>
 #include <numbers>
 #include <sstream>

@@ -1,5 +1,7 @@
 #include "flat_land.hpp"
 
+#include <cmath>
+
 #include "air/light.hpp"
 
 namespace aerostat::test {

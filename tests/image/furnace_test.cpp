@@ -1,5 +1,6 @@
 // The furnace: what reflects all light, under a sky that is even all around, cannot be told from
 // it.
+#include <algorithm>
 #include <numbers>
 
 #include "flat_land.hpp"

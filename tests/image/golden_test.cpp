@@ -4,6 +4,7 @@
 // Tolerance, in steps of 1/255 after development: mean 0.3 and 4 for 99 of 100 values. Lane widths
 // differ by 1e-7 of the radiance, so that other devices turn a few values of the dither and a few
 // samples at edges; a change of colour, light or shape that an eye would notice is more.
+#include <cstdio>
 #include <cstdlib>
 
 #include "compare_pixels.hpp"

@@ -5,6 +5,9 @@
 // at most, so that 1e-4 of the radiance leaves room for other drivers. Where a ray passes an edge
 // so closely that the last bit decides, a sample may fall on the other side: few pixels may differ
 // by more.
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
 #include <map>
 
 #include "pictures.hpp"

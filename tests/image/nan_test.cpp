@@ -1,4 +1,7 @@
 // No pixel of any scene is no number, negative or infinite.
+#include <algorithm>
+#include <cmath>
+
 #include "small_films.hpp"
 #include "world/world.hpp"
 

@@ -1,61 +1,24 @@
 #include "oracle.hpp"
 
-#include <algorithm>
-
-#ifdef AEROSTAT_TEST_EMBREE
-#include <embree3/rtcore.h>
+#ifdef AEROSTAT_EMBREE
+#include "../host/embree_mesh.hpp"
 #endif
 
 namespace aerostat::test {
 
-#ifdef AEROSTAT_TEST_EMBREE
+#ifdef AEROSTAT_EMBREE
 
 struct Oracle::State {
   explicit State(const ExportedWorld& given)
-      : world(given), device(rtcNewDevice(nullptr)), scene(rtcNewScene(device)) {
-    const RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE);
-    auto* positions = static_cast<vec3*>(rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX,
-                                                                 0, RTC_FORMAT_FLOAT3, sizeof(vec3),
-                                                                 world.positions.size()));
-    auto* triangles = static_cast<uvec3*>(
-        rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, sizeof(uvec3),
-                                world.triangles.size()));
-    std::copy(world.positions.begin(), world.positions.end(), positions);
-    std::copy(world.triangles.begin(), world.triangles.end(), triangles);
-    rtcCommitGeometry(geometry);
-    rtcAttachGeometry(scene, geometry);
-    rtcReleaseGeometry(geometry);
-    rtcSetSceneFlags(scene, RTC_SCENE_FLAG_ROBUST);
-    rtcCommitScene(scene);
-  }
-  State(const State&) = delete;
-  State& operator=(const State&) = delete;
-  ~State() {
-    rtcReleaseScene(scene);
-    rtcReleaseDevice(device);
-  }
-
+      : world(given), mesh(world.positions, world.triangles) {}
   const ExportedWorld& world;
-  RTCDevice device;
-  RTCScene scene;
+  EmbreeMesh mesh;
 };
 
 Oracle::Answer Oracle::nearest(const dvec3& origin, const dvec3& direction) const {
-  RTCIntersectContext context;
-  rtcInitIntersectContext(&context);
-  RTCRayHit query{};
-  query.ray.org_x = static_cast<float>(origin.x);
-  query.ray.org_y = static_cast<float>(origin.y);
-  query.ray.org_z = static_cast<float>(origin.z);
-  query.ray.dir_x = static_cast<float>(direction.x);
-  query.ray.dir_y = static_cast<float>(direction.y);
-  query.ray.dir_z = static_cast<float>(direction.z);
-  query.ray.tfar = kInfinity;
-  query.ray.mask = ~0u;
-  query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
-  rtcIntersect1(state_->scene, &context, &query);
-  if (query.hit.geomID == RTC_INVALID_GEOMETRY_ID) return {};
-  return {query.ray.tfar, state_->world.objects[query.hit.primID]};
+  const EmbreeMesh::Hit hit = state_->mesh.nearest(vec3(origin), vec3(direction));
+  if (!hit.met()) return {};
+  return {hit.distance, state_->world.objects[hit.triangle]};
 }
 
 int Oracle::stride() {

@@ -3,6 +3,8 @@
 #include "oracle.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <cstdio>
 
 #include "pictures.hpp"
 

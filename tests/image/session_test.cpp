@@ -1,4 +1,5 @@
 // The library's promises: progress, re-use, pictures that depend on the scene alone.
+#include <cmath>
 #include <map>
 #include <numeric>
 #include <set>

@@ -1,0 +1,65 @@
+#pragma once
+
+/// What differs between Embree 3 and 4: how a query is told what it may know of its rays.
+/// AEROSTAT_EMBREE is the version's first number.
+#if AEROSTAT_EMBREE == 3
+#include <embree3/rtcore.h>
+#else
+#include <embree4/rtcore.h>
+#endif
+
+namespace aerostat::embree {
+
+#if AEROSTAT_EMBREE == 3
+
+/// For as many queries of one thread as one likes.
+class Query {
+ public:
+  explicit Query(bool coherent = false) {
+    rtcInitIntersectContext(&context_);
+    context_.flags =
+        coherent ? RTC_INTERSECT_CONTEXT_FLAG_COHERENT : RTC_INTERSECT_CONTEXT_FLAG_INCOHERENT;
+  }
+
+  void closest_1(RTCScene scene, RTCRayHit& hit) { rtcIntersect1(scene, &context_, &hit); }
+  void occluded_1(RTCScene scene, RTCRay& ray) { rtcOccluded1(scene, &context_, &ray); }
+  void closest_16(const int* valid, RTCScene scene, RTCRayHit16& hits) {
+    rtcIntersect16(valid, scene, &context_, &hits);
+  }
+  void occluded_16(const int* valid, RTCScene scene, RTCRay16& rays) {
+    rtcOccluded16(valid, scene, &context_, &rays);
+  }
+
+ private:
+  RTCIntersectContext context_;
+};
+
+#else
+
+/// For as many queries of one thread as one likes.
+class Query {
+ public:
+  explicit Query(bool coherent = false) {
+    rtcInitIntersectArguments(&closest_);
+    rtcInitOccludedArguments(&occluded_);
+    closest_.flags = occluded_.flags =
+        coherent ? RTC_RAY_QUERY_FLAG_COHERENT : RTC_RAY_QUERY_FLAG_INCOHERENT;
+  }
+
+  void closest_1(RTCScene scene, RTCRayHit& hit) { rtcIntersect1(scene, &hit, &closest_); }
+  void occluded_1(RTCScene scene, RTCRay& ray) { rtcOccluded1(scene, &ray, &occluded_); }
+  void closest_16(const int* valid, RTCScene scene, RTCRayHit16& hits) {
+    rtcIntersect16(valid, scene, &hits, &closest_);
+  }
+  void occluded_16(const int* valid, RTCScene scene, RTCRay16& rays) {
+    rtcOccluded16(valid, scene, &rays, &occluded_);
+  }
+
+ private:
+  RTCIntersectArguments closest_;
+  RTCOccludedArguments occluded_;
+};
+
+#endif
+
+}  // namespace aerostat::embree
