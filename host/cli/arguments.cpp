@@ -1,5 +1,11 @@
+#include <algorithm>
+#include <charconv>
+#include <cstdint>
 #include <functional>
 #include <sstream>
+#include <string>
+#include <system_error>
+#include <vector>
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -16,11 +22,32 @@ namespace {
 
 constexpr int kLargestSide = 32768;
 constexpr int kMostSamples = 65536;
-constexpr std::uint32_t kLargestSeed = 0xffffffffu;
+constexpr std::int64_t kLargestSeed = 0xffffffffu;
 
-// The help texts state the ranges in their own words.
-CLI::Validator unnamed(const CLI::Validator& validator) {
-  return validator.description("");
+/// A whole number in decimal digits, for `transform`: leading zeros are dropped, since CLI11 would
+/// take them for octal. CLI11's own ranges have other words in each version. The help texts state
+/// the ranges.
+CLI::Validator in_range(std::int64_t least, std::int64_t most) {
+  const auto validate = [least, most](std::string& text) {
+    std::int64_t value = 0;
+    const char* end = text.data() + text.size();
+    const auto [rest, error] = std::from_chars(text.data(), end, value);
+    const bool is_number = error == std::errc() && rest == end;
+    if (!is_number || value < least || value > most) {
+      return fmt::format("Value {} not in range {} to {}", text, least, most);
+    }
+    text = std::to_string(value);
+    return std::string();
+  };
+  return CLI::Validator(validate, "");
+}
+
+CLI::Validator one_of(const std::vector<std::string>& words) {
+  const auto validate = [words](const std::string& text) {
+    if (std::find(words.begin(), words.end(), text) != words.end()) return std::string();
+    return fmt::format("{} not in {{{}}}", text, fmt::join(words, ","));
+  };
+  return CLI::Validator(validate, "");
 }
 
 /// The command line as a tree of options whose values land in the structs.
@@ -107,21 +134,21 @@ class Arguments {
   }
 
   void add_image(CLI::App* sub) {
-    const CLI::Validator side = unnamed(CLI::Range(1, kLargestSide));
+    CLI::Validator side = in_range(1, kLargestSide);
     sub->add_option("--width", render_.width, "Pixels across, 1 to 32768; wins over the scene")
-        ->check(side)
+        ->transform(side)
         ->type_name("W");
     sub->add_option("--height", render_.height, "Pixels down, 1 to 32768; wins over the scene")
-        ->check(side)
+        ->transform(side)
         ->type_name("H");
     add_quality(sub, render_.quality);
     sub->add_option("--spp", render_.spp,
                     "Samples per pixel, 1 to 65536; a single one passes\n"
                     "through the pixel's centre")
-        ->check(unnamed(CLI::Range(1, kMostSamples)))
+        ->transform(in_range(1, kMostSamples))
         ->type_name("N");
     sub->add_option("--seed", render_.seed, "Seed of the samples, 0 to 4294967295")
-        ->check(unnamed(CLI::Range(std::uint32_t{0}, kLargestSeed)))
+        ->transform(in_range(0, kLargestSeed))
         ->type_name("S");
     sub->add_option_function<std::string>(
            "--crop", [this](const std::string& text) { render_.crop = parse_crop(text); },
@@ -134,7 +161,7 @@ class Arguments {
     sub->add_option("--quality", quality,
                     "draft, standard or final: samples, soft shadows and\n"
                     "ambient occlusion where the scene does not set them")
-        ->check(unnamed(CLI::IsMember({"draft", "standard", "final"})))
+        ->check(one_of({"draft", "standard", "final"}))
         ->type_name("Q");
   }
 
@@ -150,7 +177,7 @@ class Arguments {
     sub->add_option("--lanes", options.lanes,
                     "Rays per work-item, 1, 4, 8 or 16; by default what\n"
                     "suits the device")
-        ->check(unnamed(CLI::IsMember({1, 4, 8, 16})))
+        ->check(one_of({"1", "4", "8", "16"}))
         ->type_name("N");
     sub->add_option_function<std::string>(
            "--memory-limit",
@@ -173,12 +200,12 @@ class Arguments {
                     "A .png file; by default the scene's name and -seeds.png,\nin this folder")
         ->type_name("FILE");
     sub->add_option("--columns", sheet_.columns, "Tiles across, 1 to 1000; by default what suits")
-        ->check(unnamed(CLI::Range(1, kMostTiles)))
+        ->transform(in_range(1, kMostTiles))
         ->type_name("N");
     sub->add_option("--tile-width", sheet_.tile_width,
                     "Pixels across a tile, 1 to 32768; by default 320. Its\n"
                     "height follows from the scene's picture")
-        ->check(unnamed(CLI::Range(1, kLargestSide)))
+        ->transform(in_range(1, kLargestSide))
         ->type_name("W");
     add_quality(sub, sheet_.quality);
     add_device(sub, sheet_.device);

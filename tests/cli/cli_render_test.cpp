@@ -86,6 +86,12 @@ TEST_F(Render, CropsAndReports) {
   }
 }
 
+TEST_F(Render, LeadingZerosAreNoOctalNumbers) {
+  const Outcome outcome = run(small_render("snow", {"--spp", "01", "--width", "010"}));
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_EQ(png_size(read_bytes(folder_ / "snow.png")), (std::pair{10u, 18u}));
+}
+
 TEST_F(Render, DraftsWhereTheSceneSaysNothing) {
   const Outcome draft = run(small_render("snow", {"--quality", "draft", "--stats"}));
   ASSERT_EQ(draft.code, 0) << draft.err;

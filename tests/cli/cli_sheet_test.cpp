@@ -1,5 +1,6 @@
 // Contact sheets, tiny ones.
 
+#include <algorithm>
 #include <chrono>
 #include <csignal>
 #include <thread>

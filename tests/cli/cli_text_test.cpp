@@ -1,5 +1,6 @@
 // The parts of the command line that are plain functions.
 
+#include <algorithm>
 #include <csignal>
 #include <string>
 #include <vector>

@@ -1,5 +1,8 @@
 // Help, versions, devices, and command lines that are wrong.
 
+#include <algorithm>
+#include <cstdint>
+
 #include <nlohmann/json.hpp>
 
 #include "run_process.hpp"
@@ -53,11 +56,13 @@ TEST_F(Usage, MistakesAreOneClearLineAndCode64) {
       {{"render", scene, "--width", "0"}, "--width: Value 0 not in range 1 to 32768"},
       {{"render", scene, "--width", "-5"}, "--width: Value -5 not in range 1 to 32768"},
       {{"render", scene, "--height", "32769"}, "--height: Value 32769"},
-      {{"render", scene, "--width", "12.5"}, "--width"},
-      {{"render", scene, "--spp", "none"}, "--spp"},
+      {{"render", scene, "--width", "12.5"}, "--width: Value 12.5 not in range 1 to 32768"},
+      {{"render", scene, "--width", "0x10"}, "--width: Value 0x10 not in range 1 to 32768"},
+      {{"render", scene, "--width", "99999999999999999999"}, "not in range 1 to 32768"},
+      {{"render", scene, "--spp", "none"}, "--spp: Value none not in range 1 to 65536"},
       {{"render", scene, "--quality", "best"}, "--quality: best not in {draft,standard,final}"},
-      {{"render", scene, "--seed", "-1"}, "--seed: Value -1"},
-      {{"render", scene, "--lanes", "3"}, "--lanes: 3"},
+      {{"render", scene, "--seed", "-1"}, "--seed: Value -1 not in range 0 to 4294967295"},
+      {{"render", scene, "--lanes", "3"}, "--lanes: 3 not in {1,4,8,16}"},
       {{"render", scene, "--crop", "1,2,3"}, "--crop: '1,2,3'"},
       {{"render", scene, "--crop", "5,5,5,9"}, "is empty"},
       {{"render", scene, "--crop", "0,0,99999,9"}, "leaves the image"},
