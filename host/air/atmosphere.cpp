@@ -1,6 +1,7 @@
 #include "air/atmosphere.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace aerostat::air {
 namespace {

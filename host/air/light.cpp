@@ -1,6 +1,7 @@
 #include "air/light.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <memory>
 #include <mutex>
 

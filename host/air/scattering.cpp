@@ -1,6 +1,7 @@
 #include "air/scattering.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include <tbb/parallel_for.h>
 

@@ -1,5 +1,8 @@
 #pragma once
 
+#include <algorithm>
+#include <cstring>
+
 #include "bins.hpp"
 
 namespace aerostat::bvh {

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstring>
+
 #include "planes.hpp"
 
 namespace aerostat::bvh {

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstring>
+
 #include "binary.hpp"
 #include "bins.hpp"
 #include "few.hpp"

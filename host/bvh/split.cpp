@@ -1,6 +1,8 @@
 #include "split.hpp"
 
 #include <algorithm>
+#include <cstddef>
+#include <utility>
 #include <vector>
 
 #include <tbb/parallel_for.h>

@@ -1,6 +1,7 @@
 #include "image/deflate.hpp"
 
 #include <algorithm>
+#include <cstddef>
 
 #include <oneapi/tbb/enumerable_thread_specific.h>
 #include <oneapi/tbb/parallel_for.h>

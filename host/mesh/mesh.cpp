@@ -1,5 +1,7 @@
 #include "mesh/mesh.hpp"
 
+#include <cstdint>
+
 #include <fmt/format.h>
 
 #include "core/error.hpp"

@@ -3,6 +3,7 @@
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 #include "model/phase_cut.hpp"
 #include "model/shapes.hpp"

@@ -3,6 +3,7 @@
 #include <bit>
 #include <optional>
 #include <stdexcept>
+#include <utility>
 
 #include <fmt/format.h>
 

@@ -1,5 +1,7 @@
 #include "opencl/launch.hpp"
 
+#include <algorithm>
+
 #include <fmt/format.h>
 
 namespace aerostat::opencl {

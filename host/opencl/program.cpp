@@ -1,6 +1,7 @@
 #include "opencl/program.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include <fmt/format.h>
 

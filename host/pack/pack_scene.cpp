@@ -1,5 +1,6 @@
 #include "pack/pack_scene.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 

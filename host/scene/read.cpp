@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstring>
 #include <fstream>
+#include <system_error>
 #include <type_traits>
 
 #include <fmt/format.h>

@@ -1,6 +1,7 @@
 #include "scene/source.hpp"
 
 #include <cmath>
+#include <iterator>
 
 #include "scene/overrides.hpp"
 #include "scene/palettes.hpp"

@@ -1,10 +1,12 @@
 #include "scene/sun_position.hpp"
 
+#include <algorithm>
 #include <charconv>
 #include <chrono>
 #include <cmath>
 #include <numbers>
 #include <string_view>
+#include <system_error>
 
 namespace aerostat::scene::detail {
 

@@ -1,6 +1,7 @@
 #include "scene/write.hpp"
 
 #include <type_traits>
+#include <utility>
 
 #include "scene/enum_names.hpp"
 #include "scene/fields.hpp"

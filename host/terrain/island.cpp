@@ -1,3 +1,6 @@
+#include <algorithm>
+#include <cmath>
+
 #include "blend.hpp"
 #include "drainage.hpp"
 #include "fractal.hpp"

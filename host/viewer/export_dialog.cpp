@@ -11,6 +11,7 @@
 #include <QProgressBar>
 #include <QPushButton>
 #include <QVBoxLayout>
+#include <exception>
 
 #include "viewer/controls.hpp"
 #include "viewer/export_job.hpp"

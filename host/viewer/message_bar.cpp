@@ -4,6 +4,7 @@
 #include <QLabel>
 #include <QPushButton>
 #include <QStyle>
+#include <vector>
 
 namespace aerostat::viewer {
 namespace {

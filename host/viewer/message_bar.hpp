@@ -3,6 +3,7 @@
 #include <QFrame>
 #include <QString>
 #include <functional>
+#include <vector>
 
 class QHBoxLayout;
 class QLabel;

@@ -6,6 +6,7 @@
 #include <QScrollArea>
 #include <QStyle>
 #include <QToolButton>
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 

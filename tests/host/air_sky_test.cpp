@@ -1,5 +1,6 @@
 // Sky, sunlight and distance as one air makes them.
 
+#include <algorithm>
 #include <cmath>
 #include <random>
 

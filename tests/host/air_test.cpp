@@ -1,6 +1,7 @@
 // The air by itself: densities, phases and ways whose answers are known in closed form.
 
 #include <cmath>
+#include <utility>
 
 #include <gtest/gtest.h>
 

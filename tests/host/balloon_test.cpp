@@ -1,5 +1,6 @@
 #include "model/balloon.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 

@@ -1,4 +1,6 @@
+#include <algorithm>
 #include <cmath>
+#include <ostream>
 
 #include <gtest/gtest.h>
 #include <tbb/global_control.h>

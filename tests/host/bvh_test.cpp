@@ -2,7 +2,10 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <cstddef>
 #include <numeric>
+#include <utility>
 
 #include <gtest/gtest.h>
 #include <tbb/global_control.h>

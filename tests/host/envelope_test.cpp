@@ -1,5 +1,6 @@
 #include "model/envelope.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <random>

@@ -4,9 +4,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <queue>
 #include <random>
+#include <utility>
 
 #include <gtest/gtest.h>
 

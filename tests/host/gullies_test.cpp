@@ -1,5 +1,6 @@
 #include "terrain/gullies.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include <gtest/gtest.h>

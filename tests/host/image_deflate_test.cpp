@@ -1,3 +1,4 @@
+#include <cstdlib>
 #include <random>
 
 #include <gtest/gtest.h>

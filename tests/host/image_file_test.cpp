@@ -1,5 +1,6 @@
 // Files are written whole or not at all.
 
+#include <chrono>
 #include <csignal>
 #include <filesystem>
 #include <fstream>

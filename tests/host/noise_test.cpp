@@ -1,5 +1,6 @@
 #include "terrain/noise.hpp"
 
+#include <algorithm>
 #include <bit>
 #include <cmath>
 #include <numbers>

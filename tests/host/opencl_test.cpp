@@ -1,4 +1,5 @@
 // Sources, includes and options: what needs no device.
+#include <algorithm>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>

@@ -1,5 +1,6 @@
 // What is asked first of a candidate, because it costs little, decides nothing by itself.
 #include <algorithm>
+#include <cmath>
 #include <random>
 #include <vector>
 

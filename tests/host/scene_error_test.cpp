@@ -1,4 +1,5 @@
 #include <filesystem>
+#include <utility>
 
 #include <gtest/gtest.h>
 

@@ -1,3 +1,4 @@
+#include <exception>
 #include <fstream>
 #include <functional>
 #include <set>

@@ -1,4 +1,5 @@
 // Scenes that are edited: what is written is the least that says the same.
+#include <algorithm>
 #include <filesystem>
 
 #include <gtest/gtest.h>

@@ -1,6 +1,8 @@
 #include "terrain/scree.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <random>
 
 #include <gtest/gtest.h>

@@ -2,6 +2,8 @@
 
 #include "scene/sun_position.hpp"
 
+#include <cmath>
+
 #include <gtest/gtest.h>
 
 #include "scene/io.hpp"

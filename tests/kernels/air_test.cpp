@@ -1,5 +1,6 @@
 // The air on the device against the host's, which its own tests hold to physics, and in closed
 // form.
+#include <algorithm>
 #include <cmath>
 #include <random>
 

@@ -1,5 +1,6 @@
 // The box tests lose no child that a ray meets, and let few others through.
 #include <algorithm>
+#include <cmath>
 #include <functional>
 #include <random>
 

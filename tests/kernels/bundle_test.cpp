@@ -1,4 +1,5 @@
 // Packets that are traced together give every ray what it gets alone.
+#include <cmath>
 #include <functional>
 
 #include "reference_meshes.hpp"

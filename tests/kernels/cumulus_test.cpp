@@ -1,4 +1,5 @@
 // Heaped clouds: what they let through, and where they are.
+#include <algorithm>
 #include <cmath>
 #include <random>
 

@@ -1,4 +1,5 @@
 // Seams that are finer than pixels, and the burners' light, where the answer is known.
+#include <algorithm>
 #include <cmath>
 
 #include "shading_scene.hpp"

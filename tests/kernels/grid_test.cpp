@@ -1,6 +1,8 @@
 // The height grid against the same triangles as a soup: to the bit.
 #include <cmath>
+#include <ostream>
 #include <random>
+#include <tuple>
 
 #include "height_grid.h"
 #include "reference_meshes.hpp"

@@ -1,4 +1,5 @@
 // Instances of models against the same triangles as one soup.
+#include <cmath>
 #include <random>
 
 #include "closed_meshes.hpp"

@@ -1,4 +1,5 @@
 // The words of lanes.clh mean the same at every width.
+#include <algorithm>
 #include <bit>
 #include <cmath>
 #include <random>

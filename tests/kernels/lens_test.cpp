@@ -1,5 +1,8 @@
 // The rays of each lens, in closed form.
+#include <algorithm>
+#include <array>
 #include <bit>
+#include <cmath>
 #include <numbers>
 
 #include "camera.h"

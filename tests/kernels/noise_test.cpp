@@ -1,6 +1,7 @@
 // The device's noise is the host's, and its filter drops what a pixel cannot resolve.
 #include "terrain/noise.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <random>
 

@@ -1,4 +1,5 @@
 // Phong's light model where its answer is known in closed form.
+#include <algorithm>
 #include <cmath>
 
 #include "shading_scene.hpp"

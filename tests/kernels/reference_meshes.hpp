@@ -1,5 +1,7 @@
 #pragma once
 
+#include <algorithm>
+#include <ostream>
 #include <string>
 
 #include "closed_meshes.hpp"

@@ -1,5 +1,6 @@
 // Points of the sun's disc and directions of the sky: even in each pixel, in each square of pixels,
 // and in the shapes that they are mapped to.
+#include <algorithm>
 #include <bit>
 #include <cmath>
 #include <map>

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cmath>
+
 #include "probe.hpp"
 #include "scene_params.h"
 

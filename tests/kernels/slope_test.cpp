@@ -1,6 +1,7 @@
 // Ground that is passed over whole because it faces away from rays, against brute force.
 #include <cmath>
 #include <functional>
+#include <ostream>
 #include <random>
 
 #include "bvh_node.h"

@@ -1,4 +1,5 @@
 // What shading reads at a hit.
+#include <cmath>
 #include <random>
 
 #include "height_grid.h"

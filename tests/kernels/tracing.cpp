@@ -1,5 +1,7 @@
 #include "tracing.hpp"
 
+#include <algorithm>
+
 #include "bvh/instances.hpp"
 #include "height_grid.h"
 

@@ -1,4 +1,5 @@
 // trace_packet against brute force in double precision, and at the exact end of its buffers.
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstring>

@@ -1,4 +1,5 @@
 // hit_triangle against the determinants written out, in double precision.
+#include <algorithm>
 #include <cmath>
 #include <random>
 

@@ -1,4 +1,5 @@
 // Water: transmittances in closed form and their limits.
+#include <algorithm>
 #include <cmath>
 #include <random>
 

@@ -1,6 +1,7 @@
 // No ray may slip between triangles that share an edge or a vertex.
 #include <algorithm>
 #include <array>
+#include <ostream>
 
 #include "closed_meshes.hpp"
 #include "tracing.hpp"
