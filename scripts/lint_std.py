@@ -156,6 +156,7 @@ ALSO = {
     "istream": "istream iostream fstream sstream",
     "ostream": "ostream iostream fstream sstream",
     "endl": "ostream iostream fstream sstream",
+    "ws": "istream iostream fstream sstream",
     "exception": "exception stdexcept new",
     "initializer_list": "initializer_list vector string map set algorithm array",
 }

@@ -2,6 +2,7 @@
 
 #include <optional>
 #include <sstream>
+#include <system_error>
 
 #include <fmt/format.h>
 

@@ -1,4 +1,5 @@
 // Damage to PoCL's compiled kernels is found before PoCL comes upon it.
+#include <algorithm>
 #include <csignal>
 #include <cstdlib>
 #include <fstream>
