@@ -14,8 +14,12 @@
 
 #if defined(__x86_64__) && defined(__GNUC__)
 #define AEROSTAT_FOR_AVX2 __attribute__((target("avx2")))
+#if defined(__clang__)  // drops the whole attribute for a word that it does not know
+#define AEROSTAT_FOR_AVX512 __attribute__((target("avx512f,avx512dq,avx512vl")))
+#else
 #define AEROSTAT_FOR_AVX512 \
   __attribute__((target("avx512f,avx512dq,avx512vl,prefer-vector-width=512")))
+#endif
 #else
 #define AEROSTAT_FOR_AVX2
 #define AEROSTAT_FOR_AVX512

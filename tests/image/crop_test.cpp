@@ -1,4 +1,6 @@
 // A part of a picture is what the whole shows there, bit for bit.
+#include <algorithm>
+
 #include "image/write.hpp"
 #include "pictures.hpp"
 #include "render/look.hpp"
