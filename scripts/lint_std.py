@@ -146,6 +146,7 @@ HEADERS = {
 ALSO = {
     "erase_if": "vector string map set deque list unordered_map unordered_set",
     "erase": "vector string deque list",
+    "remove": "algorithm cstdio",
     "begin": "iterator array string string_view vector span map set deque list regex",
     "end": "iterator array string string_view vector span map set deque list regex",
     "size": "iterator array string string_view vector span map set deque list regex",
