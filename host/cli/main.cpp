@@ -2,12 +2,14 @@
 #include <cstdio>
 #include <exception>
 #include <new>
+#include <string>
 
 #include <fmt/format.h>
 
 #include "cli/commands.hpp"
 #include "cli/interrupt.hpp"
 #include "core/error.hpp"
+#include "scene/bad_scene.hpp"
 
 namespace {
 
@@ -28,6 +30,9 @@ int main(int argc, char** argv) {
   std::signal(SIGPIPE, SIG_IGN);
   try {
     return aerostat::cli::run(argc, argv);
+  } catch (const aerostat::scene::BadScene& bad) {
+    for (const std::string& line : bad.lines()) fail(bad.exit_code(), line.c_str());
+    return bad.exit_code();
   } catch (const aerostat::Error& error) {
     return fail(exit_code(error), error.what());
   } catch (const std::bad_alloc&) {

@@ -6,8 +6,6 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "core/error.hpp"
-
 namespace aerostat::scene::detail {
 
 namespace {
@@ -59,24 +57,21 @@ std::size_t edit_distance(const std::string& a, const std::string& b) {
   return last[b.size()];
 }
 
-[[noreturn]] void fail_by_object(const std::string& name, Pointer pointer, const Json& value,
-                                 const Json& rule) {
+void tell_by_object(Pointer pointer, const Json& value, const Json& rule, Faults& faults) {
   const std::vector<std::string> known = keys_of(rule);
+  pointer.emplace_back();
   for (const auto& [key, unused] : value.items()) {
     if (std::find(known.begin(), known.end(), key) != known.end()) continue;
     const std::string near = nearest_word(key, known);
     const std::string hint = near.empty() ? "" : fmt::format("; did you mean \"{}\"?", near);
-    pointer.push_back(key);
-    fail(name, pointer, "an unknown key", fmt::format("one of {}{}", fmt::join(known, ", "), hint));
+    pointer.back() = key;
+    faults.add(pointer, "an unknown key", fmt::format("one of {}{}", fmt::join(known, ", "), hint));
   }
   for (const Json& key : rule.value("required", Json::array())) {
-    if (value.contains(key.get<std::string>())) continue;
-    pointer.push_back(key.get<std::string>());
-    fail(name, pointer, "nothing", expected_by(rule["properties"][pointer.back()]));
+    pointer.back() = key.get<std::string>();
+    if (value.contains(pointer.back())) continue;
+    faults.add(pointer, "nothing", expected_by(rule["properties"][pointer.back()]));
   }
-  throw Error(
-      ErrorKind::internal,
-      fmt::format("{}: {}: the schema refuses this for no known reason", name, to_string(pointer)));
 }
 
 }  // namespace
@@ -134,10 +129,11 @@ std::string nearest_word(const std::string& text, const std::vector<std::string>
   return best;
 }
 
-void fail_by_rule(const std::string& name, const Pointer& pointer, const Json& value,
-                  const Json& rule) {
+bool tell_by_rule(const Pointer& pointer, const Json& value, const Json& rule, Faults& faults) {
+  const std::size_t before = faults.count();
   if (value.is_object() && rule.value("type", "") == "object") {
-    fail_by_object(name, pointer, value, rule);
+    tell_by_object(pointer, value, rule, faults);
+    return faults.count() > before;
   }
   std::string expected = expected_by(rule);
   if (rule.contains("enum") && value.is_string()) {
@@ -148,7 +144,8 @@ void fail_by_rule(const std::string& name, const Pointer& pointer, const Json& v
     const std::string near = nearest_word(value.get<std::string>(), words);
     if (!near.empty()) expected += fmt::format("; did you mean \"{}\"?", near);
   }
-  fail(name, pointer, describe(value), expected);
+  faults.add(pointer, describe(value), expected);
+  return true;
 }
 
 }  // namespace aerostat::scene::detail

@@ -3,6 +3,7 @@
 #include <string>
 #include <string_view>
 
+#include "scene/faults.hpp"
 #include "scene/json_text.hpp"
 
 /// What a rule of the JSON Schema asks for, in words.
@@ -21,8 +22,8 @@ std::string expected_by(const Json& rule);
 /// The word of `words` that `text` is most likely meant to be; empty if none is near.
 std::string nearest_word(const std::string& text, const std::vector<std::string>& words);
 
-/// Throws Error{bad_data} that says how `value` breaks `rule` (resolved).
-[[noreturn]] void fail_by_rule(const std::string& name, const Pointer& pointer, const Json& value,
-                               const Json& rule);
+/// Tells how `value` breaks `rule` (resolved): of an object all unknown and missing keys, but
+/// nothing of its members. Whether there was anything to tell.
+bool tell_by_rule(const Pointer& pointer, const Json& value, const Json& rule, Faults& faults);
 
 }  // namespace aerostat::scene::detail

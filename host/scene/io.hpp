@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "scene/bad_scene.hpp"
 #include "scene/scene.hpp"
 
 namespace aerostat::scene {
@@ -20,8 +21,8 @@ Override parse_override(const std::string& text);
 
 /// Reads a scene file (JSON with comments), applies the overrides to it, checks it against the
 /// schema and fills in the defaults of its biome and view. Positions stay as given (see
-/// world::resolve for heights above ground). Throws Error{io} if it cannot be read,
-/// Error{bad_data} with file, JSON pointer, what was found and what was expected.
+/// world::resolve for heights above ground). Throws Error{io} if it cannot be read, Error{bad_data}
+/// with line and column if it is no JSON, BadScene with all that is wrong if it is no scene.
 Scene read_file(const std::filesystem::path& path, const std::vector<Override>& overrides = {});
 
 /// The same from text; `name` stands for the file in messages.

@@ -7,6 +7,8 @@
 
 #include "core/dot_decimals.hpp"
 #include "core/error.hpp"
+#include "scene/faults.hpp"
+#include "scene/locate.hpp"
 
 namespace aerostat::scene::detail {
 
@@ -47,6 +49,9 @@ class Watcher {
     return true;
   }
 
+  /// Keys that are there twice.
+  const std::vector<Pointer>& twice() const { return twice_; }
+
   /// Of the value that is being read.
   Pointer pointer() const {
     Pointer result;
@@ -71,7 +76,7 @@ class Watcher {
   void enter_key(const std::string& key) {
     Frame& frame = frames_.back();
     frame.key = key;
-    if (!frame.keys.insert(key).second) fail(name_, pointer(), "this key twice", "it once");
+    if (!frame.keys.insert(key).second) twice_.push_back(pointer());
   }
 
   void leave_value() {
@@ -83,18 +88,15 @@ class Watcher {
 
   const std::string& name_;
   std::vector<Frame> frames_;
+  std::vector<Pointer> twice_;
   std::size_t values_ = 0;
 };
 
-/// Line and column, both from 1, of the last character that the parser had read.
+/// Of the last character that the parser had read.
 std::string position(std::string_view text, std::size_t bytes_read) {
-  const std::string_view before = text.substr(0, std::min(bytes_read, text.size() + 1));
-  const std::string_view until = before.substr(0, before.empty() ? 0 : before.size() - 1);
-  const auto line_start = until.rfind('\n') == std::string_view::npos ? 0 : until.rfind('\n') + 1;
-  const auto column = std::count_if(until.begin() + static_cast<std::ptrdiff_t>(line_start),
-                                    until.end(), [](char c) { return (c & 0xC0) != 0x80; });
-  const auto line = std::count(until.begin(), until.end(), '\n');
-  return fmt::format("line {}, column {}", line + 1, column + 1);
+  const std::size_t read = std::min(bytes_read, text.size());
+  const TextPlace place = place_of(text, read == 0 ? 0 : read - 1);
+  return fmt::format("line {}, column {}", place.line, place.column);
 }
 
 /// The parser's sentence without its own prefix and without what it last read, which may be long.
@@ -134,8 +136,7 @@ std::string to_string(const Pointer& pointer) {
 
 void fail(const std::string& name, const Pointer& pointer, const std::string& found,
           const std::string& expected) {
-  throw Error(ErrorKind::bad_data, fmt::format("{}: {}: found {}, expected {}", name,
-                                               to_string(pointer), found, expected));
+  throw BadScene(name, {{pointer, found, expected}});
 }
 
 std::string describe(const Json& value) {
@@ -154,13 +155,23 @@ std::string describe(const Json& value) {
 }
 
 Json parse_json(std::string_view text, const std::string& name) {
+  Faults faults(name);
+  Json json = parse_json(text, faults);
+  faults.throw_if_any();
+  return json;
+}
+
+Json parse_json(std::string_view text, Faults& faults) {
+  const std::string& name = faults.name();
   const DotDecimals dot;
   Watcher watcher(name);
   const auto callback = [&watcher](int, Json::parse_event_t event, Json& parsed) {
     return watcher(event, parsed);
   };
   try {
-    return Json::parse(text.begin(), text.end(), callback, true, true);
+    Json json = Json::parse(text.begin(), text.end(), callback, true, true);
+    for (const Pointer& pointer : watcher.twice()) faults.add(pointer, "this key twice", "it once");
+    return json;
   } catch (const Json::parse_error& error) {
     throw Error(ErrorKind::bad_data, fmt::format("{}: {}: {}", name, position(text, error.byte),
                                                  syntax_complaint(error.what())));

@@ -22,7 +22,7 @@ using Pointer = std::vector<std::string>;
 /// "/a/b" with '~' and '/' escaped and control characters made visible; "/" alone means the whole.
 std::string to_string(const Pointer& pointer);
 
-/// Throws Error{bad_data}: "name: /pointer: found X, expected Y".
+/// Throws BadScene: "name: /pointer: found X, expected Y".
 [[noreturn]] void fail(const std::string& name, const Pointer& pointer, const std::string& found,
                        const std::string& expected);
 
@@ -33,5 +33,10 @@ std::string describe(const Json& value);
 /// the pointer on a key that is there twice, a number beyond double, more than kMaxDepth levels or
 /// kMaxValues values.
 Json parse_json(std::string_view text, const std::string& name);
+
+class Faults;
+
+/// The same, but keys that are there twice are added to `faults`; of each the last counts.
+Json parse_json(std::string_view text, Faults& faults);
 
 }  // namespace aerostat::scene::detail

@@ -164,14 +164,14 @@ void expand_short_forms(Json& document) {
   }
 }
 
-void apply_overrides(Json& document, const std::vector<Override>& overrides,
-                     const std::string& name) {
+void apply_overrides(Json& document, const std::vector<Override>& overrides, Faults& faults) {
   for (const Override& change : overrides) {
     const Pointer pointer = parse_pointer(change.pointer);
     settle_sun(document, pointer);
     settle_colors(document, pointer);
     const Json defaults_json = Json(to_json(defaults(biome_of(document), view_of(document))));
-    reach(document, defaults_json, pointer, name) = override_value(change);
+    reach(document, defaults_json, pointer, faults.name()) = override_value(change);
+    faults.set_overridden(pointer);
     expand_short_forms(document);
   }
 }

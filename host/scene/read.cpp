@@ -6,6 +6,7 @@
 #include <fstream>
 #include <system_error>
 #include <type_traits>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -132,8 +133,54 @@ void settle_colors(const Json& document, Scene& scene) {
 void check_version(const Json& document, const std::string& name) {
   if (!document.is_object()) detail::fail(name, {}, detail::describe(document), "an object");
   const auto version = document.find("version");
-  if (version == document.end()) detail::fail(name, {"version"}, "nothing", "1");
-  if (*version != 1) detail::fail(name, {"version"}, detail::describe(*version), "1");
+  if (version != document.end() && *version != 1)
+    detail::fail(name, {"version"}, detail::describe(*version), "1");
+}
+
+/// The document without what these pointers name; elements of an array go with all of it. Of a key
+/// that is missing there is nothing to take but from within an array.
+Json without(Json document, const std::vector<detail::Pointer>& pointers) {
+  for (const detail::Pointer& pointer : pointers) {
+    Json* node = &document;
+    for (std::size_t i = 0; i < pointer.size() && node->is_object(); ++i) {
+      const auto child = node->find(pointer[i]);
+      if (child == node->end()) break;
+      if (i + 1 == pointer.size() || child->is_array()) {
+        node->erase(child);
+        break;
+      }
+      node = &*child;
+    }
+  }
+  document["version"] = 1;
+  return document;
+}
+
+struct Read {
+  Scene scene;
+  Scene usual;  // what counts where the document says nothing
+};
+
+/// Of a document that keeps to the schema.
+Read read_fields(const Json& document) {
+  Scene usual = defaults(detail::biome_of(document), detail::view_of(document));
+  set_quality(usual, detail::quality_of(document));
+  Scene scene = usual;
+  Reader reader(document);
+  fields(reader, scene);
+  settle_colors(document, scene);
+  return {std::move(scene), std::move(usual)};
+}
+
+/// What makes no sense in the part of a document that keeps to the schema.
+void tell_nonsense(const Json& document, const std::vector<detail::Pointer>& faulty,
+                   detail::Faults& faults) {
+  const Json rest = without(document, faulty);
+  detail::Faults others(faults.name());
+  if (!detail::check_schema(rest, others).empty()) return;
+  const std::size_t before = faults.count();
+  detail::check_semantics(rest, read_fields(rest).scene, faults);
+  faults.forget_after(before, faulty);
 }
 
 }  // namespace
@@ -160,29 +207,27 @@ std::string read_bytes(const std::filesystem::path& path) {
   return bytes;
 }
 
-Json parse_document(const std::string& text, const std::string& name) {
+Json parse_document(const std::string& text, Faults& faults) {
   if (text.size() > kMaxFileBytes) {
     throw Error(ErrorKind::bad_data,
-                fmt::format("{}: found more than {} MiB, expected a scene file", name,
+                fmt::format("{}: found more than {} MiB, expected a scene file", faults.name(),
                             kMaxFileBytes >> 20));
   }
-  Json document = parse_json(text, name);
+  Json document = parse_json(text, faults);
   expand_short_forms(document);
   return document;
 }
 
-Scene read_document(Json& document, const std::string& name) {
+Scene read_document(Json& document, Faults& faults) {
   normalize_numbers(document);
-  check_version(document, name);
-  check_schema(document, name);
+  check_version(document, faults.name());
+  const std::vector<Pointer> faulty = check_schema(document, faults);
+  if (!faulty.empty()) tell_nonsense(document, faulty, faults);
+  faults.throw_if_any();
 
-  Scene usual = defaults(biome_of(document), view_of(document));
-  set_quality(usual, quality_of(document));
-  Scene scene = usual;
-  Reader reader(document);
-  fields(reader, scene);
-  settle_colors(document, scene);
-  check_semantics(document, scene, name);
+  auto [scene, usual] = read_fields(document);
+  check_semantics(document, scene, faults);
+  faults.throw_if_any();
   settle_sun(document, scene.sun, usual.sun);
   return scene;
 }
@@ -191,9 +236,10 @@ Scene read_document(Json& document, const std::string& name) {
 
 Scene read_text(const std::string& text, const std::string& name,
                 const std::vector<Override>& overrides) {
-  Json document = detail::parse_document(text, name);
-  detail::apply_overrides(document, overrides, name);
-  return detail::read_document(document, name);
+  detail::Faults faults(name, text);
+  Json document = detail::parse_document(text, faults);
+  detail::apply_overrides(document, overrides, faults);
+  return detail::read_document(document, faults);
 }
 
 Scene read_file(const std::filesystem::path& path, const std::vector<Override>& overrides) {

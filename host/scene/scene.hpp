@@ -227,7 +227,7 @@ struct Fog {
 };
 
 /// What the balloon's parts, the ground and the sea are made of. One object, one material; the
-/// value is the `id` channel of an EXR (0 is the sky).
+/// value is the `id` channel of an EXR (0 is the sky); the manual lists them.
 enum class ObjectId : std::uint32_t {
   sky = 0,
   terrain,

@@ -1,5 +1,8 @@
 #include "scene/schema.hpp"
 
+#include <iterator>
+#include <set>
+
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <valijson/adapters/nlohmann_json_adapter.hpp>
@@ -8,6 +11,7 @@
 #include <valijson/validation_results.hpp>
 #include <valijson/validator.hpp>
 
+#include "core/error.hpp"
 #include "scene/expected.hpp"
 
 namespace aerostat::scene::detail {
@@ -41,13 +45,11 @@ Pointer pointer_of(const std::vector<std::string>& context) {
   return pointer;
 }
 
-/// The deepest of the complaints is the cause; those above it repeat it for the parents.
-Pointer deepest(const valijson::ValidationResults& results) {
-  const std::vector<std::string>* context = nullptr;
-  for (const auto& error : results) {
-    if (context == nullptr || error.context.size() > context->size()) context = &error.context;
-  }
-  return context == nullptr ? Pointer{} : pointer_of(*context);
+/// The pointers of all complaints. What is wrong with a value is also complained of at its parents.
+std::set<Pointer> pointers_of(const valijson::ValidationResults& results) {
+  std::set<Pointer> pointers;
+  for (const auto& error : results) pointers.insert(pointer_of(error.context));
+  return pointers;
 }
 
 const Json& child(const Json& value, const std::string& token) {
@@ -60,20 +62,35 @@ const Json& schema_document() {
   return scene_schema().document;
 }
 
-void check_schema(const Json& document, const std::string& name) {
+std::vector<Pointer> check_schema(const Json& document, Faults& faults) {
   const SceneSchema& schema = scene_schema();
   valijson::Validator validator;
   valijson::ValidationResults results;
-  if (validator.validate(schema.constraints, Adapter(document), &results)) return;
+  if (validator.validate(schema.constraints, Adapter(document), &results)) return {};
 
-  const Pointer pointer = deepest(results);
-  const Json* value = &document;
-  const Json* rule = &resolve_rule(schema.document, schema.document, value->type_name());
-  for (const std::string& token : pointer) {
-    value = &child(*value, token);
-    rule = &resolve_rule(child_rule(*rule, token), schema.document, value->type_name());
+  std::vector<Pointer> faulty;
+  const std::set<Pointer> complaints = pointers_of(results);
+  for (auto at = complaints.begin(); at != complaints.end(); ++at) {
+    // Sorted, so what is complained of within a value comes right behind it.
+    const auto next = std::next(at);
+    const bool is_parent = next != complaints.end() && is_within(*next, *at);
+    const Json* value = &document;
+    const Json* rule = &resolve_rule(schema.document, schema.document, value->type_name());
+    for (const std::string& token : *at) {
+      value = &child(*value, token);
+      rule = &resolve_rule(child_rule(*rule, token), schema.document, value->type_name());
+    }
+    if (is_parent && !value->is_object()) continue;
+    const std::size_t before = faults.count();
+    if (tell_by_rule(*at, *value, *rule, faults)) {
+      for (std::size_t i = before; i < faults.count(); ++i) faulty.push_back(faults.pointer(i));
+    } else if (!is_parent) {
+      throw Error(ErrorKind::internal,
+                  fmt::format("{}: {}: the schema refuses this for no known reason", faults.name(),
+                              to_string(*at)));
+    }
   }
-  fail_by_rule(name, pointer, *value, *rule);
+  return faulty;
 }
 
 }  // namespace aerostat::scene::detail

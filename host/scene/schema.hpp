@@ -1,7 +1,8 @@
 #pragma once
 
-#include <string>
+#include <vector>
 
+#include "scene/faults.hpp"
 #include "scene/json_text.hpp"
 
 namespace aerostat::scene::detail {
@@ -12,8 +13,8 @@ extern const char* const kSchemaText;
 /// The same, parsed.
 const Json& schema_document();
 
-/// Throws Error{bad_data} on the first place where the document breaks the schema; for an unknown
-/// key it names those that there are, and the nearest.
-void check_schema(const Json& document, const std::string& name);
+/// Tells every place where the document breaks the schema, and returns their pointers; of an
+/// unknown key it names those that there are, and the nearest.
+std::vector<Pointer> check_schema(const Json& document, Faults& faults);
 
 }  // namespace aerostat::scene::detail

@@ -15,50 +15,48 @@ bool is_null(const dvec3& v) {
   return v.x == 0.0 && v.y == 0.0 && v.z == 0.0;
 }
 
-void check_direction(const Json& sun, const std::string& name) {
+void check_direction(const Json& sun, Faults& faults) {
   const auto direction = sun.find("direction");
   if (direction == sun.end()) return;
   for (const char* angle : {"azimuth_deg", "elevation_deg"}) {
-    if (sun.contains(angle)) {
-      fail(name, {"sun", angle}, "an angle beside /sun/direction",
-           "either the direction or angles");
-    }
+    if (!sun.contains(angle)) continue;
+    faults.add({"sun", angle}, "an angle beside /sun/direction", "either the direction or angles");
   }
   if (is_null({(*direction)[0], (*direction)[1], (*direction)[2]})) {
-    fail(name, {"sun", "direction"}, describe(*direction), "a vector that is not null");
+    faults.add({"sun", "direction"}, describe(*direction), "a vector that is not null");
+  }
+}
+
+void check_day_and_time(const std::string& date, const std::string& time, Faults& faults) {
+  const std::string midnight = "00:00", new_year = "2000-01-01";
+  if (!days_from_2000(date, midnight)) {
+    faults.add({"sun", "date"}, describe(date),
+               "a day of the years 1900 to 2100 such as \"2024-06-21\"");
+  }
+  if (!days_from_2000(new_year, time)) {
+    faults.add({"sun", "time"}, describe(time),
+               "a time of day such as \"06:30\", \"06:30:15Z\" or \"06:30+02:00\"");
   }
 }
 
 /// Date, time and place come together and alone.
-void check_date(const Json& sun, const std::string& name) {
+void check_date(const Json& sun, Faults& faults) {
   const bool dated = std::any_of(std::begin(kSunDateKeys), std::end(kSunDateKeys),
                                  [&sun](const char* key) { return sun.contains(key); });
   if (!dated) return;
   for (const char* key : {"direction", "azimuth_deg", "elevation_deg"}) {
     if (!sun.contains(key)) continue;
-    fail(name, {"sun", key}, "a direction beside date, time and place",
-         "either the one or the other");
+    faults.add({"sun", key}, "a direction beside date, time and place",
+               "either the one or the other");
   }
   for (const char* key : kSunDateKeys) {
     if (sun.contains(key)) continue;
-    fail(name, {"sun", key}, "nothing",
-         "date, time, latitude_deg and longitude_deg, which belong together");
+    faults.add({"sun", key}, "nothing",
+               "date, time, latitude_deg and longitude_deg, which belong together");
   }
-  const std::string midnight = "00:00";
-  if (!days_from_2000(sun["date"], midnight)) {
-    fail(name, {"sun", "date"}, describe(sun["date"]),
-         "a day of the years 1900 to 2100 such as \"2024-06-21\"");
+  if (sun.contains("date") && sun.contains("time")) {
+    check_day_and_time(sun["date"], sun["time"], faults);
   }
-  if (!days_from_2000(sun["date"], sun["time"])) {
-    fail(name, {"sun", "time"}, describe(sun["time"]),
-         "a time of day such as \"06:30\", \"06:30:15Z\" or \"06:30+02:00\"");
-  }
-}
-
-void check_sun(const Json& document, const std::string& name) {
-  if (!document.contains("sun")) return;
-  check_date(document["sun"], name);
-  check_direction(document["sun"], name);
 }
 
 /// The ground under two points differs, so nothing can be said about a slanted line of sight yet.
@@ -92,11 +90,17 @@ void check_order(const double (&range)[2], const char* key, const std::string& n
 
 }  // namespace
 
-void check_semantics(const Json& document, const Scene& scene, const std::string& name) {
-  check_sun(document, name);
-  check_camera(scene.camera, name);
-  check_order(scene.biome.ground.rock_slope_deg, "rock_slope_deg", name);
-  check_order(scene.biome.ground.snow_slope_deg, "snow_slope_deg", name);
+void check_semantics(const Json& document, const Scene& scene, Faults& faults) {
+  const std::string& name = faults.name();
+  const auto sun = document.find("sun");
+  if (sun != document.end()) {
+    check_date(*sun, faults);
+    check_direction(*sun, faults);
+  }
+  faults.gather([&] { check_camera(scene.camera, name); });
+  const Ground& ground = scene.biome.ground;
+  faults.gather([&] { check_order(ground.rock_slope_deg, "rock_slope_deg", name); });
+  faults.gather([&] { check_order(ground.snow_slope_deg, "snow_slope_deg", name); });
 }
 
 }  // namespace aerostat::scene::detail

@@ -123,12 +123,9 @@ bool collect_changes(const Json& base, const Json& here, const Json& shown_here,
 }  // namespace
 
 struct SceneSource::State {
-  explicit State(Json given)
-      : document(std::move(given)), scene(detail::read_document(document, kName)) {
-    fill_in();
-  }
-  State(Json given, const std::string& name)
-      : document(std::move(given)), scene(detail::read_document(document, name)) {
+  explicit State(Json given) : State(std::move(given), detail::Faults(kName)) {}
+  State(Json given, detail::Faults faults)
+      : document(std::move(given)), scene(detail::read_document(document, faults)) {
     fill_in();
   }
 
@@ -161,7 +158,9 @@ SceneSource SceneSource::from_file(const std::filesystem::path& path) {
 }
 
 SceneSource SceneSource::from_text(const std::string& text, const std::string& name) {
-  return SceneSource(std::make_shared<State>(detail::parse_document(text, name), name));
+  detail::Faults faults(name, text);
+  Json document = detail::parse_document(text, faults);
+  return SceneSource(std::make_shared<State>(std::move(document), std::move(faults)));
 }
 
 const Scene& SceneSource::scene() const {
@@ -170,7 +169,8 @@ const Scene& SceneSource::scene() const {
 
 SceneSource SceneSource::with(const std::vector<Override>& changes) const {
   Json document = state_->document;
-  detail::apply_overrides(document, changes, kName);
+  detail::Faults faults(kName);
+  detail::apply_overrides(document, changes, faults);
   return SceneSource(std::make_shared<State>(std::move(document)));
 }
 

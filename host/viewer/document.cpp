@@ -55,6 +55,10 @@ bool Document::guarded(Action action) {
     return true;
   } catch (const std::bad_alloc&) {
     Q_EMIT failed(tr("Out of memory"));
+  } catch (const scene::BadScene& bad) {
+    const QString first = QString::fromStdString(bad.lines().front());
+    const auto further = static_cast<int>(bad.faults().size()) - 1;
+    Q_EMIT failed(further == 0 ? first : tr("%1 Further faults: %2").arg(first).arg(further));
   } catch (const std::exception& error) {
     Q_EMIT failed(QString::fromUtf8(error.what()));
   }

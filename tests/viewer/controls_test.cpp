@@ -369,7 +369,13 @@ void ControlsTest::files() {
   broken.close();
   QSignalSpy failed(document_.get(), &Document::failed);
   QVERIFY(!document_->open(broken.fileName()));
-  QVERIFY(failed.at(0).at(0).toString().contains("/terain"));
+  QVERIFY(failed.at(0).at(0).toString().contains("broken.json:1:15: /terain"));
+  QVERIFY(!failed.at(0).at(0).toString().contains("Further"));
+  QVERIFY(broken.open(QIODevice::WriteOnly));
+  broken.write("{\"version\": 1, \"terain\": {}, \"ski\": {}, \"image\": 1}");
+  broken.close();
+  QVERIFY(!document_->open(broken.fileName()));
+  QVERIFY(failed.at(1).at(0).toString().endsWith("Further faults: 2"));
   QCOMPARE(document_->path(), path);
 }
 

@@ -1133,8 +1133,8 @@
         <translation>Как меняются нормали и цвета по треугольнику: никак, интерполяция цветов или интерполяция нормалей (по умолчанию).</translation>
     </message>
     <message>
-        <source>Sets /image/spp, /sun/soft_shadows and /sky/ambient_occlusion where the scene leaves them out: draft is 1, false, false; standard (the default) 4, true, true; final 64, true, true.</source>
-        <translation>Задаёт /image/spp, /sun/soft_shadows и /sky/ambient_occlusion, если их нет в сцене: draft — 1, false, false; standard (по умолчанию) — 4, true, true; final — 64, true, true.</translation>
+        <source>Sets /image/spp, /image/adaptive_threshold, /sun/soft_shadows and /sky/ambient_occlusion where the scene leaves them out: draft is 1, 0, false, false; standard (the default) 4, 0, true, true; final 256, 0.008, true, true.</source>
+        <translation>Задаёт /image/spp, /image/adaptive_threshold, /sun/soft_shadows и /sky/ambient_occlusion, если их нет в сцене: draft — 1, 0, false, false; standard (по умолчанию) — 4, 0, true, true; final — 256, 0.008, true, true.</translation>
     </message>
     <message>
         <source>The picture.</source>
@@ -1574,6 +1574,10 @@
 </context>
 <context>
     <name>aerostat::viewer::Document</name>
+    <message>
+        <source>%1 Further faults: %2</source>
+        <translation>%1 Других ошибок: %2</translation>
+    </message>
     <message>
         <source>Out of memory</source>
         <translation>Не хватает памяти</translation>

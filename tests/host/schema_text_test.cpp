@@ -1,0 +1,63 @@
+// What the schema's texts promise in numbers is what the schema and the program hold to.
+#include <cmath>
+#include <cstdint>
+#include <regex>
+#include <string>
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include "scene/field_rule.hpp"
+#include "scene/io.hpp"
+
+namespace aerostat::scene {
+namespace {
+
+/// As the texts write it: 1000000, 0.1.
+std::string number_text(double value) {
+  return value == std::trunc(value) ? std::to_string(static_cast<std::int64_t>(value))
+                                    : fmt::format("{}", value);
+}
+
+/// Without what stands in parentheses: "0 (none) to 10" is "0 to 10".
+std::string plain(const std::string& text) {
+  return std::regex_replace(text, std::regex(R"( \([^)]*\))"), "");
+}
+
+bool has_range(const FieldRule& rule) {
+  const bool counts = rule.type == FieldType::integer || rule.type == FieldType::number ||
+                      rule.type == FieldType::array;
+  // Of points in space only the reference of the manual says how far they may be.
+  const bool says_range = std::regex_search(plain(rule.description), std::regex(R"(\d to -?\d)"));
+  if (rule.type == FieldType::array && !says_range) return false;
+  return counts && rule.minimum > -1e299 && rule.maximum < 1e299 && rule.maximum > rule.minimum;
+}
+
+TEST(SchemaText, SaysTheRangeOfEveryNumber) {
+  int ranges = 0;
+  for (const std::string& pointer : field_pointers()) {
+    const FieldRule rule = field_rule(pointer);
+    if (!has_range(rule)) continue;
+    ++ranges;
+    const std::string range = number_text(rule.minimum) + " to " + number_text(rule.maximum);
+    EXPECT_NE(plain(rule.description).find(range), std::string::npos)
+        << pointer << " is " << range << ", but its text says: " << rule.description;
+  }
+  EXPECT_GT(ranges, 80);
+}
+
+TEST(SchemaText, SaysWhatAQualitySets) {
+  const std::string text = plain(field_rule("/quality").description);
+  const char* const words[] = {"draft is", "standard", "final"};
+  for (const Quality quality : {Quality::draft, Quality::standard, Quality::final}) {
+    Scene scene;
+    set_quality(scene, quality);
+    const std::string sets = fmt::format("{} {}, {}, {}, {}", words[static_cast<int>(quality)],
+                                         scene.image.spp, scene.image.adaptive_threshold,
+                                         scene.sun.soft_shadows, scene.sky.ambient_occlusion);
+    EXPECT_NE(text.find(sets), std::string::npos) << sets << " is not in: " << text;
+  }
+}
+
+}  // namespace
+}  // namespace aerostat::scene
