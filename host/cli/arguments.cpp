@@ -11,6 +11,7 @@
 #include <fmt/format.h>
 
 #include "cli/commands.hpp"
+#include "cli/help_layout.hpp"
 #include "cli/help_text.hpp"
 #include "cli/parse.hpp"
 #include "cli/scene_input.hpp"
@@ -58,7 +59,8 @@ class Arguments {
     app_.set_version_flag("--version", std::string("aerostat ") + AEROSTAT_VERSION,
                           "Print the version and exit");
     app_.require_subcommand(1);
-    app_.get_formatter()->column_width(34);
+    app_.get_formatter()->column_width(
+        static_cast<std::size_t>(description_column(help_columns())));
     app_.get_formatter()->label("REQUIRED", "");
     app_.get_formatter()->label("SUBCOMMAND", "COMMAND");
     app_.get_formatter()->label("Subcommands", "Commands");
@@ -107,13 +109,13 @@ class Arguments {
 
   static void add_scene(CLI::App* sub, SceneOptions& options) {
     sub->add_option("SCENE", options.scene,
-                    "Scene file (JSON with comments), or the name of a scene that\n"
-                    "came with aerostat, such as snow (see 'aerostat scenes')")
+                    "Scene file (JSON with comments), the name of a scene that came with aerostat, "
+                    "such as snow (see 'aerostat scenes'), or - for standard input")
         ->required()
         ->type_name("");
     sub->add_option("--set", options.overrides,
-                    "Change the scene; the value is JSON or else text.\n"
-                    "May be given often, the last one wins")
+                    "Change the scene; the value is JSON or else text. May be given often, the "
+                    "last one wins")
         ->allow_extra_args(false)
         ->take_all()
         ->type_name("POINTER=VALUE");
@@ -124,9 +126,11 @@ class Arguments {
                         [this] { return render(render_); });
     add_scene(sub, render_.input);
     sub->add_option("-o,--output", render_.output,
-                    "x.png (8-bit sRGB) or x.exr (linear R G B A, Z, N, id);\n"
-                    "by default the scene's name and .png, in this folder")
+                    "x.png (8-bit sRGB) or x.exr (linear R G B A, Z, N, id, samples), or - for "
+                    "standard output; by default the scene's name and .png, in this folder")
         ->type_name("FILE");
+    add_format(sub, render_.format, {"png", "exr"},
+               "png or exr, whatever the name says; by default png for -o -");
     add_image(sub);
     add_device(sub, render_.device);
     add_quiet(sub, render_.quiet);
@@ -143,8 +147,7 @@ class Arguments {
         ->type_name("H");
     add_quality(sub, render_.quality);
     sub->add_option("--spp", render_.spp,
-                    "Samples per pixel, 1 to 65536; a single one passes\n"
-                    "through the pixel's centre")
+                    "Samples per pixel, 1 to 65536; a single one passes through the pixel's centre")
         ->transform(in_range(1, kMostSamples))
         ->type_name("N");
     sub->add_option("--seed", render_.seed, "Seed of the samples, 0 to 4294967295")
@@ -152,15 +155,19 @@ class Arguments {
         ->type_name("S");
     sub->add_option_function<std::string>(
            "--crop", [this](const std::string& text) { render_.crop = parse_crop(text); },
-           "Render only x0 <= x < x1 and y0 <= y < y1, in pixels\n"
-           "from the top left")
+           "Render only x0 <= x < x1 and y0 <= y < y1, in pixels from the top left")
         ->type_name("X0,Y0,X1,Y1");
+  }
+
+  static void add_format(CLI::App* sub, std::string& format, const std::vector<std::string>& words,
+                         const char* description) {
+    sub->add_option("--format", format, description)->check(one_of(words))->type_name("F");
   }
 
   static void add_quality(CLI::App* sub, std::string& quality) {
     sub->add_option("--quality", quality,
-                    "draft, standard or final: samples, soft shadows and\n"
-                    "ambient occlusion where the scene does not set them")
+                    "draft, standard or final: samples, soft shadows and ambient occlusion where "
+                    "the scene does not set them")
         ->check(one_of({"draft", "standard", "final"}))
         ->type_name("Q");
   }
@@ -171,12 +178,11 @@ class Arguments {
 
   static void add_device(CLI::App* sub, DeviceOptions& options) {
     sub->add_option("--device", options.selector,
-                    "platform:device, part of a name, cpu, gpu or auto; or\n"
-                    "several, 0:0,1:0; all; or parts of one, 0:0/2 (below)")
+                    "platform:device, part of a name, cpu, gpu or auto; or several, 0:0,1:0; all; "
+                    "or parts of one, 0:0/2 (below)")
         ->type_name("SEL");
     sub->add_option("--lanes", options.lanes,
-                    "Rays per work-item, 1, 4, 8 or 16; by default what\n"
-                    "suits the device")
+                    "Rays per work-item, 1, 4, 8 or 16; by default what suits the device")
         ->check(one_of({"1", "4", "8", "16"}))
         ->type_name("N");
     sub->add_option_function<std::string>(
@@ -184,7 +190,8 @@ class Arguments {
            [&options](const std::string& text) {
              options.memory_limit_bytes = parse_byte_size(text);
            },
-           "Most memory to take on the device, such as 1.5G")
+           "Most memory to take on each device: whole bytes, or a number with K, M, G or T (1024 "
+           "bytes and so on), such as 1.5G")
         ->type_name("SIZE");
   }
 
@@ -194,17 +201,18 @@ class Arguments {
     add_scene(sub, sheet_.input);
     sub->add_option_function<std::string>(
            "--seeds", [this](const std::string& text) { sheet_.seeds = parse_seeds(text); },
-           "Seeds and ranges of seeds, one a tile, such as 1,5,9-11;\nby default 1-12")
+           "Seeds and ranges of seeds, one a tile, such as 1,5,9-11; by default 1-12")
         ->type_name("LIST");
     sub->add_option("-o,--output", sheet_.output,
-                    "A .png file; by default the scene's name and -seeds.png,\nin this folder")
+                    "A .png file, or - for standard output; by default the scene's name and "
+                    "-seeds.png, in this folder")
         ->type_name("FILE");
     sub->add_option("--columns", sheet_.columns, "Tiles across, 1 to 1000; by default what suits")
         ->transform(in_range(1, kMostTiles))
         ->type_name("N");
     sub->add_option("--tile-width", sheet_.tile_width,
-                    "Pixels across a tile, 1 to 32768; by default 320. Its\n"
-                    "height follows from the scene's picture")
+                    "Pixels across a tile, 1 to 32768; by default 320. Its height follows from the "
+                    "scene's picture")
         ->transform(in_range(1, kLargestSide))
         ->type_name("W");
     add_quality(sub, sheet_.quality);
@@ -240,10 +248,12 @@ class Arguments {
                         kExportFooter, [this] { return export_world(export_); });
     add_scene(sub, export_.input);
     sub->add_option("-o,--output", export_.output,
-                    "x.ply (binary; normals, colours, object ids of faces)\n"
-                    "or x.obj")
+                    "x.ply (binary; normals, colours, object ids of faces) or x.obj, or - for "
+                    "standard output")
         ->required()
         ->type_name("FILE");
+    add_format(sub, export_.format, {"ply", "obj"},
+               "ply or obj, whatever the name says; by default ply for -o -");
     sub->add_flag("--plants", export_.plants,
                   "Every plant, too: millions of triangles, and gigabytes of memory");
   }
@@ -263,7 +273,7 @@ class Arguments {
 int answer(CLI::App& app, const CLI::ParseError& request) {
   std::ostringstream text, ignored;
   app.exit(request, text, ignored);
-  write_stdout(text.str());
+  write_stdout(wrapped(text.str(), help_columns()));
   return 0;
 }
 

@@ -9,7 +9,7 @@ namespace aerostat::cli {
 
 int check(const SceneOptions& options) {
   load_scene(options);
-  fmt::print(stderr, "{}: ok\n", options.scene.string());
+  fmt::print(stderr, "{}: ok\n", name_of_scene(options));
   return 0;
 }
 

@@ -92,8 +92,7 @@ class SheetRender {
 
 int contact_sheet(const ContactSheetOptions& options) {
   const Stopwatch watch;
-  const fs::path output = output_of(options);
-  image::require_writable(output);
+  const fs::path output = output_file(output_of(options), true);
   const Interrupt interrupt;
   ProgressBar bar(stderr_style(options.quiet), print_stderr);
   const WarningsAbove warnings(bar, options.quiet);
@@ -111,8 +110,9 @@ int contact_sheet(const ContactSheetOptions& options) {
   image::write_file(output, bytes);
   if (!options.quiet) {
     bar.message(fmt::format("wrote {} ({} tiles of {} x {}, {} spp) in {:.1f} s on {}",
-                            output.string(), seeds.size(), layout.tile_width, layout.tile_height,
-                            scene.image.spp, watch.seconds(), names_of(session_options.devices)));
+                            name_of_output(output), seeds.size(), layout.tile_width,
+                            layout.tile_height, scene.image.spp, watch.seconds(),
+                            names_of(session_options.devices)));
   }
   return 0;
 }

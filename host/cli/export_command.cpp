@@ -8,8 +8,8 @@
 namespace aerostat::cli {
 
 int export_world(const ExportOptions& options) {
-  const MeshFormat format = mesh_format(options.output);
-  image::require_writable(options.output);
+  const MeshFormat format = mesh_format(options.output, options.format);
+  const std::filesystem::path output = output_file(options.output, format == MeshFormat::ply);
   const scene::Scene scene = load_scene(options.input);
   const world::Objects world = world::as_triangles(
       world::build(scene), options.plants ? world::Grown::included : world::Grown::left_out);
@@ -20,7 +20,7 @@ int export_world(const ExportOptions& options) {
   }
   const auto file = format == MeshFormat::ply ? mesh::ply_bytes(objects, scene.origin)
                                               : mesh::obj_bytes(objects, scene.origin);
-  image::write_file(options.output, file);
+  image::write_file(output, file);
   return 0;
 }
 

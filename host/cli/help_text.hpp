@@ -16,12 +16,10 @@ Environment:
   AEROSTAT_DEVICE      the devices, if --device is not given
   AEROSTAT_SCENE_DIR   the folder of the scenes that came with aerostat
   AEROSTAT_KERNEL_DIR  reads the kernels from this folder instead of the program
-  POCL_CACHE_DIR       where PoCL keeps compiled kernels; by default aerostat/pocl in the
-                       user's cache folder
+  POCL_CACHE_DIR       where PoCL keeps compiled kernels; by default aerostat/pocl in the user's cache folder
   NO_COLOR             if set, nothing is coloured
 
-Exit codes: 0 done, 64 wrong command line, 65 bad scene, 69 no such device, 70 internal fault,
-74 file cannot be read or written, 75 out of memory or device lost, 130 and 143 interrupted.)";
+Exit codes: 0 done, 64 wrong command line, 65 bad scene, 69 no such device, 70 internal fault, 74 file cannot be read or written, 75 out of memory or device lost, 130 and 143 interrupted.)";
 
 inline constexpr const char* kRenderFooter = R"(Examples:
   aerostat render scenes/snow.json
@@ -30,27 +28,23 @@ inline constexpr const char* kRenderFooter = R"(Examples:
   aerostat render scenes/snow.json --set /sun/elevation_deg=6 --set /balloon/pattern=spiral
   aerostat render scenes/snow.json --crop 400,200,880,520 --device cpu --stats
   aerostat render scenes/snow.json --device all
+  aerostat dump snow | aerostat render - -o - --format exr > layers.exr
 
 Devices:
-  A name is platform:device (as 'aerostat devices' lists them), a part of a name, cpu, gpu or auto.
-  0:0,1:0 is two devices that share the picture, all is every device there is; 0:0/2 is a device cut
-  into 2 parts of its compute units, 0:0/2.1 the second of them. --memory-limit is for each. Devices
-  of one lane width give the same picture, bit by bit, whether together or alone.)";
+  A name is platform:device (as 'aerostat devices' lists them), a part of a name, cpu, gpu or auto. 0:0,1:0 is two devices that share the picture, all is every device there is; 0:0/2 is a device cut into 2 parts of its compute units, 0:0/2.1 the second of them. --memory-limit is for each. Devices of one lane width give the same picture, bit by bit, whether together or alone.)";
 
 inline constexpr const char* kContactSheetFooter = R"(Examples:
   aerostat contact-sheet scenes/snow.json
   aerostat contact-sheet scenes/sand.json --seeds 1-6,20-25 --quality draft -o dunes.png
   aerostat contact-sheet scenes/tropical.json --columns 3 --tile-width 480 --set /balloon/enabled=false
 
-Each tile is exposed by what it shows, unless the scene says /image/exposure_ev; the number below it
-is its /terrain/seed.)";
+Each tile is exposed by what it shows, unless the scene says /image/exposure_ev; the number below it is its /terrain/seed.)";
 
 inline constexpr const char* kScenesFooter = R"(Examples:
   aerostat scenes
   cp "$(aerostat scenes --folder)/snow.json" my.json
 
-A name without folder and extension means one of them wherever a command takes a scene, unless a file
-has that name.)";
+A name without folder and extension means one of them wherever a command takes a scene, unless a file has that name.)";
 
 inline constexpr const char* kDevicesFooter = R"(Examples:
   aerostat devices
@@ -58,7 +52,9 @@ inline constexpr const char* kDevicesFooter = R"(Examples:
 
 inline constexpr const char* kCheckFooter = R"(Examples:
   aerostat check scenes/snow.json
-  aerostat check my.json --set /image/width=800)";
+  aerostat check my.json --set /image/width=800
+
+Says on stderr that the scene is right, or all that is wrong with it, a line for each fault.)";
 
 inline constexpr const char* kDumpFooter = R"(Examples:
   aerostat dump scenes/snow.json

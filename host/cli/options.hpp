@@ -12,7 +12,7 @@
 namespace aerostat::cli {
 
 struct SceneOptions {
-  std::filesystem::path scene;
+  std::filesystem::path scene;         // "-": standard input
   std::vector<std::string> overrides;  // "/json/pointer=value"
 };
 
@@ -25,8 +25,10 @@ struct DeviceOptions {
 
 struct RenderOptions {
   SceneOptions input;
-  std::filesystem::path output;  // empty: the scene's name and .png in the current folder
-  std::string quality;           // empty: as the scene says
+  // "-": standard output; empty: the scene's name and .png in the current folder
+  std::filesystem::path output;
+  std::string format;   // "png" or "exr"; empty: as the output's name says
+  std::string quality;  // empty: as the scene says
   std::optional<int> width, height, spp;
   std::optional<std::uint32_t> seed;
   std::optional<render::Crop> crop;
@@ -37,7 +39,8 @@ struct RenderOptions {
 
 struct ContactSheetOptions {
   SceneOptions input;
-  std::filesystem::path output;      // empty: the scene's name and -seeds.png in the current folder
+  // "-": standard output; empty: the scene's name and -seeds.png in the current folder
+  std::filesystem::path output;
   std::vector<std::uint32_t> seeds;  // of the terrain, one a tile
   int columns = 0;                   // 0: what suits
   int tile_width = 320;
@@ -56,7 +59,8 @@ struct DevicesOptions {
 
 struct ExportOptions {
   SceneOptions input;
-  std::filesystem::path output;
+  std::filesystem::path output;  // "-": standard output
+  std::string format;            // "ply" or "obj"; empty: as the output's name says
   bool plants = false;
 };
 

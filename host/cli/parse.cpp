@@ -54,6 +54,14 @@ std::optional<std::pair<std::uint32_t, std::uint32_t>> seed_range(std::string_vi
   return std::pair{*first, *last};
 }
 
+/// What says the format of a file: `format`, or the ending of its name, or `usual` for standard
+/// output.
+std::string ending_of(const std::filesystem::path& path, const std::string& format,
+                      const char* usual) {
+  if (!format.empty()) return "." + format;
+  return is_standard(path) ? usual : lower(path.extension().string());
+}
+
 std::optional<int> exponent_of_unit(const std::string& unit) {
   static constexpr std::string_view kUnits = "kmgt";
   if (unit.empty() || unit == "b") return 0;
@@ -98,10 +106,12 @@ std::uint64_t parse_byte_size(const std::string& text) {
   const auto [rest, error] = std::from_chars(text.data(), text.data() + text.size(), number);
   const auto exponent = exponent_of_unit(lower(std::string(rest, text.data() + text.size())));
   const double bytes = exponent ? std::ldexp(number, *exponent) : -1.0;
-  if (error != std::errc{} || !(bytes >= 1.0) || bytes >= 0x1p63) {
-    throw Error(ErrorKind::usage, fmt::format("--memory-limit: '{}' is not a size; expected bytes "
-                                              "or a number with K, M, G or T, such as 1.5G",
-                                              text));
+  const bool is_whole = exponent != 0 || bytes == std::trunc(bytes);
+  if (error != std::errc{} || !is_whole || !(bytes >= 1.0) || bytes >= 0x1p63) {
+    throw Error(ErrorKind::usage,
+                fmt::format("--memory-limit: '{}' is not a size; expected whole bytes or a number "
+                            "with K, M, G or T, such as 1.5G",
+                            text));
   }
   return static_cast<std::uint64_t>(bytes);
 }
@@ -126,26 +136,35 @@ std::vector<std::uint32_t> parse_seeds(const std::string& text) {
   return seeds;
 }
 
-PictureFormat picture_format(const std::filesystem::path& path) {
-  const std::string extension = lower(path.extension().string());
-  if (extension == ".png") return PictureFormat::png;
-  if (extension == ".exr") return PictureFormat::exr;
+PictureFormat picture_format(const std::filesystem::path& path, const std::string& format) {
+  const std::string ending = ending_of(path, format, ".png");
+  if (ending == ".png") return PictureFormat::png;
+  if (ending == ".exr") return PictureFormat::exr;
   throw Error(ErrorKind::usage,
               fmt::format("--output: '{}' says no known format; expected a name that ends in .png "
-                          "(8-bit picture) or .exr (linear layers)",
+                          "(8-bit picture) or .exr (linear layers), or --format",
                           path.string()));
 }
 
-MeshFormat mesh_format(const std::filesystem::path& path) {
-  const std::string extension = lower(path.extension().string());
-  if (extension == ".ply") return MeshFormat::ply;
-  if (extension == ".obj") return MeshFormat::obj;
+MeshFormat mesh_format(const std::filesystem::path& path, const std::string& format) {
+  const std::string ending = ending_of(path, format, ".ply");
+  if (ending == ".ply") return MeshFormat::ply;
+  if (ending == ".obj") return MeshFormat::obj;
   throw Error(ErrorKind::usage, fmt::format("--output: '{}' says no known format; expected a name "
-                                            "that ends in .ply or .obj",
+                                            "that ends in .ply or .obj, or --format",
                                             path.string()));
 }
 
+bool is_standard(const std::filesystem::path& path) {
+  return path == "-";
+}
+
 std::filesystem::path default_picture(const std::filesystem::path& scene, const char* ending) {
+  if (is_standard(scene)) {
+    throw Error(ErrorKind::usage,
+                "a scene from standard input gives the picture no name; expected --output with a "
+                "name, or with - for standard output");
+  }
   return scene.stem().string() + ending;
 }
 

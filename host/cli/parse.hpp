@@ -17,7 +17,8 @@ render::Crop parse_crop(const std::string& text);
 /// Throws Error{usage} if the crop leaves the image.
 void require_inside(const render::Crop& crop, int width, int height);
 
-/// "1500000", "512M", "2G", "1.5GiB": bytes; K, M, G and T are powers of 1024. Throws Error{usage}.
+/// "1500000", "512M", "2G", "1.5GiB": bytes; K, M, G and T are powers of 1024. Throws Error{usage},
+/// also for parts of bytes, such as "1.5", which is likely to be a unit forgotten.
 std::uint64_t parse_byte_size(const std::string& text);
 
 inline constexpr int kMostTiles = 1000;
@@ -28,15 +29,21 @@ std::vector<std::uint32_t> parse_seeds(const std::string& text);
 
 enum class PictureFormat { png, exr };
 
-/// By the file's extension, whatever its case. Throws Error{usage} for any but .png and .exr.
-PictureFormat picture_format(const std::filesystem::path& path);
+/// "png" or "exr", or if that is empty by the file's extension, whatever its case; PNG for standard
+/// output. Throws Error{usage} for any extension but .png and .exr.
+PictureFormat picture_format(const std::filesystem::path& path, const std::string& format = {});
 
 enum class MeshFormat { ply, obj };
 
-/// By the file's extension, whatever its case. Throws Error{usage} for any but .ply and .obj.
-MeshFormat mesh_format(const std::filesystem::path& path);
+/// "ply" or "obj", or if that is empty by the file's extension, whatever its case; PLY for standard
+/// output. Throws Error{usage} for any extension but .ply and .obj.
+MeshFormat mesh_format(const std::filesystem::path& path, const std::string& format = {});
 
-/// The scene's name with `ending`, in the current folder.
+/// Whether a name on the command line is "-": standard input of a scene, standard output of a file.
+bool is_standard(const std::filesystem::path& path);
+
+/// The scene's name with `ending`, in the current folder. Throws Error{usage} for a scene from
+/// standard input, which has no name.
 std::filesystem::path default_picture(const std::filesystem::path& scene,
                                       const char* ending = ".png");
 

@@ -79,18 +79,18 @@ void keep_to_the_end(std::unique_ptr<render::Session> session) {
 
 std::string summary(const fs::path& output, const image::Film& film, int spp,
                     const std::vector<opencl::Device>& devices, double seconds) {
-  return fmt::format("wrote {} ({} x {}, {} spp) in {:.1f} s on {}", output.string(), film.width,
-                     film.height, spp, seconds, names_of(devices));
+  return fmt::format("wrote {} ({} x {}, {} spp) in {:.1f} s on {}", name_of_output(output),
+                     film.width, film.height, spp, seconds, names_of(devices));
 }
 
 }  // namespace
 
 int render(const RenderOptions& options) {
   const Stopwatch watch;
-  const fs::path output =
+  const fs::path named =
       options.output.empty() ? default_picture(options.input.scene) : options.output;
-  const PictureFormat format = picture_format(output);
-  image::require_writable(output);
+  const PictureFormat format = picture_format(named, options.format);
+  const fs::path output = output_file(named, true);
   const Interrupt interrupt;
   ProgressBar bar(stderr_style(options.quiet), print_stderr);
   const WarningsAbove warnings(bar, options.quiet);

@@ -1,5 +1,16 @@
 #include "cli/scene_input.hpp"
 
+#include <cerrno>
+#include <cstddef>
+#include <cstdint>
+#include <system_error>
+#include <vector>
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include "cli/parse.hpp"
+#include "core/error.hpp"
 #include "image/write.hpp"
 #include "scene/installed.hpp"
 #include "scene/io.hpp"
@@ -7,18 +18,63 @@
 
 namespace aerostat::cli {
 
+namespace {
+
+constexpr const char* kStandardInput = "standard input";
+constexpr std::size_t kMostBytes = std::size_t{32} << 20;  // more than a scene may have
+
+std::string text_of_stdin() {
+  std::string text;
+  char chunk[1 << 16];
+  while (text.size() < kMostBytes) {
+    const ssize_t count = ::read(STDIN_FILENO, chunk, sizeof chunk);
+    if (count < 0 && errno == EINTR) continue;
+    if (count < 0) {
+      throw Error(ErrorKind::io, fmt::format("{}: cannot read the scene: {}", kStandardInput,
+                                             std::generic_category().message(errno)));
+    }
+    if (count == 0) break;
+    text.append(chunk, static_cast<std::size_t>(count));
+  }
+  return text;
+}
+
+}  // namespace
+
 scene::Scene read_scene(const SceneOptions& options) {
   std::vector<scene::Override> overrides;
   for (const std::string& text : options.overrides) {
     overrides.push_back(scene::parse_override(text));
   }
-  return scene::read_file(scene::find_scene(options.scene), overrides);
+  if (!is_standard(options.scene)) {
+    return scene::read_file(scene::find_scene(options.scene), overrides);
+  }
+  return scene::read_text(text_of_stdin(), kStandardInput, overrides);
 }
 
 scene::Scene load_scene(const SceneOptions& options) {
   scene::Scene scene = read_scene(options);
   world::resolve(scene);
   return scene;
+}
+
+std::string name_of_scene(const SceneOptions& options) {
+  return is_standard(options.scene) ? kStandardInput : options.scene.string();
+}
+
+std::filesystem::path output_file(const std::filesystem::path& output, bool is_binary) {
+  const std::filesystem::path file = is_standard(output) ? "/dev/stdout" : output;
+  if (file == "/dev/stdout" && is_binary && ::isatty(STDOUT_FILENO) == 1) {
+    throw Error(ErrorKind::usage,
+                "--output: standard output is a terminal, which can show no binary file; send it "
+                "on, such as > picture.png");
+  }
+  image::require_writable(file);
+  return file;
+}
+
+std::string name_of_output(const std::filesystem::path& output) {
+  return output == "/dev/stdout" ? "standard output" : output.string();
 }
 
 void write_stdout(const std::string& text) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <filesystem>
 #include <string>
 
 #include "cli/options.hpp"
@@ -14,6 +15,16 @@ scene::Scene read_scene(const SceneOptions& options);
 /// Reads the scene, applies the overrides and resolves it. Throws as scene::read_file and
 /// world::resolve do.
 scene::Scene load_scene(const SceneOptions& options);
+
+/// The scene as messages call it.
+std::string name_of_scene(const SceneOptions& options);
+
+/// The file to write for a name on the command line: standard output for "-". Throws Error{usage}
+/// if that is a terminal and `is_binary`, and as image::require_writable does.
+std::filesystem::path output_file(const std::filesystem::path& output, bool is_binary);
+
+/// An output as messages call it.
+std::string name_of_output(const std::filesystem::path& output);
 
 /// Writes data to stdout; throws Error{io} if it does not arrive.
 void write_stdout(const std::string& text);

@@ -6,12 +6,12 @@ _aerostat_options() {
   local common='--help' scene='--help --set' device='--device --lanes --memory-limit --quiet'
   case $1 in
     render)
-      echo "$scene $device --output --width --height --quality --spp --seed --crop --stats" ;;
+      echo "$scene $device --output --format --width --height --quality --spp --seed --crop --stats" ;;
     contact-sheet) echo "$scene $device --seeds --output --columns --tile-width --quality" ;;
     scenes) echo "$common --folder" ;;
     devices) echo "$common --json" ;;
     check | dump) echo "$scene" ;;
-    export) echo "$scene --output --plants" ;;
+    export) echo "$scene --output --format --plants" ;;
     *) echo "$common --version" ;;
   esac
 }
@@ -51,6 +51,7 @@ _aerostat_values() {
     --device) _aerostat_devices "$program" "$word" ;;
     --quality) compgen -W 'draft standard final' -- "$word" ;;
     --lanes) compgen -W '1 4 8 16' -- "$word" ;;
+    --format) compgen -W "$([[ $command == export ]] && echo ply obj || echo png exr)" -- "$word" ;;
     -o | --output) _aerostat_outputs "$command" "$word" ;;
     --set | --width | --height | --spp | --seed | --seeds | --crop | --memory-limit | --columns | \
       --tile-width) ;;

@@ -35,6 +35,8 @@ complete -c aerostat -n "__fish_seen_subcommand_from $rendering" -s q -l quiet -
 set -l output 'render contact-sheet export'
 complete -c aerostat -n "__fish_seen_subcommand_from $output" -r -F -s o -l output -d 'The file to write'
 
+complete -c aerostat -n '__fish_seen_subcommand_from render' -x -l format -a 'png exr' -d 'Format of the picture'
+complete -c aerostat -n '__fish_seen_subcommand_from export' -x -l format -a 'ply obj' -d 'Format of the mesh'
 complete -c aerostat -n '__fish_seen_subcommand_from render' -x -l width -d 'Pixels across'
 complete -c aerostat -n '__fish_seen_subcommand_from render' -x -l height -d 'Pixels down'
 complete -c aerostat -n '__fish_seen_subcommand_from render' -x -l spp -d 'Samples per pixel'

@@ -11,7 +11,12 @@
 #include <set>
 #include <sstream>
 
+#include <OpenEXR/ImfChannelList.h>
+#include <OpenEXR/ImfInputFile.h>
+
+#include "core/error.hpp"
 #include "run_process.hpp"
+#include "scene/scene.hpp"
 
 namespace aerostat::test {
 namespace {
@@ -106,6 +111,73 @@ TEST_F(DocsOfHelp, TheManPageIsComplete) {
   const std::string codes = part(asked.text, "Exit codes:", "\n\n");
   for (const std::string& code : all_of(codes, "\\b([0-9]+)\\b")) {
     EXPECT_TRUE(contains(part(page, ".SH \"EXIT STATUS\"", ".SH ENV"), code));
+  }
+}
+
+/// The first cells of a table of the manual's page, its backquotes and header left out.
+std::map<std::string, std::string> table_of(const std::string& page, const std::string& header) {
+  std::map<std::string, std::string> rows;
+  std::istringstream lines(part(page, header, "\n\n"));
+  for (std::string line; std::getline(lines, line);) {
+    std::smatch match;
+    if (std::regex_match(line, match, std::regex(R"(\| ([^|]*) \| ([^|]*) \|.*)"))) {
+      rows[match[1]] = match[2];
+    }
+  }
+  return rows;
+}
+
+const char* const kPage = "docs/manual/command-line.md";
+
+TEST_F(DocsOfHelp, TheManualListsTheChannelsOfAnExr) {
+  ASSERT_EQ(run(small_render("snow", {"--spp", "1", "-o", "a.exr"})).code, 0);
+  const Imf::InputFile file((folder_ / "a.exr").c_str());
+  std::map<std::string, std::string> channels;
+  const Imf::ChannelList& list = file.header().channels();
+  for (auto at = list.begin(); at != list.end(); ++at) {
+    channels[at.name()] = at.channel().type == Imf::UINT ? "32-bit unsigned" : "32-bit float";
+  }
+  std::map<std::string, std::string> told;
+  for (const auto& [names, type] :
+       table_of(repository_file(kPage), "| channel | type | what it is |\n|---|---|---|\n")) {
+    for (const std::string& name : all_of(names, "`([A-Za-z.]+)`")) told[name] = type;
+  }
+  EXPECT_EQ(told, channels);
+}
+
+TEST_F(DocsOfHelp, TheManualListsTheIds) {
+  std::map<std::string, std::string> ids;
+  for (std::uint32_t id = 0; id < scene::kObjectCount; ++id) {
+    ids[std::to_string(id)] = scene::object_name(static_cast<scene::ObjectId>(id));
+  }
+  EXPECT_EQ(table_of(repository_file(kPage), "| `id` | object |\n|---|---|\n"), ids);
+}
+
+TEST_F(DocsOfHelp, ExitCodesAreThoseOfErrors) {
+  Words codes{"0", "143"};
+  for (const ErrorKind kind :
+       {ErrorKind::usage, ErrorKind::bad_data, ErrorKind::no_device, ErrorKind::internal,
+        ErrorKind::io, ErrorKind::exhausted, ErrorKind::interrupted}) {
+    codes.insert(std::to_string(static_cast<int>(kind)));
+  }
+  EXPECT_EQ(all_of(part(help().text, "Exit codes:", "interrupted"), "\\b([0-9]+)\\b"), codes);
+  Words told;
+  for (const auto& [cell, unused] :
+       table_of(repository_file(kPage), "| exit code | meaning |\n|---|---|\n")) {
+    told.merge(all_of(cell, "([0-9]+)"));
+  }
+  EXPECT_EQ(told, codes);
+}
+
+TEST_F(DocsOfHelp, ManPagesHaveADateAndTheVersion) {
+  const std::string version = run({"--version"}).out;
+  for (const char* page : {"packaging/man/aerostat.1", "packaging/man/aerostat-viewer.1"}) {
+    std::smatch match;
+    const std::string text = repository_file(page);
+    ASSERT_TRUE(std::regex_search(
+        text, match, std::regex(R"(^\.TH \S+ 1 "\d{4}-\d\d-\d\d" "(aerostat [0-9.]+)")")))
+        << page;
+    EXPECT_EQ(match[1].str() + "\n", version) << page;
   }
 }
 

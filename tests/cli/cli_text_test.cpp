@@ -7,6 +7,7 @@
 
 #include <gtest/gtest.h>
 
+#include "cli/help_layout.hpp"
 #include "cli/interrupt.hpp"
 #include "cli/parse.hpp"
 #include "cli/progress_bar.hpp"
@@ -56,7 +57,8 @@ TEST(ByteSize, IsParsed) {
   EXPECT_EQ(parse_byte_size("1.5GiB"), 1610612736u);
   EXPECT_EQ(parse_byte_size("2MB"), 2097152u);
   EXPECT_EQ(parse_byte_size("1T"), 1099511627776u);
-  for (const char* text : {"", "G", "-1", "0", "nan", "inf", "1X", "1 G", "1Gi", "1e30", "1kk"}) {
+  for (const char* text : {"", "G", "-1", "0", "nan", "inf", "1X", "1 G", "1Gi", "1e30", "1kk",
+                           "1.5", "1.5B", "0.9"}) {
     EXPECT_THROW(parse_byte_size(text), Error) << text;
   }
 }
@@ -72,6 +74,26 @@ TEST(Formats, FollowTheExtension) {
   }
   EXPECT_EQ(default_picture("some/where/snow.json"), "snow.png");
   EXPECT_EQ(default_picture("some/where/snow.json", "-seeds.png"), "snow-seeds.png");
+}
+
+TEST(HelpLayout, BreaksAtWords) {
+  EXPECT_EQ(wrapped("one two three\n", 8), "one two\nthree\n");
+  EXPECT_EQ(wrapped("  one two three\n", 10), "  one two\n  three\n");
+  EXPECT_EQ(wrapped("  -o  one two three\n", 14), "  -o  one two\n      three\n");
+  EXPECT_EQ(wrapped("toolongaword two\n", 5), "toolongaword\ntwo\n");
+  EXPECT_EQ(wrapped("Examples:\n  run a b c d e f\n\nOther: a b\n", 12),
+            "Examples:\n  run a b c \\\n      d e f\n\nOther: a b\n");
+  const std::string fits = "  --a N     short\n\nend\n";
+  EXPECT_EQ(wrapped(fits, 40), fits);
+}
+
+TEST(Formats, AreSaidOrFollow) {
+  EXPECT_EQ(picture_format("-"), PictureFormat::png);
+  EXPECT_EQ(picture_format("-", "exr"), PictureFormat::exr);
+  EXPECT_EQ(picture_format("a.png", "exr"), PictureFormat::exr);
+  EXPECT_EQ(mesh_format("-"), MeshFormat::ply);
+  EXPECT_EQ(mesh_format("a", "obj"), MeshFormat::obj);
+  EXPECT_THROW(default_picture("-"), Error);
 }
 
 TEST(Duration, IsReadable) {

@@ -2,6 +2,10 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <iterator>
+#include <sstream>
+#include <string>
+#include <vector>
 
 #include <nlohmann/json.hpp>
 
@@ -31,6 +35,34 @@ TEST_F(Usage, HelpNamesEveryOptionOfRender) {
        {"SCENE", "--output", "--width", "--height", "--spp", "--quality", "--seed", "--device",
         "--lanes", "--set", "--crop", "--memory-limit", "--quiet", "--stats"}) {
     EXPECT_TRUE(contains(outcome.out, option));
+  }
+}
+
+/// The words of a text, without the backslashes of examples that go on.
+std::vector<std::string> words_of(const std::string& text) {
+  std::istringstream stream(text);
+  std::vector<std::string> words{std::istream_iterator<std::string>(stream), {}};
+  words.erase(std::remove(words.begin(), words.end(), "\\"), words.end());
+  return words;
+}
+
+TEST_F(Usage, HelpFitsTheTerminal) {
+  for (const std::string command :
+       {"", "render", "contact-sheet", "scenes", "devices", "check", "dump", "export"}) {
+    std::vector<std::string> arguments;
+    if (!command.empty()) arguments.push_back(command);
+    arguments.push_back("--help");
+    const auto words = words_of(run(arguments, {"COLUMNS=100"}).out);
+    for (const std::string columns : {"", "40", "60", "80", "100", "200", "none"}) {
+      const std::string help = run(arguments, {"COLUMNS=" + columns}).out;
+      EXPECT_EQ(words_of(help), words) << command << " at " << columns;
+      const bool is_usual = columns.empty() || columns == "none";
+      const std::size_t most = is_usual ? 80 : std::min(std::stoi(columns), 100);
+      std::istringstream lines(help);
+      for (std::string line; std::getline(lines, line);) {
+        EXPECT_LE(line.size(), most) << command << " at " << columns << ": " << line;
+      }
+    }
   }
 }
 
@@ -67,6 +99,7 @@ TEST_F(Usage, MistakesAreOneClearLineAndCode64) {
       {{"render", scene, "--crop", "5,5,5,9"}, "is empty"},
       {{"render", scene, "--crop", "0,0,99999,9"}, "leaves the image"},
       {{"render", scene, "--memory-limit", "much"}, "--memory-limit: 'much'"},
+      {{"render", scene, "--memory-limit", "1.5"}, "such as 1.5G"},
       {{"render", scene, "-o", "x.jpg"}, ".png"},
       {{"render", scene, "-o", "x.jpg"}, ".exr"},
       {{"render", scene, "-o", "picture"}, "'picture'"},
