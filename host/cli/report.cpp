@@ -74,6 +74,7 @@ std::string stats_text(const render::Stats& stats, std::uint64_t peak_bytes) {
   text += fmt::format("{:<10}{:.2f} s, {}\n", "kernels", stats.kernel_seconds,
                       built(stats.programs_built));
   text += fmt::format("{:<10}{:.2f} s\n", "upload", stats.upload_seconds);
+  text += fmt::format("{:<10}{:.2f} s\n", "metering", stats.metering_seconds);
   text += fmt::format("{:<10}{:.2f} s, {} rays, {:.2f} Mrays/s with shading\n", "tracing",
                       stats.rays_seconds, grouped(rays), rate);
   text += rays_line("  primary", stats.primary_rays, stats.primary_device_seconds);

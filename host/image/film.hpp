@@ -20,6 +20,7 @@ struct Film {
   Array<vec3> normal_ws;           // world space, unit; 0 for sky
   Array<std::uint32_t> object_id;  // scene::ObjectId; 0 for sky
   Array<std::uint32_t> samples;    // that each pixel has taken
+  double metered_ev = 0.0;         // stops that suit the whole picture, if asked for
   vec3 daylight{1.0f};           // radiance of a white card that faces the sun, at the eye's height
   std::uint64_t nan_pixels = 0;  // pixels that came out NaN or infinite and were set to black
 };

@@ -117,6 +117,7 @@ AeroFrame pack_frame(const scene::Scene& scene) {
   const scene::PixelSize pixel = scene::pixel_size(scene);
   frame.pixel_angle = static_cast<float>(pixel.angle_rad);
   frame.pixel_width = static_cast<float>(pixel.width_m);
+  frame.filter_scale = 1.0f;
   return frame;
 }
 

@@ -11,10 +11,12 @@
 #include "core/stop_scope.hpp"
 #include "core/stopwatch.hpp"
 #include "image/tone.hpp"
+#include "image/write.hpp"
 #include "pack/daylight.hpp"
 #include "pack/pack_scene.hpp"
 #include "render/abandonable.hpp"
 #include "render/device_team.hpp"
+#include "render/metering.hpp"
 #include "render/passes.hpp"
 
 namespace aerostat::render {
@@ -46,6 +48,7 @@ struct Session::State {
   void upload();
   void prepare(const scene::Scene& scene, const scene::Scene& shown, const Crop& crop,
                Plants plants);
+  void meter(const AeroFrame& whole);
   image::Film trace(const scene::Scene& scene, const Crop& crop);
   void trace_pass(const Pass& pass, RowQueue& queue, const PassPlan& plan);
   image::Film read_passes(const scene::Scene& scene, const FilmArea& area, const RowQueue& queue);
@@ -70,6 +73,7 @@ struct Session::State {
   mutable std::mutex snapshot_mutex;
   image::Film latest;
   vec3 daylight{1.0f};
+  double metered_ev = 0.0;
   std::function<image::Film()> finished;  // reads the film of a render that came to its end
   AbandonableWork background;
 };
@@ -140,7 +144,8 @@ void Session::State::prepare(const scene::Scene& scene, const scene::Scene& show
   const Stopwatch upload_watch;
   upload();
   const AeroScene packed = packing.get();
-  team.begin_frame(packed, PassPlan(shown.image, crop, team.lanes()).area_from(0).pixels());
+  const std::size_t pixels = PassPlan(shown.image, crop, team.lanes()).area_from(0).pixels();
+  team.begin_frame(packed, std::max(pixels, static_cast<std::size_t>(kMeteringPixels)));
   daylight = vec3(pack::daylight(packed, scene.camera.position.y));
   stats.upload_seconds = upload_watch.seconds();
 }
@@ -155,13 +160,37 @@ void Session::State::trace_pass(const Pass& pass, RowQueue& queue, const PassPla
   stats.primary_rays = team.rays_done();
 }
 
+/// Finds the exposure of all that `whole` shows.
+void Session::State::meter(const AeroFrame& whole) {
+  const Stopwatch metering_watch;
+  const AeroFrame metering = metering_frame(whole);
+  const auto width = static_cast<int>(metering.width), height = static_cast<int>(metering.height);
+  const Crop all{0, 0, width, height};
+  team.begin_film(all);
+  RowQueue queue(0, height, static_cast<int>(options.devices.size()));
+  const Pass pass{metering,
+                  all,
+                  0,
+                  static_cast<int>(metering.samples),
+                  options.tile_pixels,
+                  options.launch_seconds};
+  team.trace(pass, queue, stop, [this] { report(Stage::rays, 0.0); });
+  stop_if_asked();
+  const FilmArea area{width, height, all, all};
+  metered_ev = image::automatic_exposure_ev(
+      read_film(team.film_rows(queue), area, Layers::light_alone).film);
+  stats.metering_seconds = metering_watch.seconds();
+}
+
 image::Film Session::State::trace(const scene::Scene& scene, const Crop& crop) {
+  const AeroFrame whole = pack::pack_frame(scene);
+  if (!scene.image.exposure_given) meter(whole);
   const Stopwatch rays_watch;
   const PassPlan plan(scene.image, crop, team.lanes());
   const FilmArea area{scene.image.width, scene.image.height, plan.area_from(0), crop};
   team.begin_film(area.window);
   RowQueue queue(area.window.y0, area.window.y1, static_cast<int>(options.devices.size()));
-  Pass pass{pack::pack_frame(scene), {}, 0, 0, options.tile_pixels, options.launch_seconds};
+  Pass pass{whole, {}, 0, 0, options.tile_pixels, options.launch_seconds};
   const AeroSettling settling = settling_of(scene.image, dvec3(daylight), window_of(area.window));
   for (passes_done = 0; passes_done < scene.image.spp; passes_done += pass.samples) {
     if (passes_done > 0) publish(read_passes(scene, area, queue));
@@ -181,6 +210,7 @@ image::Film Session::State::read_passes(const scene::Scene& scene, const FilmAre
                                         const RowQueue& queue) {
   ReadFilm read = read_film(team.film_rows(queue), area, options.layers);
   read.film.daylight = daylight;
+  read.film.metered_ev = metered_ev;
   stats.primary_rays = read.samples;
   stats.shadow_rays = shadow_rays_of(read.hits, scene);
   stats.ambient_rays = scene.sky.ambient_occlusion ? read.hits : 0;
@@ -197,9 +227,11 @@ void Session::State::publish(image::Film read) {
 void Session::State::finish(const FilmArea& area, const RowQueue& queue) {
   const std::lock_guard lock(snapshot_mutex);
   latest = {};
-  finished = [parts = team.film_rows(queue), area, light = daylight, layers = options.layers] {
+  finished = [parts = team.film_rows(queue), area, light = daylight, ev = metered_ev,
+              layers = options.layers] {
     image::Film film = read_film(parts, area, layers).film;
     film.daylight = light;
+    film.metered_ev = ev;
     return film;
   };
 }
@@ -253,6 +285,7 @@ image::Film Session::render(const scene::Scene& scene, std::stop_token stop,
   state.progress = progress;
   state.stats = {};
   state.passes_done = 0;
+  state.metered_ev = 0.0;
   state.watch.restart();
   {
     const std::lock_guard lock(state.snapshot_mutex);

@@ -79,6 +79,7 @@ struct Stats {
   double tree_seconds = 0.0;
   double kernel_seconds = 0.0;
   double upload_seconds = 0.0;
+  double metering_seconds = 0.0;
   double rays_seconds = 0.0;
   double primary_device_seconds = 0.0;  // of all devices together
   double shadow_device_seconds = 0.0;
@@ -118,6 +119,8 @@ class Session {
   /// With `shrink` > 1 the film has that many times fewer pixels a side, rounded up, and so have
   /// crops; the world is that of the whole picture, so that going on with a larger one builds
   /// nothing.
+  /// Unless the scene gives an exposure, the picture is metered before, at some pixels all over it,
+  /// so that its parts agree.
   image::Film render(const scene::Scene& scene, std::stop_token stop = {},
                      const ProgressCallback& progress = {}, std::optional<Crop> crop = {},
                      Plants plants = Plants::as_seen, int shrink = 1);

@@ -41,9 +41,10 @@ typedef struct AeroFrame {
   aero_uint progressive;   /* 1: the first samples of a pixel must do without the rest */
   aero_float pixel_angle;  /* radians across one pixel in the middle of the image */
   aero_float pixel_width;  /* metres across one pixel beside what its angle makes of the distance */
+  aero_float filter_scale; /* of the filter: 1, or less where one pixel is taken of several */
 } AeroFrame;
 
-AERO_ASSERT_LAYOUT(AeroFrame, 132);
+AERO_ASSERT_LAYOUT(AeroFrame, 136);
 
 /* The work of one launch: blocks of pixels, one packet of lanes each. A packet holds 2^log2_w x
  * 2^log2_h pixels with 2^log2_samples samples each; their product is LANES. */
@@ -73,6 +74,6 @@ typedef struct AeroLaunch {
   AeroWindow film;
 } AeroLaunch;
 
-AERO_ASSERT_LAYOUT(AeroLaunch, 188);
+AERO_ASSERT_LAYOUT(AeroLaunch, 192);
 
 #endif

@@ -4,6 +4,7 @@
 #include "image/write.hpp"
 #include "pictures.hpp"
 #include "render/look.hpp"
+#include "render/metering.hpp"
 #include "render/passes.hpp"
 
 namespace aerostat::test {
@@ -25,7 +26,6 @@ scene::Scene scene_of(scene::Quality quality) {
   // Some decisions about samples are made, in less time than sixteen.
   scene.image.spp = std::min(scene.image.spp, 80);
   scene.image.vignette = 0.4;
-  scene.image.exposure_given = true;
   return scene;
 }
 
@@ -56,6 +56,7 @@ class CropAt : public testing::TestWithParam<scene::Quality> {
     EXPECT_TRUE(same_bits(cut(whole_, crop), film)) << text_of(crop);
     EXPECT_TRUE(developed(scene_, film).rgb == cut_bytes(developed(scene_, whole_), crop))
         << text_of(crop);
+    EXPECT_EQ(film.metered_ev, whole_.metered_ev) << text_of(crop);
     EXPECT_EQ(film.first, (glm::ivec2{crop.x0, crop.y0}));
     EXPECT_EQ(film.whole, (glm::ivec2{kWidth, kHeight}));
   }
@@ -110,6 +111,58 @@ TEST(CropAtFinal, HoldsPixelsThatTheirNeighboursDecide) {
   const image::Film film = shared_session().render(scene_of(scene::Quality::final));
   EXPECT_TRUE(std::count(film.samples.begin(), film.samples.end(), 16u) > 100);
   EXPECT_TRUE(std::count(film.samples.begin(), film.samples.end(), 80u) > 100);
+}
+
+TEST(Metering, IsByEveryPixelOfASmallDraft) {
+  const image::Film film = shared_session().render(scene_of(scene::Quality::draft));
+  EXPECT_EQ(film.metered_ev, image::automatic_exposure_ev(film));
+}
+
+TEST(Metering, IsNearThatByAllPixels) {
+  scene::Scene scene = planted_scene("tropical", {400, 225, 1, 128});
+  const image::Film film = shared_session().render(scene);
+  EXPECT_NEAR(film.metered_ev, image::automatic_exposure_ev(film), 0.02);
+  EXPECT_NE(film.metered_ev, image::automatic_exposure_ev(film)) << "by fewer rays";
+  EXPECT_EQ(shared_session().snapshot().metered_ev, film.metered_ev);
+}
+
+TEST(Metering, IsLeftOutWhereTheExposureIsGiven) {
+  scene::Scene scene = scene_of(scene::Quality::draft);
+  scene.image.exposure_given = true;
+  EXPECT_EQ(shared_session().render(scene).metered_ev, 0.0);
+  EXPECT_EQ(shared_session().stats().metering_seconds, 0.0);
+}
+
+AeroFrame frame_of(std::uint32_t width, std::uint32_t height) {
+  AeroFrame frame{};
+  frame.width = width;
+  frame.height = height;
+  frame.camera.step_x[0] = frame.camera.step_y[1] = 1.0f;
+  frame.samples = 256;
+  frame.sample_stride = 97;
+  frame.progressive = 1;
+  return frame;
+}
+
+TEST(Metering, CoversPicturesOfAnyShapeByFewRays) {
+  using Sides = std::array<std::uint32_t, 2>;
+  const std::array<std::array<Sides, 2>, 6> cases = {{{Sides{1280, 720}, {160, 90}},
+                                                      {Sides{30000, 30000}, {120, 120}},
+                                                      {Sides{100, 50}, {100, 50}},
+                                                      {Sides{1, 1}, {1, 1}},
+                                                      {Sides{32768, 1}, {14400, 1}},
+                                                      {Sides{1, 32768}, {1, 14400}}}};
+  for (const auto& [picture, expected] : cases) {
+    const AeroFrame metering = render::metering_frame(frame_of(picture[0], picture[1]));
+    EXPECT_EQ((Sides{metering.width, metering.height}), expected);
+    EXPECT_LE(metering.width * metering.height, render::kMeteringPixels);
+    const double across = double{metering.camera.step_x[0]} * metering.width;
+    const double down = double{metering.camera.step_y[1]} * metering.height;
+    EXPECT_NEAR(across, picture[0], 1e-6 * picture[0]);
+    EXPECT_NEAR(down, picture[1], 1e-6 * picture[1]);
+    EXPECT_EQ(metering.samples, render::kMeteringSamples);
+    EXPECT_LE(metering.filter_scale * metering.camera.step_x[0], 1.0f) << "within a pixel";
+  }
 }
 
 TEST(Crop, TakesTheMemoryOfItself) {

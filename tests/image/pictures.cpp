@@ -106,6 +106,7 @@ image::Film cut(const image::Film& film, const render::Crop& crop) {
   part.first = film.first + glm::ivec2(crop.x0, crop.y0);
   part.whole = film.whole;
   part.daylight = film.daylight;
+  part.metered_ev = film.metered_ev;
   part.radiance = cut_layer(film.radiance, film.width, crop);
   part.alpha = cut_layer(film.alpha, film.width, crop);
   part.distance_m = cut_layer(film.distance_m, film.width, crop);

@@ -37,6 +37,7 @@ AeroFrame frame_of(Word width, Word height, Word samples, Word filter) {
   frame.sample_shift = 0x12345678u;
   frame.filter = filter;
   frame.samples = samples;
+  frame.filter_scale = 1.0f;
   return frame;
 }
 
