@@ -107,6 +107,7 @@ void unbury_eye(scene::Scene& scene, const Surface& surface, int cells) {
   const double lift = std::max(0.0, least - camera.position.y);
   camera.position.y += lift;
   camera.target.y += lift;
+  scene.origin = scene::origin_for(scene);
 }
 
 }  // namespace aerostat::world

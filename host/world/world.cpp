@@ -53,7 +53,6 @@ model::Detail balloon_detail(const scene::Scene& scene, const scene::Balloon& ba
 }
 
 bool same_balloons(const scene::Scene& a, const scene::Scene& b, Carving carving) {
-  if (a.origin != b.origin) return false;
   const auto of_a = balloons_of(a), of_b = balloons_of(b);
   return std::equal(of_a.begin(), of_a.end(), of_b.begin(), of_b.end(),
                     [&](const scene::Balloon* one, const scene::Balloon* other) {
@@ -81,12 +80,13 @@ std::shared_ptr<const Objects> build_balloons(const scene::Scene& local, Carving
 }  // namespace
 
 bool same_land(const scene::Scene& a, const scene::Scene& b) {
-  return a.origin == b.origin && a.terrain == b.terrain && a.biome.water == b.biome.water;
+  return a.terrain == b.terrain && a.biome.water == b.biome.water;
 }
 
 World build(const scene::Scene& scene, const World* previous, const scene::Scene* previous_scene,
             scatter::Where where, Carving carving) {
-  const bool known = previous != nullptr && previous_scene != nullptr;
+  const bool known =
+      previous != nullptr && previous_scene != nullptr && previous_scene->origin == scene.origin;
   const scene::Scene local = scene::counted_from_origin(scene);
   World world;
   try {

@@ -44,12 +44,12 @@ struct World {
   std::shared_ptr<const Plants> plants;    // null if there are none
 };
 
-/// Whether two scenes stand on the same land and sea, counted from the same origin.
+/// Whether two scenes stand on the same land and sea, whatever their meshes count from.
 bool same_land(const scene::Scene& a, const scene::Scene& b);
 
 /// Builds the world of a resolved scene, with plants everywhere or in sight. Parts of `previous`
-/// are kept if `previous_scene` asked for the same ones in the same places; its land must have been
-/// carved alike. Runs on all cores; may be given up (core/stop_scope.hpp).
+/// are kept if `previous_scene` asked for the same ones in the same places and had the same origin;
+/// its land must have been carved alike. Runs on all cores; may be given up (core/stop_scope.hpp).
 /// Throws Error{exhausted} if memory does not suffice.
 World build(const scene::Scene& scene, const World* previous = nullptr,
             const scene::Scene* previous_scene = nullptr,

@@ -223,6 +223,20 @@ TEST_P(EveryKind, ReliefDoesNotGoByTheMesh) {
   EXPECT_EQ(static_cast<float>(HeightField(terrain).height(410.0, -120.0)), here + 500.0f);
 }
 
+// Cells at the centre are 7 mm wide, where single precision steps by up to 250 mm.
+TEST(TerrainMesh, KeepsFineCellsApartHoweverFarFromTheOrigin) {
+  scene::Terrain terrain = small_terrain(TerrainKind::dunes);
+  terrain.cells = 1024;
+  terrain.size_m = 1000.0;
+  terrain.grading = 1000.0;
+  for (const dvec2& center : {dvec2(0.0, 0.0), dvec2(1e5, 1e5), dvec2(-2e6, 2e6)}) {
+    terrain.center = center;
+    const mesh::GridMesh mesh = terrain_mesh(terrain);
+    EXPECT_NEAR(mesh.x(0), center.x - 500.0, 0.25);
+    EXPECT_NEAR(mesh.z(1024), center.y + 500.0, 0.25);
+  }
+}
+
 TEST(Mountains, HaveAFlatValleyAtTheCentreAndHighPeaks) {
   for (const std::uint32_t seed : {1u, 2u, 3u, 4u}) {
     const scene::Terrain terrain = small_terrain(TerrainKind::mountains, seed);

@@ -83,6 +83,23 @@ TEST(Progressive, ALandThatIsThereIsNotBuiltAgain) {
   EXPECT_TRUE(other.front().rough);
 }
 
+// From x = 8192 m on meshes count from elsewhere.
+TEST(Progressive, AnotherOriginNeedsNoRoughLook) {
+  render::Progressive progressive(options());
+  image::Film last;
+  render::Stats stats;
+  scene::Scene scene = scene_of("sand");
+  scene.camera.height_above = scene::HeightReference::sea;
+  scene.camera.position = {8100.0, 300.0, 0.0};
+  scene.camera.target = {8000.0, 300.0, 0.0};
+  seen_of(progressive, scene, last, stats);
+  scene.camera.position.x = 8200.0;
+  for (const Seen& look : seen_of(progressive, scene, last, stats)) EXPECT_FALSE(look.rough);
+  world::resolve(scene);
+  EXPECT_EQ(scene.origin, dvec3(8192.0, 0.0, 0.0));
+  EXPECT_TRUE(same_bits(last, shared_session().render(scene)));
+}
+
 /// The looks of a render that is stopped when one is fine.
 std::vector<bool> rough_until_fine(render::Progressive& progressive, const scene::Scene& scene) {
   std::stop_source stop;
