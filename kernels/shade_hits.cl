@@ -16,9 +16,11 @@ __kernel void shade_hits(const AeroLaunch launch, __global const AeroScene* scen
   leave_settled(film, &task.film, task.tile.first_sample, &packet);
   if (!lane_any(packet.active)) return;
   const Ray ray = generate_rays(&task.frame, &packet);
-  Ray way = ray; /* by places: through air and clouds */
-  way.origin = place_of(scene, ray.origin);
   const Hit hit = hits[block];
+  /* From the eye through air and clouds, by places. */
+  const lane_float lead = (lane_float)task.frame.camera.lead, distance = hit.t + lead;
+  Ray way = ray;
+  way.origin = place_of(scene, madd3(ray.origin, ray.direction, -lead));
   const lane_int met = lane_mask(hit.triangle != NO_TRIANGLE);
 
   const lane_float zero = (lane_float)0.0f;
@@ -35,10 +37,10 @@ __kernel void shade_hits(const AeroLaunch launch, __global const AeroScene* scen
     around.facing = zero;
     if (scene->sky.ambient_reach > 0.0f) around = found[block];
     Lane3 shading_normal;
-    const lane_float across = pixel_across(&task.frame, hit.t);
+    const lane_float across = pixel_across(&task.frame, distance);
     const Lane3 surface =
         shade_hit(scene, &triangle, &ray, &hit, across, visible[block], &around, &shading_normal);
-    radiance = select3(met, through_air(scene, surface, &way, hit.t), radiance);
+    radiance = select3(met, through_air(scene, surface, &way, distance), radiance);
     normal = select3(met, shading_normal, normal);
     object = lane_select(met, triangle.object, object);
   }
@@ -46,13 +48,13 @@ __kernel void shade_hits(const AeroLaunch launch, __global const AeroScene* scen
     const LightSample at = light_sample(&task.frame, &packet);
     /* A pixel of parallel rays counts as one seen a kilometre away. */
     const float angle = task.frame.pixel_angle + 1e-3f * task.frame.pixel_width;
-    radiance = behind_clouds(scene, radiance, &way, hit.t, angle, at.w);
+    radiance = behind_clouds(scene, radiance, &way, distance, angle, at.w);
   }
 
   Samples samples;
   store3(samples.radiance, radiance);
   store3(samples.normal, normal);
-  samples.distance.lanes = hit.t;
+  samples.distance.lanes = distance;
   samples.object.lanes = object;
   samples.x.lanes = packet.x;
   samples.y.lanes = packet.y;

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <numeric>
 
@@ -13,6 +14,10 @@ namespace {
 
 // Of a full-frame camera.
 constexpr double kSensorHeightM = 0.024;
+
+// Parallel rays begin before the world if it is this far away.
+constexpr double kFarM = 8192.0;
+constexpr double kBeforeWorldM = 100.0;
 
 std::uint32_t filter_of(scene::Filter filter) {
   switch (filter) {
@@ -73,6 +78,15 @@ Axes camera_axes(const scene::Camera& from) {
   return axes;
 }
 
+/// Metres ahead of the eye at which the first of a box is met, negative if part of it lies behind;
+/// infinite if the box is empty. The eye counts from where the box does.
+double depth_of(const bvh::Bounds& box, const dvec3& eye, const dvec3& forward) {
+  if (!(box.lo.x <= box.hi.x)) return std::numeric_limits<double>::infinity();
+  const dvec3 lo(box.lo), hi(box.hi);
+  const dvec3 middle = 0.5 * (lo + hi), half = 0.5 * (hi - lo);
+  return glm::dot(middle - eye, forward) - glm::dot(glm::abs(forward), half);
+}
+
 /// Radius of a thin lens's aperture in metres.
 double aperture_radius(const scene::Camera& camera) {
   if (camera.aperture_given) return 0.5 * camera.aperture_m;
@@ -80,14 +94,20 @@ double aperture_radius(const scene::Camera& camera) {
   return 0.25 * kSensorHeightM / tangent / camera.f_number;
 }
 
-AeroCamera pack_camera(const scene::Camera& from, const dvec3& origin, int width, int height) {
+AeroCamera pack_camera(const scene::Scene& scene, const bvh::Bounds& world) {
+  const scene::Camera& from = scene.camera;
+  const int width = scene.image.width, height = scene.image.height;
   const auto [right, up, forward] = camera_axes(from);
   const bool parallel = from.lens == scene::Lens::orthographic;
   const double half_height =
       parallel ? 0.5 * from.view_height_m : std::tan(from.fov_y_deg * (std::numbers::pi / 360.0));
   const double pixel = 2.0 * half_height / height;
   AeroCamera camera{};
-  copy(camera.origin, from.position - origin);
+  const dvec3 eye = from.position - scene.origin;
+  const double depth = parallel ? depth_of(world, eye, forward) : 0.0;
+  const bool far = depth >= kFarM && std::isfinite(depth);
+  camera.lead = far ? static_cast<float>(depth - kBeforeWorldM) : 0.0f;
+  copy(camera.origin, eye + forward * static_cast<double>(camera.lead));
   copy(camera.step_x, right * pixel);
   copy(camera.step_y, up * -pixel);
   const dvec3 ahead = parallel ? dvec3(0.0) : forward;
@@ -104,9 +124,9 @@ AeroCamera pack_camera(const scene::Camera& from, const dvec3& origin, int width
 
 }  // namespace
 
-AeroFrame pack_frame(const scene::Scene& scene) {
+AeroFrame pack_frame(const scene::Scene& scene, const bvh::Bounds& world) {
   AeroFrame frame{};
-  frame.camera = pack_camera(scene.camera, scene.origin, scene.image.width, scene.image.height);
+  frame.camera = pack_camera(scene, world);
   frame.width = static_cast<std::uint32_t>(scene.image.width);
   frame.height = static_cast<std::uint32_t>(scene.image.height);
   frame.filter = filter_of(scene.image.filter);

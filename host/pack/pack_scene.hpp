@@ -1,5 +1,6 @@
 #pragma once
 
+#include "bvh/bvh.hpp"
 #include "camera.h"
 #include "scene/scene.hpp"
 #include "scene_params.h"
@@ -10,8 +11,9 @@ namespace aerostat::pack {
 /// AERO_MAX_POINT_LIGHTS point lights.
 AeroScene pack_scene(const scene::Scene& scene);
 
-/// Camera, image size and sampling. Throws Error{bad_data} if the camera's target is its position
-/// or its up vector points along the view.
-AeroFrame pack_frame(const scene::Scene& scene);
+/// Camera, image size and sampling. Parallel rays begin shortly before `world`, the bounds of all
+/// that they can meet, if the eye is far away from it: single precision would bend them. Throws
+/// Error{bad_data} if the camera's target is its position or its up vector points along the view.
+AeroFrame pack_frame(const scene::Scene& scene, const bvh::Bounds& world = {});
 
 }  // namespace aerostat::pack

@@ -62,6 +62,7 @@ struct Session::State {
   DeviceTeam team;
   std::shared_ptr<const HostGeometry> geometry;   // the newest that was built
   std::shared_ptr<const HostGeometry> on_device;  // what the team holds
+  bvh::Bounds bounds;                             // of all of it
   std::shared_ptr<FrameArrays> frame = std::make_shared<FrameArrays>();
 
   std::stop_token stop;
@@ -122,6 +123,7 @@ void Session::State::upload() {
     const auto tree = background.run([fresh] { return join_trees(*fresh); }, stop,
                                      [this] { report(Stage::upload, 0.0); });
     frame->assemble(*fresh, *tree);
+    bounds = tree->bounds;
     team.set_geometry(tree, frame, [this] { stop_if_asked(); });
   }
   on_device = fresh;
@@ -183,7 +185,7 @@ void Session::State::meter(const AeroFrame& whole) {
 }
 
 image::Film Session::State::trace(const scene::Scene& scene, const Crop& crop) {
-  const AeroFrame whole = pack::pack_frame(scene);
+  const AeroFrame whole = pack::pack_frame(scene, bounds);
   if (!scene.image.exposure_given) meter(whole);
   const Stopwatch rays_watch;
   const PassPlan plan(scene.image, crop, team.lanes());

@@ -11,7 +11,8 @@
 /* A camera; its position counts from where those of meshes do. Image point (x, y), in pixels from
  * the top left corner, is the vector p = corner + x step_x + y step_y from `origin`. A pinhole's
  * ray goes from there through p, one unit of depth ahead; a thin lens's from a point of its disc
- * across the axis through focus p. An orthographic ray goes from p ahead. A panorama has no use for
+ * across the axis through focus p. An orthographic ray goes from p ahead; where there is nothing
+ * for `lead` metres before the eye, `origin` lies that much ahead of it. A panorama has no use for
  * p. */
 typedef struct AeroCamera {
   aero_float origin[3];
@@ -21,10 +22,11 @@ typedef struct AeroCamera {
   aero_float right[3], up[3], forward[3]; /* unit */
   aero_float aperture;                    /* of a thin lens: its radius, metres */
   aero_float focus;                       /* of a thin lens: depth of the sharp plane, metres */
+  aero_float lead;                        /* of parallel rays */
   aero_uint lens;                         /* AERO_LENS_... */
 } AeroCamera;
 
-AERO_ASSERT_LAYOUT(AeroCamera, 96);
+AERO_ASSERT_LAYOUT(AeroCamera, 100);
 
 #define AERO_FILTER_BOX 0
 #define AERO_FILTER_TENT 1

@@ -138,5 +138,32 @@ TEST(FarBalloon, KeepsItsRopesAndItsWicker) {
   }
 }
 
+/// The basket by parallel rays from so far away.
+scene::Scene by_parallel_rays(double distance_m) {
+  scene::Scene scene = over_the_plain({0.0, 0.0, 0.0});
+  scene.terrain.size_m = 1000.0;
+  scene.camera.lens = scene::Lens::orthographic;
+  scene.camera.view_height_m = 5.0;
+  scene.camera.target = {0.0, 101.5, 0.0};
+  scene.camera.position = scene.camera.target + distance_m * dvec3(0.6, 0.28, 0.75);
+  return scene;
+}
+
+TEST(FarParallelRays, ShowTheSameAsNearOnes) {
+  const image::Film near = render_resolved(by_parallel_rays(300.0));
+  const image::Film far = render_resolved(by_parallel_rays(1e6));
+  ASSERT_GT(share_of(near, scene::ObjectId::basket), 0.05);
+  const dvec3 way(0.6, 0.28, 0.75);
+  std::size_t others = 0;
+  for (std::size_t i = 0; i < near.object_id.size(); ++i) {
+    if (near.object_id[i] != far.object_id[i]) {
+      ++others;
+    } else if (near.object_id[i] != 0) {
+      EXPECT_NEAR(far.distance_m[i] - near.distance_m[i], (1e6 - 300.0) * glm::length(way), 0.2);
+    }
+  }
+  EXPECT_LT(others, near.object_id.size() / 200);
+}
+
 }  // namespace
 }  // namespace aerostat::test
