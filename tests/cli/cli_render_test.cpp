@@ -43,7 +43,7 @@ TEST_F(Render, SeveralDevicesGiveThePictureOfOne) {
     return run(small_render("snow", {"--spp", "20", "-o", name, "--device", devices, "--stats"}),
                two_units);
   };
-  const Outcome one = picture("cpu", "one.exr"), two = picture("cpu/2", "two.exr");
+  const Outcome one = picture("portable", "one.exr"), two = picture("portable/2", "two.exr");
   ASSERT_EQ(one.code, 0) << one.err;
   ASSERT_EQ(two.code, 0) << two.err;
   EXPECT_EQ(read_bytes(folder_ / "one.exr"), read_bytes(folder_ / "two.exr"));

@@ -74,7 +74,7 @@ TEST(Adaptive, DependsOnNoTileOrDevice) {
   render::Session tiled(options);
   same(expected, tiled.render(scene));
   options.tile_pixels = 0;
-  options.devices = opencl::select_devices("cpu/2");
+  options.devices = opencl::select_devices("Portable Computing Language/2");
   render::Session halves(options);
   same(expected, halves.render(scene));
 }

@@ -70,7 +70,8 @@ scene::Scene planted_scene(const std::string& name, const Size& size) {
 }
 
 const std::vector<opencl::Device>& devices() {
-  static const auto chosen = opencl::select_devices(opencl::effective_selector(""));
+  static const auto& chosen =
+      *new std::vector(opencl::select_devices(opencl::effective_selector("")));
   return chosen;
 }
 
@@ -82,7 +83,7 @@ render::Options options(int lanes) {
 }
 
 render::Session& shared_session() {
-  static render::Session session(options());
+  static auto& session = *new render::Session(options());
   return session;
 }
 

@@ -107,7 +107,7 @@ TEST(Cancel, WhileRaysAreTraced) {
 
 TEST(Cancel, WhileSeveralDevicesTrace) {
   render::Options two = options();
-  two.devices = opencl::select_devices("cpu/2");
+  two.devices = opencl::select_devices("Portable Computing Language/2");
   Session session(two);
   const auto endless = small_scene("snow", {640, 360, 4096, 128});
   EXPECT_LT(seconds_to_stop(session, endless, Stage::rays, 1.0), kPatience_s);

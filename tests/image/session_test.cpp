@@ -81,7 +81,7 @@ class Reuse : public testing::Test {
   Reuse() : scene_(small_scene("snow")) { before_ = session().render(scene_); }
 
   static Session& session() {
-    static Session one(options());
+    static auto& one = *new Session(options());
     return one;
   }
 

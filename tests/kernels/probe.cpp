@@ -28,7 +28,9 @@ opencl::SourceTree sources_with_probes() {
 
 const opencl::Program& program_of(const std::string& name, int lanes) {
   static const opencl::SourceTree sources = sources_with_probes();
-  static std::map<std::pair<std::string, int>, std::unique_ptr<opencl::Program>> programs;
+  // Kept to the end, as the context is: drivers may be gone after main.
+  static auto& programs =
+      *new std::map<std::pair<std::string, int>, std::unique_ptr<opencl::Program>>;
   auto& program = programs[{name, lanes}];
   if (program == nullptr) {
     program = std::make_unique<opencl::Program>(context(), sources, "probes/" + name, lanes);
@@ -39,7 +41,8 @@ const opencl::Program& program_of(const std::string& name, int lanes) {
 }  // namespace
 
 const opencl::Context& context() {
-  static const opencl::Context instance(opencl::select_device(opencl::effective_selector("")));
+  static const auto& instance =
+      *new opencl::Context(opencl::select_device(opencl::effective_selector("")));
   return instance;
 }
 
