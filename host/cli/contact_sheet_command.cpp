@@ -12,6 +12,7 @@
 #include "core/stop_scope.hpp"
 #include "core/stopwatch.hpp"
 #include "image/sheet.hpp"
+#include "render/room.hpp"
 #include "world/world.hpp"
 
 namespace aerostat::cli {
@@ -64,10 +65,15 @@ class SheetRender {
     for (std::size_t i = 0; i < seeds.size(); ++i) {
       scene::Scene tile = scene;
       tile.terrain.seed = seeds[i];
-      bar_.set_label(fmt::format("seed {}, {} of {}", seeds[i], i + 1, seeds.size()));
+      const auto label = fmt::format("seed {}, {} of {}", seeds[i], i + 1, seeds.size());
+      bar_.set_label(label);
       show(i, seeds.size(), 0.0);
+      render::require_room_for_land(tile);
       world::resolve(tile);
       const image::Film film = session_.render(tile, stop, [&](const render::Progress& progress) {
+        const bool is_compiling = progress.stage == render::Stage::kernels;
+        bar_.set_label(is_compiling ? "" : label);
+        if (is_compiling) return show_compiling(progress);
         const bool is_traced = progress.stage >= render::Stage::rays;
         show(i, seeds.size(), is_traced ? progress.fraction : 0.0);
       });
@@ -81,6 +87,11 @@ class SheetRender {
   void show(std::size_t tile, std::size_t count, double fraction) {
     const double done = (static_cast<double>(tile) + fraction) / static_cast<double>(count);
     bar_.update({render::Stage::rays, done, 0, watch_.seconds(), 0});
+  }
+
+  void show_compiling(render::Progress progress) {
+    progress.seconds = watch_.seconds();
+    bar_.update(progress);
   }
 
   render::Session session_;

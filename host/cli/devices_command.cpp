@@ -45,21 +45,27 @@ std::string cuts_text(const opencl::Device& device) {
                      device.most_parts, selector, selector);
 }
 
+std::string bound_text(const opencl::Device& device) {
+  return device.memory_bound.empty() ? "" : fmt::format(" (left by {})", device.memory_bound);
+}
+
 std::string text_of(const opencl::DeviceList& list, const std::vector<opencl::Device>& chosen) {
   std::string text;
   for (const opencl::Device& device : list.devices) {
     text += fmt::format(
-        "{} {}  {}\n     platform {}, driver {}\n     {}, {} compute units, {:.1f} GiB, preferred "
+        "{} {}  {}\n     platform {}, driver {}\n     {}, {} compute units, {:.1f} GiB{}, "
+        "preferred "
         "float width {}, lanes {}\n",
         is_among(device, chosen) ? "*" : " ", device.selector(), device.name, device.platform,
         device.driver, opencl::type_name(device.type), device.compute_units,
-        static_cast<double>(device.memory_bytes) / 0x1p30, device.preferred_float_width,
-        device.lanes);
+        static_cast<double>(device.memory_bytes) / 0x1p30, bound_text(device),
+        device.preferred_float_width, device.lanes);
     text += cuts_text(device);
   }
   for (const std::string& problem : list.problems) text += fmt::format("! {}\n", problem);
   if (list.devices.empty()) {
-    text += "No OpenCL device can be used: install pocl-opencl-icd or your GPU's driver.\n";
+    text +=
+        fmt::format("No OpenCL device can be used: {}.\n", opencl::advice_without_devices(list));
   } else if (!chosen.empty()) {
     text += fmt::format("* {} is taken unless --device or AEROSTAT_DEVICE says otherwise.\n",
                         selectors_of(chosen));
@@ -76,6 +82,7 @@ std::string json_of(const opencl::DeviceList& list, const std::vector<opencl::De
                        {"driver", device.driver},
                        {"type", opencl::type_name(device.type)},
                        {"memory_bytes", device.memory_bytes},
+                       {"memory_bound", device.memory_bound},
                        {"max_allocation_bytes", device.max_allocation_bytes},
                        {"compute_units", device.compute_units},
                        {"preferred_float_width", device.preferred_float_width},
@@ -94,7 +101,8 @@ int devices(const DevicesOptions& options) {
   const opencl::DeviceList list = opencl::list_devices();
   const auto chosen = chosen_devices(list);
   write_stdout(options.json ? json_of(list, chosen) : text_of(list, chosen));
-  return list.devices.empty() ? static_cast<int>(ErrorKind::no_device) : 0;
+  if (!list.devices.empty()) return 0;
+  return static_cast<int>(list.lacks_memory ? ErrorKind::exhausted : ErrorKind::no_device);
 }
 
 }  // namespace aerostat::cli

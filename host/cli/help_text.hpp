@@ -16,6 +16,8 @@ Environment:
   AEROSTAT_DEVICE      the devices, if --device is not given
   AEROSTAT_SCENE_DIR   the folder of the scenes that came with aerostat
   AEROSTAT_KERNEL_DIR  reads the kernels from this folder instead of the program
+  AEROSTAT_KERNEL_BINARIES
+                       on or off: whether compiled programs are kept in the user's cache folder; by default for drivers that keep none themselves
   POCL_CACHE_DIR       where PoCL keeps compiled kernels; by default aerostat/pocl in the user's cache folder
   NO_COLOR             if set, nothing is coloured
 

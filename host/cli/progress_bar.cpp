@@ -54,8 +54,8 @@ ProgressBar::~ProgressBar() {
 }
 
 ProgressView ProgressBar::view_of(const render::Progress& progress) {
-  ProgressView view{progress.stage, progress.fraction, 0.0, std::nullopt, label_};
   const double elapsed = progress.seconds - stage_began_s_;
+  ProgressView view{progress.stage, progress.fraction, 0.0, std::nullopt, label_, elapsed};
   if (progress.stage != render::Stage::rays || elapsed < kLeastMeasureSeconds) return view;
   view.rays_per_s = static_cast<double>(progress.rays) / elapsed;
   if (progress.fraction >= kLeastMeasureFraction) {

@@ -12,8 +12,16 @@ namespace {
 constexpr int kWidestBar = 40;
 constexpr int kNarrowestBar = 6;
 
+/// Kernels of a former run are loaded sooner.
+constexpr double kLeastCompileSeconds = 2.0;
+
+bool is_compiling(const ProgressView& view) {
+  return view.stage == render::Stage::kernels && view.stage_seconds >= kLeastCompileSeconds;
+}
+
 std::string head_of(const ProgressView& view) {
-  return view.label.empty() ? stage_name(view.stage) : view.label;
+  if (!view.label.empty()) return view.label;
+  return fmt::format("{}{}", stage_name(view.stage), is_compiling(view) ? " (first run only)" : "");
 }
 
 std::string percent(const ProgressView& view) {
@@ -25,6 +33,7 @@ std::string rate(const ProgressView& view) {
 }
 
 std::string left(const ProgressView& view) {
+  if (is_compiling(view)) return fmt::format("  {} so far", duration_text(view.stage_seconds));
   return view.seconds_left ? fmt::format("  {} left", duration_text(*view.seconds_left)) : "";
 }
 

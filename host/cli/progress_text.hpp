@@ -15,6 +15,7 @@ struct ProgressView {
   double rays_per_s = 0.0;             // 0: not known
   std::optional<double> seconds_left;  // of the tracing
   std::string label;                   // stands for the stage's name if not empty
+  double stage_seconds = 0.0;          // that the stage has taken so far
 };
 
 /// "tracing rays", for instance.
@@ -23,7 +24,8 @@ const char* stage_name(render::Stage stage);
 /// "8 s", "3:05" or "1:02:03"; rounded to whole seconds.
 std::string duration_text(double seconds);
 
-/// "tracing rays  47 %  12.3 Mrays/s  8 s left"
+/// "tracing rays  47 %  12.3 Mrays/s  8 s left"; kernels that are not loaded at once but compiled
+/// are "compiling kernels (first run only)  37 %  6 s so far".
 std::string plain_line(const ProgressView& view);
 
 /// The same with a bar after the stage, at most `columns` - 1 wide: first the bar shrinks and goes,

@@ -15,6 +15,7 @@
 #include "core/stop_scope.hpp"
 #include "core/stopwatch.hpp"
 #include "image/write.hpp"
+#include "render/room.hpp"
 #include "render/session.hpp"
 #include "world/world.hpp"
 
@@ -100,6 +101,7 @@ int render(const RenderOptions& options) {
   scene::Scene scene = scene_to_render(options);
   seconds.reading = phase.restart();
   require_encodable(options, scene.image, format);
+  render::require_room_for_land(scene);
   // Drivers are loaded while the ground is laid out. oneTBB is woken first: what it loads, and what
   // a new thread of its asks of the loader, would wait for them.
   tbb::parallel_for(0, tbb::this_task_arena::max_concurrency(), [](int) {});

@@ -24,17 +24,21 @@ std::uint64_t rounded_up(std::uint64_t bytes) {
 
 MemoryBudget::MemoryBudget() : MemoryBudget(std::numeric_limits<std::uint64_t>::max()) {}
 
-MemoryBudget::MemoryBudget(std::uint64_t limit_bytes) : state_(std::make_shared<State>()) {
+MemoryBudget::MemoryBudget(std::uint64_t limit_bytes, std::string bound)
+    : state_(std::make_shared<State>()) {
   state_->limit = limit_bytes;
+  state_->bound = std::move(bound);
 }
 
 void MemoryBudget::reserve(std::uint64_t bytes, const std::string& what) {
   if (bytes > state_->limit - std::min(state_->limit, state_->used)) {
+    const std::string by =
+        state_->bound.empty() ? "(--memory-limit changes that)" : "by " + state_->bound;
     throw Error(
         ErrorKind::exhausted,
         fmt::format("not enough device memory for {}: {:.1f} MiB are needed beside {:.1f} "
-                    "MiB in use, {:.1f} MiB are allowed (--memory-limit changes that)",
-                    what, mebibytes(bytes), mebibytes(state_->used), mebibytes(state_->limit)));
+                    "MiB in use, {:.1f} MiB are allowed {}",
+                    what, mebibytes(bytes), mebibytes(state_->used), mebibytes(state_->limit), by));
   }
   state_->used += bytes;
 }

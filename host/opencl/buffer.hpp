@@ -20,15 +20,15 @@ class MemoryBudget {
  public:
   /// No limit.
   MemoryBudget();
-  explicit MemoryBudget(std::uint64_t limit_bytes);
+  /// `bound` says what sets the limit, in words; empty: the device, or the user.
+  explicit MemoryBudget(std::uint64_t limit_bytes, std::string bound = {});
 
   std::uint64_t limit() const { return state_->limit; }
   std::uint64_t used() const { return state_->used; }
 
   /// Counts `bytes` for `what` ("the triangles"). Throws Error{exhausted}, counting nothing, if
   /// they would exceed the limit; the message says how much was asked for, how much is allowed, and
-  /// that
-  /// --memory-limit changes that.
+  /// by what, or that --memory-limit changes that.
   void reserve(std::uint64_t bytes, const std::string& what);
   void release(std::uint64_t bytes);
 
@@ -36,6 +36,7 @@ class MemoryBudget {
   struct State {
     std::uint64_t limit = 0;
     std::uint64_t used = 0;
+    std::string bound;
   };
   std::shared_ptr<State> state_;
 };

@@ -92,8 +92,7 @@ std::optional<std::string> mend(CacheFolder& folder) {
 }
 
 std::optional<std::string> usable_as_preferred(CacheFolder& folder, std::uint64_t min_free) {
-  if (auto problem = make_folders(folder.path)) return problem;
-  if (auto problem = make_private(folder.path)) return problem;
+  if (auto problem = make_private_folder(folder.path)) return problem;
   if (auto problem = write_obstacle(folder.path, min_free)) return problem;
   return mend(folder);
 }
@@ -183,6 +182,11 @@ CacheFolder prepare_cache(const CacheEnvironment& environment, std::uint64_t min
   if (!problem) return folder;
   return temporary_folder(environment, fmt::format("{}: {}", preferred->string(), *problem),
                           min_free_bytes);
+}
+
+std::optional<std::string> make_private_folder(const fs::path& path) {
+  auto problem = make_folders(path);
+  return problem ? problem : make_private(path);
 }
 
 void keep_compiled_kernels() {

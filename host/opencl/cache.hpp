@@ -39,6 +39,10 @@ std::optional<std::filesystem::path> preferred_cache_path(const CacheEnvironment
 CacheFolder prepare_cache(const CacheEnvironment& environment,
                           std::uint64_t min_free_bytes = kMinCacheBytes);
 
+/// Makes a folder, and those above it, that no other user can write to or read. Returns why it
+/// cannot, or nothing.
+std::optional<std::string> make_private_folder(const std::filesystem::path& path);
+
 /// Prepares the folder once per process, sets POCL_CACHE_DIR, warns where needed, and removes a
 /// temporary folder at exit. Call it before the first call of OpenCL and before other threads run.
 /// Returns what is wrong, or an empty string.

@@ -1,15 +1,18 @@
 #include "opencl/device.hpp"
 
 #include <bit>
+#include <iterator>
 #include <optional>
 #include <stdexcept>
 #include <utility>
 
 #include <fmt/format.h>
 
+#include "core/memory_left.hpp"
 #include "opencl/cache.hpp"
 #include "opencl/partition.hpp"
 #include "opencl/program.hpp"
+#include "opencl/registered.hpp"
 
 namespace aerostat::opencl {
 namespace {
@@ -23,10 +26,11 @@ bool tolerate(DeviceList& list, const std::string& subject, F&& f) {
     f();
     return true;
   } catch (const cl::Error& error) {
-    const char* call = error.what() != nullptr ? error.what() : "OpenCL";
-    list.problems.push_back(fmt::format("{}: {} from {}", subject, status_name(error.err()), call));
+    list.problems.push_back(fmt::format("{}: {}", subject, status_text(error)));
+    list.lacks_memory = list.lacks_memory || is_out_of_memory(error.err());
   } catch (const std::exception& error) {
     list.problems.push_back(fmt::format("{}: {}", subject, error.what()));
+    list.lacks_memory = list.lacks_memory || speaks_of_memory(error.what());
   }
   return false;
 }
@@ -59,14 +63,19 @@ std::optional<std::string> obstacle(const cl::Device& handle) {
   return std::nullopt;
 }
 
-Device described(const cl::Device& handle, const std::string& platform) {
+Device described(const cl::Device& handle, const cl::Platform& platform, const MemoryLeft& left) {
   Device device;
   device.handle = handle;
-  device.platform = platform;
+  device.platform = trimmed(platform.getInfo<CL_PLATFORM_NAME>());
+  device.platform_version = trimmed(platform.getInfo<CL_PLATFORM_VERSION>());
   device.name = trimmed(handle.getInfo<CL_DEVICE_NAME>());
   device.driver = trimmed(handle.getInfo<CL_DRIVER_VERSION>());
   device.type = type_of(handle.getInfo<CL_DEVICE_TYPE>());
   device.memory_bytes = handle.getInfo<CL_DEVICE_GLOBAL_MEM_SIZE>();
+  if (handle.getInfo<CL_DEVICE_HOST_UNIFIED_MEMORY>() && left.bytes < device.memory_bytes) {
+    device.memory_bytes = left.bytes;
+    device.memory_bound = left.bound;
+  }
   device.max_allocation_bytes = handle.getInfo<CL_DEVICE_MAX_MEM_ALLOC_SIZE>();
   device.compute_units = handle.getInfo<CL_DEVICE_MAX_COMPUTE_UNITS>();
   device.preferred_float_width = handle.getInfo<CL_DEVICE_PREFERRED_VECTOR_WIDTH_FLOAT>();
@@ -78,15 +87,24 @@ Device described(const cl::Device& handle, const std::string& platform) {
 
 std::vector<cl::Platform> platforms(DeviceList& list) {
   std::vector<cl::Platform> found;
-  try {
-    cl::Platform::get(&found);
-  } catch (const cl::Error& error) {
-    list.problems.push_back(error.err() == kNoIcd
-                                ? "no OpenCL platform is installed"
-                                : fmt::format("the list of OpenCL platforms cannot be read: {}",
-                                              status_name(error.err())));
-  }
+  tolerate(list, "the list of OpenCL platforms", [&] {
+    try {
+      cl::Platform::get(&found);
+    } catch (const cl::Error& error) {
+      if (error.err() != kNoIcd) throw;
+    }
+  });
   return found;
+}
+
+/// What the loader passed over in silence.
+void add_registered(DeviceList& list, bool has_platforms) {
+  const auto drivers = registered_drivers(VendorEnvironment::of_process());
+  list.has_drivers = !drivers.empty();
+  if (drivers.empty()) list.problems.push_back("no OpenCL driver is registered");
+  auto problems = problems_of(drivers, has_platforms);
+  std::move(problems.texts.begin(), problems.texts.end(), std::back_inserter(list.problems));
+  list.lacks_memory = list.lacks_memory || problems.lack_memory;
 }
 
 std::vector<cl::Device> devices_of(const cl::Platform& platform) {
@@ -109,11 +127,12 @@ void add_platform(DeviceList& list, const cl::Platform& platform, int platform_i
     list.problems.push_back(fmt::format("{}: {}", label, cache_problem));
     return;
   }
+  const MemoryLeft left = memory_left();
   std::vector<cl::Device> handles;
   tolerate(list, label, [&] { handles = devices_of(platform); });
   for (std::size_t i = 0; i < handles.size(); ++i) {
     tolerate(list, fmt::format("device {}:{} of {}", platform_index, i, label), [&] {
-      auto device = described(handles[i], name);
+      auto device = described(handles[i], platform, left);
       if (const auto reason = obstacle(handles[i])) {
         throw std::runtime_error(fmt::format("{}: {}", device.name, *reason));
       }
@@ -135,6 +154,12 @@ int lanes_for(DeviceType type, unsigned native_width, unsigned preferred_width) 
 
 DeviceList list_devices() {
   DeviceList list;
+  // A driver that finds too little memory ends the process, or is killed with it.
+  if (auto obstacle = memory_obstacle(); !obstacle.empty()) {
+    list.lacks_memory = true;
+    list.problems.push_back(std::move(obstacle));
+    return list;
+  }
   const auto cache_problem = ensure_pocl_cache();
   const auto found = platforms(list);
   for (std::size_t i = 0; i < found.size(); ++i) {
@@ -142,6 +167,7 @@ DeviceList list_devices() {
     tolerate(list, fmt::format("platform {}", i),
              [&] { add_platform(list, found[i], index, cache_problem); });
   }
+  add_registered(list, !found.empty());
   return list;
 }
 

@@ -15,11 +15,12 @@ struct Device {
   cl::Device handle;
   int platform_index = 0;  // as in clinfo -l
   int device_index = 0;
-  std::string platform;
+  std::string platform, platform_version;
   std::string name;
   std::string driver;
   DeviceType type = DeviceType::other;
-  std::uint64_t memory_bytes = 0;
+  std::uint64_t memory_bytes = 0;  // that its driver reports, or less where the process gets less
+  std::string memory_bound;        // what makes it less, in words; empty: nothing does
   std::uint64_t max_allocation_bytes = 0;  // a hint: drivers report it wrongly
   unsigned compute_units = 0;
   unsigned preferred_float_width = 1;
@@ -35,11 +36,17 @@ struct DeviceList {
   std::vector<Device> devices;
   std::vector<std::string> problems;
   std::string cache_problem;  // why PoCL was left out (also in `problems`); empty if it was not
+  bool has_drivers = false;   // some are registered, whether they can be used or not
+  bool lacks_memory = false;  // one of the problems is too little memory
 };
 
-/// All devices of all platforms. Never throws because of a platform: broken and empty ones are
-/// described in `problems`. Prepares PoCL's cache folder first (see cache.hpp); if that is
-/// impossible, PoCL is left out, since it would fail without a reason or end the process.
+/// What a user can do where no device can be used: a clause without a full stop.
+std::string advice_without_devices(const DeviceList& list);
+
+/// All devices of all platforms. Never throws because of a platform: broken and empty ones, and
+/// registered drivers that cannot be loaded, are described in `problems`. Prepares PoCL's cache
+/// folder first (see cache.hpp); if that is impossible, PoCL is left out, since it would fail
+/// without a reason or end the process.
 DeviceList list_devices();
 
 /// Rays per work-item on a device of `type` that reports these widths of float vectors.
@@ -59,9 +66,9 @@ const char* type_name(DeviceType type);
 /// name is "auto" (a GPU if there is one, else a CPU), "cpu", "gpu", "P:D", or a part of the
 /// device's or platform's name (case-insensitive); "" is "auto". Behind it, "/N" cuts the device
 /// into N parts of its compute units and takes them all, "/N.K" the K-th of them, counted from 0.
-/// Throws Error{no_device} with the list of what there is, or with what to install if nothing is;
-/// Error{usage} if the text is malformed or names compute units twice; and Error{io} if PoCL's
-/// cache folder is the cause.
+/// Throws Error{no_device} with the list of what there is, or with what to install or mend if
+/// nothing is; Error{usage} if the text is malformed or names compute units twice; Error{io} if
+/// PoCL's cache folder is the cause; and Error{exhausted} if too little memory is.
 std::vector<Device> select_devices(const std::string& selector);
 
 /// The one device that `selector` names. Throws as `select_devices` does, and Error{usage} if they

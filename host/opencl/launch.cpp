@@ -15,6 +15,17 @@ std::string name_of(const cl::Kernel& kernel) {
   }
 }
 
+/// A driver says only that something failed; the command itself tells what.
+void wait_for(const cl::Event& event) {
+  try {
+    event.wait();
+  } catch (const cl::Error& error) {
+    const int own = event.getInfo<CL_EVENT_COMMAND_EXECUTION_STATUS>();
+    if (own < 0) throw cl::Error(own, "the kernel");
+    throw;
+  }
+}
+
 }  // namespace
 
 std::size_t dividing_group_size(std::size_t global, std::size_t wanted) {
@@ -42,7 +53,7 @@ cl::Event enqueue(const Context& context, const cl::Kernel& kernel, const Launch
 double device_seconds(const cl::Event& event) {
   if (event() == nullptr) return 0.0;
   return guarded("waiting for a kernel", [&] {
-    event.wait();
+    wait_for(event);
     const auto start = event.getProfilingInfo<CL_PROFILING_COMMAND_START>();
     const auto end = event.getProfilingInfo<CL_PROFILING_COMMAND_END>();
     return end > start ? static_cast<double>(end - start) * 1e-9 : 0.0;

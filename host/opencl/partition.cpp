@@ -43,7 +43,10 @@ std::vector<Device> cut(const Device& device, unsigned parts) {
   try {
     cl::Device(device.handle).createSubDevices(how.data(), &handles);
   } catch (const cl::Error& error) {
-    refuse(device, parts, fmt::format("{} from {}", status_name(error.err()), error.what()));
+    if (is_exhaustion(error.err())) {
+      rethrow(fmt::format("cutting the device {}", describe(device)).c_str(), error);
+    }
+    refuse(device, parts, status_text(error));
   }
   std::vector<Device> cut_parts(handles.size(), device);
   for (unsigned i = 0; i < cut_parts.size(); ++i) {

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "core/error.hpp"
+#include "opencl/binaries.hpp"
 
 namespace aerostat::opencl {
 namespace {
@@ -50,12 +51,10 @@ Context::Context(Device device) : device_(std::move(device)) {
     context_ = cl::Context(device_.handle);
     queue_ = cl::CommandQueue(context_, device_.handle, CL_QUEUE_PROFILING_ENABLE);
   } catch (const cl::Error& error) {
-    const bool memory = error.err() == CL_OUT_OF_HOST_MEMORY ||
-                        error.err() == CL_OUT_OF_RESOURCES ||
-                        error.err() == CL_MEM_OBJECT_ALLOCATION_FAILURE;
-    if (memory) rethrow(doing.c_str(), error);
-    throw Error(ErrorKind::no_device, fmt::format("while {}: the driver refuses ({} from {})",
-                                                  doing, status_name(error.err()), error.what()));
+    const bool is_gone = error.err() == CL_DEVICE_NOT_AVAILABLE;
+    if (!is_gone && is_exhaustion(error.err())) rethrow(doing.c_str(), error);
+    throw Error(ErrorKind::no_device,
+                fmt::format("while {}: the driver refuses ({})", doing, status_text(error)));
   }
 }
 
@@ -69,29 +68,66 @@ std::string build_options(int lanes) {
 
 Program::Program(const Context& context, const SourceTree& sources, const std::string& entry,
                  int lanes, const std::vector<std::string>& defines)
-    : entry_(entry), lanes_(lanes) {
+    : device_(fmt::format("{} {} (driver {})", context.device().selector(), context.device().name,
+                          context.device().driver)),
+      entry_(entry),
+      lanes_(lanes) {
   const auto options = options_with(lanes, defines);
   const auto text = flatten(sources, entry);
-  const auto doing = fmt::format("building the kernels of {}", entry);
+  if (!keeps_binaries(context.device().platform)) {
+    build(context, text, options);
+    return;
+  }
+  const auto store = BinaryStore::of_user();
+  const auto key = binary_key(context.device(), text, options);
+  if (const auto kept = store.find(key); kept && take_binary(context, *kept, options)) return;
+  build(context, text, options);
+  store.keep(key, binary());
+}
+
+void Program::build(const Context& context, const std::string& text, const std::string& options) {
+  const auto doing = fmt::format("building the kernels of {}", entry_);
   guarded(doing.c_str(), [&] {
     program_ = cl::Program(context.handle(), text);
     try {
       program_.build({context.device().handle}, options.c_str());
     } catch (const cl::BuildError& error) {
-      if (error.err() == CL_OUT_OF_HOST_MEMORY || error.err() == CL_OUT_OF_RESOURCES) throw;
-      throw_build_error(context.device(), entry, options, error);
+      if (is_exhaustion(error.err())) throw;
+      throw_build_error(context.device(), entry_, options, error);
     }
   });
+}
+
+/// Whether the driver accepts it. A refusal is no error: the text is there.
+bool Program::take_binary(const Context& context, const std::string& binary,
+                          const std::string& options) {
+  try {
+    const std::vector<unsigned char> bytes(binary.begin(), binary.end());
+    const std::vector<cl::Device> devices{context.device().handle};
+    program_ = cl::Program(context.handle(), devices, {bytes});
+    program_.build(devices, options.c_str());
+    return true;
+  } catch (const cl::Error&) {
+    return false;
+  }
+}
+
+/// Empty if the driver gives none.
+std::string Program::binary() const {
+  try {
+    const auto binaries = program_.getInfo<CL_PROGRAM_BINARIES>();
+    if (binaries.size() != 1) return {};
+    return {binaries.front().begin(), binaries.front().end()};
+  } catch (const cl::Error&) {
+    return {};
+  }
 }
 
 cl::Kernel Program::kernel(const std::string& name) const {
   try {
     return cl::Kernel(program_, name.c_str());
   } catch (const cl::Error& error) {
-    if (error.err() == CL_INVALID_KERNEL_NAME) {
-      throw Error(ErrorKind::internal, fmt::format("{} has no kernel \"{}\"", entry_, name));
-    }
-    rethrow(fmt::format("making the kernel {} of {}", name, entry_).c_str(), error);
+    rethrow(fmt::format("making the kernel {} of {} on {}", name, entry_, device_).c_str(), error);
   }
 }
 

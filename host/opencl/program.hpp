@@ -48,17 +48,24 @@ std::string build_options(int lanes);
 class Program {
  public:
   /// Builds `entry` of `sources` for `lanes` in {1, 4, 8, 16}; `defines` are further "NAME=VALUE"
-  /// macros. Throws Error{internal} with the build log.
+  /// macros. Takes the machine code of a former run where that is kept (see binaries.hpp). Throws
+  /// Error{internal} with the build log.
   Program(const Context& context, const SourceTree& sources, const std::string& entry, int lanes,
           const std::vector<std::string>& defines = {});
 
-  /// A new kernel object. Throws Error{internal} if the program has none of that name.
+  /// A new kernel object. Throws Error{internal} if the driver makes none of that name, be it that
+  /// the program has none or that the driver's compiler failed at it.
   cl::Kernel kernel(const std::string& name) const;
 
   int lanes() const { return lanes_; }
 
  private:
+  void build(const Context& context, const std::string& text, const std::string& options);
+  bool take_binary(const Context& context, const std::string& binary, const std::string& options);
+  std::string binary() const;
+
   cl::Program program_;
+  std::string device_;  // in words
   std::string entry_;
   int lanes_ = 1;
 };
@@ -81,5 +88,14 @@ decltype(auto) guarded(const char* doing, F&& f) {
 
 /// The name of an OpenCL status, such as "CL_OUT_OF_RESOURCES".
 std::string status_name(int status);
+
+/// "CL_OUT_OF_RESOURCES from clBuildProgram"
+std::string status_text(const cl::Error& error);
+
+/// Whether a status says that there is too little memory.
+bool is_out_of_memory(int status);
+
+/// Whether `rethrow` would take a status for exhaustion: too little memory, or a device lost.
+bool is_exhaustion(int status);
 
 }  // namespace aerostat::opencl

@@ -60,13 +60,13 @@ std::vector<Rule> rules_of(const std::string& wanted) {
   if (!list.cache_problem.empty()) throw Error(ErrorKind::io, list.cache_problem);
   std::string message;
   if (list.devices.empty()) {
-    message = "there is no OpenCL device: install pocl-opencl-icd or your GPU's driver";
+    message = "there is no OpenCL device: " + advice_without_devices(list);
   } else {
     message = fmt::format("there is no OpenCL device \"{}\"; there are:", selector);
     for (const auto& device : list.devices) message += "\n  " + describe(device);
   }
   for (const auto& problem : list.problems) message += "\n  not usable: " + problem;
-  throw Error(ErrorKind::no_device, message);
+  throw Error(list.lacks_memory ? ErrorKind::exhausted : ErrorKind::no_device, message);
 }
 
 /// One name of a selector, taken apart.
@@ -162,6 +162,16 @@ const char* type_name(DeviceType type) {
 
 std::string describe(const Device& device) {
   return fmt::format("{}  {} ({})", device.selector(), device.name, type_name(device.type));
+}
+
+std::string advice_without_devices(const DeviceList& list) {
+  if (list.lacks_memory) {
+    return "it needs more memory; close other programs, or raise the limit of the process "
+           "(ulimit -v) or of its container";
+  }
+  const char* const install = "install pocl-opencl-icd or your GPU's driver";
+  return list.has_drivers ? fmt::format("mend the driver that is registered, or {}", install)
+                          : install;
 }
 
 std::vector<Device> pick(const DeviceList& list, const std::string& selector) {

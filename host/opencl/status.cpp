@@ -78,21 +78,22 @@ constexpr std::array kStatusNames{
 };
 #undef AEROSTAT_STATUS
 
-const char* out_of_memory = "there is not enough memory";
-const char* device_lost = "the device was lost or gave up";
-
 /// In words, why the device cannot go on; null if the fault is in the program.
 const char* exhaustion(int status) {
   switch (status) {
     case CL_MEM_OBJECT_ALLOCATION_FAILURE:
     case CL_OUT_OF_HOST_MEMORY:
+    case CL_MAP_FAILURE:
+      return "there is not enough memory";
     case CL_INVALID_BUFFER_SIZE:
-      return out_of_memory;
+      return "the device has no room for a buffer of that size";
     case CL_OUT_OF_RESOURCES:
-    case CL_DEVICE_NOT_AVAILABLE:
+      return "the device ran out of memory or other resources, or was lost";
     case CL_EXEC_STATUS_ERROR_FOR_EVENTS_IN_WAIT_LIST:
+      return "what the device did before has failed";
+    case CL_DEVICE_NOT_AVAILABLE:
     case kIllegalAccess:
-      return device_lost;
+      return "the device was lost or gave up";
     default:
       return nullptr;
   }
@@ -107,9 +108,21 @@ std::string status_name(int status) {
   return fmt::format("OpenCL status {}", status);
 }
 
+std::string status_text(const cl::Error& error) {
+  return fmt::format("{} from {}", status_name(error.err()),
+                     error.what() != nullptr ? error.what() : "OpenCL");
+}
+
+bool is_out_of_memory(int status) {
+  return status == CL_OUT_OF_HOST_MEMORY || status == CL_MEM_OBJECT_ALLOCATION_FAILURE;
+}
+
+bool is_exhaustion(int status) {
+  return exhaustion(status) != nullptr;
+}
+
 void rethrow(const char* doing, const cl::Error& error) {
-  const char* call = error.what() != nullptr ? error.what() : "OpenCL";
-  const auto detail = fmt::format("{} from {}", status_name(error.err()), call);
+  const auto detail = status_text(error);
   if (const char* reason = exhaustion(error.err())) {
     throw Error(ErrorKind::exhausted, fmt::format("while {}: {} ({})", doing, reason, detail));
   }

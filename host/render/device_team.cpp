@@ -69,13 +69,19 @@ void DeviceTeam::begin_film(const Crop& window) {
   on_each([&](DeviceWorker& worker) { worker.begin_film(window); });
 }
 
-int DeviceTeam::await_programs(const Waiting& waiting, double& seconds) {
+double DeviceTeam::programs_fraction() const {
+  double sum = 0.0;
+  for (const auto& worker : workers_) sum += worker->programs_fraction();
+  return sum / static_cast<double>(workers_.size());
+}
+
+int DeviceTeam::await_programs(const std::function<void(double)>& waiting, double& seconds) {
   int built = 0;
   double slowest = 0.0;
   on_each([&](DeviceWorker& worker) {
     if (worker.has_programs()) return;
     do {
-      waiting();
+      waiting(programs_fraction());
     } while (!worker.await_programs(kPatience));
     built += kProgramCount;
     slowest = std::max(slowest, worker.program_seconds());

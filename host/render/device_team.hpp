@@ -32,9 +32,10 @@ class DeviceTeam {
   void begin_frame(const AeroScene& scene, std::size_t pixels);
   void begin_film(const Crop& window);
 
-  /// Waits for programs that were begun. Returns how many were built since the last call, and adds
-  /// to `seconds` what the slowest device took.
-  int await_programs(const Waiting& waiting, double& seconds);
+  /// Waits for programs that were begun, and tells `waiting` how far those of all devices are, from
+  /// 0 to 1. Returns how many were built since the last call, and adds to `seconds` what the
+  /// slowest device took.
+  int await_programs(const std::function<void(double)>& waiting, double& seconds);
 
   /// Settles pixels of the film, whose rows lie where `queue` says, between passes.
   void settle(const AeroSettling& settling, const RowQueue& queue);
@@ -57,6 +58,7 @@ class DeviceTeam {
   void on_each(F&& f);
   template <typename F>
   auto on(DeviceWorker& worker, F&& f) -> decltype(f());
+  double programs_fraction() const;
   const DeviceWorker& worker(int index) const { return *workers_[static_cast<std::size_t>(index)]; }
 
   std::vector<std::unique_ptr<DeviceWorker>> workers_;

@@ -19,13 +19,15 @@ std::uint64_t pixels_of(const AeroTile& tile) {
 DeviceWorker::DeviceWorker(const opencl::Device& device, const Options& options)
     : lanes_(options.lanes != 0 ? options.lanes : device.lanes),
       context_(device),
-      budget_(options.memory_limit_bytes != 0 ? options.memory_limit_bytes : device.memory_bytes),
+      budget_(options.memory_limit_bytes != 0
+                  ? opencl::MemoryBudget(options.memory_limit_bytes)
+                  : opencl::MemoryBudget(device.memory_bytes, device.memory_bound)),
       before_launch_(options.before_launch) {}
 
 void DeviceWorker::begin_programs() {
   if (has_programs() || programs_to_come_.valid()) return;
-  programs_to_come_ =
-      std::async(std::launch::async, [this] { return build_programs(context_, lanes_); });
+  programs_to_come_ = std::async(
+      std::launch::async, [this] { return build_programs(context_, lanes_, kernel_progress_); });
 }
 
 bool DeviceWorker::await_programs(std::chrono::milliseconds patience) {

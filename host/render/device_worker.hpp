@@ -45,6 +45,8 @@ class DeviceWorker {
   bool has_programs() const { return programs_.has_value(); }
   /// Whether they are there after at most `patience`. Not before `begin_programs`.
   bool await_programs(std::chrono::milliseconds patience);
+  /// How far they are, from 0 to 1. From any thread.
+  double programs_fraction() const { return kernel_progress_.fraction(); }
   double program_seconds() const { return programs_->seconds; }
 
   /// Gives the geometry to the device (see `upload`), or takes it away.
@@ -97,6 +99,7 @@ class DeviceWorker {
   opencl::MemoryBudget budget_;
   std::function<void(const opencl::Device&)> before_launch_;
   std::optional<Programs> programs_;
+  KernelProgress kernel_progress_;
   std::future<Programs> programs_to_come_;  // outlives a render that is given up
   DeviceGeometry geometry_;
   opencl::Buffer<AeroScene> scene_;

@@ -4,6 +4,7 @@
 
 #include "opencl/launch.hpp"
 #include "opencl/program.hpp"
+#include "render/kernel_progress.hpp"
 
 namespace aerostat::render {
 
@@ -23,7 +24,7 @@ struct Programs {
 
 /// Builds them, up to the machine code that launches of whole groups need: some
 /// drivers compile only then. Throws Error{internal} with the build log.
-Programs build_programs(const opencl::Context& context, int lanes);
+Programs build_programs(const opencl::Context& context, int lanes, KernelProgress& progress);
 
 /// The range of a kernel that works on `packets` packets: whole work-groups, large enough to keep a
 /// GPU busy and small enough to spread over CPU cores.

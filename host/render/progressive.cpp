@@ -9,6 +9,7 @@
 #include "core/stop_scope.hpp"
 #include "core/stopwatch.hpp"
 #include "render/abandonable.hpp"
+#include "render/room.hpp"
 #include "world/world.hpp"
 
 namespace aerostat::render {
@@ -121,6 +122,7 @@ struct Progressive::State {
 /// first.
 scene::Scene Progressive::State::placed(const scene::Scene& scene, world::Carving carving) {
   const auto known = has_land(scene) ? built_surface : nullptr;
+  if (!known && carving == world::Carving::fine) require_room_for_land(scene);
   const auto resolve = [scene, carving, known] {
     scene::Scene copy = scene;
     auto ground = known ? known : std::make_shared<const world::Surface>(copy, carving);

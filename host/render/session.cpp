@@ -92,9 +92,9 @@ void Session::State::report(Stage stage, double fraction) {
 /// A driver's compiler knows no interruption: a render that is stopped leaves it at work for the
 /// next one.
 void Session::State::await_programs() {
-  const auto waiting = [this] {
+  const auto waiting = [this](double fraction) {
     stop_if_asked();
-    report(Stage::kernels, 0.0);
+    report(Stage::kernels, fraction);
   };
   stats.programs_built = team.await_programs(waiting, stats.kernel_seconds);
 }

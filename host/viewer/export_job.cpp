@@ -7,6 +7,7 @@
 #include "image/write.hpp"
 #include "opencl/device.hpp"
 #include "render/look.hpp"
+#include "render/room.hpp"
 #include "render/session.hpp"
 #include "world/world.hpp"
 
@@ -24,6 +25,18 @@ double begin_of(render::Stage stage) {
       return 0.04;
     default:
       return 0.05;
+  }
+}
+
+QString text_of(render::Stage stage) {
+  switch (stage) {
+    case render::Stage::kernels:
+      return ExportJob::tr("Compiling kernels…");
+    case render::Stage::rays:
+    case render::Stage::done:
+      return ExportJob::tr("Tracing rays…");
+    default:
+      return ExportJob::tr("Building the world…");
   }
 }
 
@@ -51,12 +64,13 @@ void ExportJob::run(const std::stop_token& stop, scene::Scene scene, const QStri
     options.devices = opencl::select_devices(opencl::effective_selector(device.toStdString()));
     render::Session session(std::move(options));
     session.begin_kernels();
+    render::require_room_for_land(scene);
     world::resolve(scene);
     const auto film = session.render(scene, stop, [this](const render::Progress& progress) {
       const double begin = begin_of(progress.stage);
       const bool traces = progress.stage == render::Stage::rays;
       Q_EMIT progressed(traces ? begin + (1.0 - begin) * progress.fraction : begin,
-                        traces ? tr("Tracing rays…") : tr("Building the world…"));
+                        text_of(progress.stage));
     });
     const bool exr =
         QFileInfo(path).suffix().compare(QLatin1String("exr"), Qt::CaseInsensitive) == 0;

@@ -1,5 +1,6 @@
 #include <QLabel>
 #include <QStatusBar>
+#include <cmath>
 
 #include "viewer/main_window.hpp"
 #include "viewer/panels.hpp"
@@ -8,14 +9,19 @@
 namespace aerostat::viewer {
 namespace {
 
-QString stage_text(render::Stage stage) {
-  switch (stage) {
+/// Kernels of a former run are loaded sooner.
+constexpr double kLeastCompileSeconds = 2.0;
+
+QString stage_text(const render::Progress& progress) {
+  switch (progress.stage) {
     case render::Stage::world:
       return MainWindow::tr("building the land…");
     case render::Stage::tree:
       return MainWindow::tr("building trees…");
     case render::Stage::kernels:
-      return MainWindow::tr("compiling kernels…");
+      if (progress.seconds < kLeastCompileSeconds) return MainWindow::tr("compiling kernels…");
+      return MainWindow::tr("compiling kernels (first run only), %1 %…")
+          .arg(std::floor(100.0 * progress.fraction));
     case render::Stage::upload:
       return MainWindow::tr("uploading…");
     default:
@@ -67,7 +73,7 @@ void MainWindow::show_look(std::shared_ptr<const Shown> shown) {
 }
 
 void MainWindow::show_progress(const render::Progress& progress) {
-  const QString text = stage_text(progress.stage);
+  const QString text = stage_text(progress);
   if (!text.isEmpty() && progress.seconds > 0.2) {
     work_label_->setText(tr("%1  ·  %2 s").arg(text).arg(progress.seconds, 0, 'f', 1));
   }

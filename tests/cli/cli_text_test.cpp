@@ -136,6 +136,17 @@ TEST(TerminalLine, ALabelStandsForTheStage) {
   EXPECT_EQ(plain_line(view), "seed 3, 2 of 12   47 %  12.3 Mrays/s  8 s left");
 }
 
+TEST(TerminalLine, TellsThatKernelsAreCompiledAndForHowLong) {
+  ProgressView view{Stage::kernels, 0.375, 0.0, std::nullopt, "", 6.2};
+  EXPECT_EQ(plain_line(view), "compiling kernels (first run only)   37 %  6 s so far");
+  EXPECT_EQ(terminal_line(view, 72, false),
+            "compiling kernels (first run only) [######----------]  37 %  6 s so far");
+  view.stage_seconds = 0.3;
+  EXPECT_EQ(plain_line(view), "compiling kernels   37 %");
+  view = {Stage::upload, 0.0, 0.0, std::nullopt, "", 6.2};
+  EXPECT_EQ(plain_line(view), "uploading    0 %");
+}
+
 TEST(TerminalLine, ColoursOnlyIfAsked) {
   const std::string plain = terminal_line(kView, 80, false);
   std::string colored = terminal_line(kView, 80, true);

@@ -2,12 +2,14 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <fstream>
 #include <iterator>
 #include <sstream>
 #include <string>
 #include <vector>
 
 #include <nlohmann/json.hpp>
+#include <sys/resource.h>
 
 #include "run_process.hpp"
 
@@ -145,7 +147,7 @@ TEST_F(Usage, DevicesAreListed) {
 }
 
 TEST_F(Usage, DevicesTellWhatCanBeCut) {
-  const Environment two_units{"POCL_MAX_PTHREAD_COUNT=2", "AEROSTAT_DEVICE=cpu/2"};
+  const Environment two_units{"POCL_MAX_PTHREAD_COUNT=2", "AEROSTAT_DEVICE=portable/2"};
   const Outcome text = run({"devices"}, two_units);
   EXPECT_TRUE(contains(text.out, "up to 2 parts"));
   EXPECT_TRUE(contains(text.out, "/2.0,"));
@@ -157,7 +159,7 @@ TEST_F(Usage, DevicesTellWhatCanBeCut) {
     EXPECT_EQ(device.at("most_parts"), 2);
   }
   EXPECT_EQ(chosen, 1) << "the device whose parts they are";
-  const Outcome many = run(small_render("snow", {"--device", "cpu/3"}), two_units);
+  const Outcome many = run(small_render("snow", {"--device", "portable/3"}), two_units);
   EXPECT_EQ(many.code, 69);
   EXPECT_TRUE(contains(many.err, "cannot be cut into 3 parts: 2 are the most"));
 }
@@ -169,6 +171,35 @@ TEST_F(Usage, WithoutPlatformsThereIsNoDevice) {
   EXPECT_TRUE(contains(outcome.err, "pocl-opencl-icd"));
   EXPECT_EQ(run({"devices"}, no_platforms).code, 69);
   EXPECT_TRUE(files().empty());
+}
+
+TEST_F(Usage, ADriverThatCannotBeLoadedIsNamed) {
+  const std::string icd = (folder_ / "gone.icd").string();
+  std::ofstream(icd) << "libgone.so\n";
+  const Environment gone{"OCL_ICD_VENDORS=" + icd};
+  const Outcome outcome = run(small_render("snow"), gone);
+  EXPECT_EQ(outcome.code, 69);
+  EXPECT_TRUE(contains(outcome.err, "the driver libgone.so, which " + icd + " registers"));
+  EXPECT_TRUE(contains(outcome.err, "mend the driver that is registered"));
+  const Outcome devices = run({"devices"}, gone);
+  EXPECT_EQ(devices.code, 69);
+  EXPECT_TRUE(contains(devices.out, "! the driver libgone.so, which " + icd + " registers"));
+}
+
+TEST_F(Usage, TooLittleMemoryIsToldAsSuch) {
+  // A limit of this process goes on to those that it starts; 400000 KiB are too few for a driver.
+  rlimit former = {};
+  ASSERT_EQ(getrlimit(RLIMIT_AS, &former), 0);
+  const rlimit little{400000u * 1024u, former.rlim_max};
+  ASSERT_EQ(setrlimit(RLIMIT_AS, &little), 0);
+  const Outcome outcome = run(small_render("snow"));
+  const Outcome devices = run({"devices"});
+  ASSERT_EQ(setrlimit(RLIMIT_AS, &former), 0);
+  EXPECT_EQ(outcome.code, 75) << outcome.err;
+  EXPECT_TRUE(contains(outcome.err, "limited to 390 MiB (ulimit -v)")) << outcome.err;
+  EXPECT_FALSE(contains(outcome.err, "install")) << outcome.err;
+  EXPECT_EQ(devices.code, 75);
+  EXPECT_TRUE(contains(devices.out, "limited to 390 MiB (ulimit -v)")) << devices.out;
 }
 
 TEST_F(Usage, AnUnknownDeviceListsWhatThereIs) {

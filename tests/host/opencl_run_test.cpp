@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "core/error.hpp"
+#include "error_of.hpp"
 #include "opencl/buffer.hpp"
 #include "opencl/launch.hpp"
 #include "opencl/program.hpp"
@@ -11,8 +12,11 @@
 namespace aerostat::opencl {
 namespace {
 
+using test::error_of;
+
+/// Kept to the end: no OpenCL after main.
 const Context& context() {
-  static const Context instance(select_device(effective_selector("")));
+  static const auto& instance = *new Context(select_device(effective_selector("")));
   return instance;
 }
 
@@ -98,7 +102,30 @@ TEST(ProgramErrors, NameAMissingKernel) {
     FAIL() << "it exists";
   } catch (const Error& error) {
     EXPECT_EQ(error.kind(), ErrorKind::internal);
-    EXPECT_TRUE(contains(error.what(), "missing_kernel")) << error.what();
+    const std::string message = error.what();
+    EXPECT_TRUE(contains(message, "missing_kernel of tiny.cl")) << message;
+    EXPECT_TRUE(contains(message, "CL_INVALID_KERNEL_NAME from clCreateKernel")) << message;
+    EXPECT_TRUE(contains(message, context().device().name)) << message;
+    EXPECT_TRUE(contains(message, context().device().driver)) << message;
+  }
+}
+
+TEST(Status, IsToldByItsKind) {
+  const auto told = [](int status) {
+    return error_of([&] { rethrow("testing", cl::Error(status, "clTest")); });
+  };
+  for (const int status :
+       {CL_OUT_OF_HOST_MEMORY, CL_MEM_OBJECT_ALLOCATION_FAILURE, CL_MAP_FAILURE}) {
+    EXPECT_EQ(told(status).kind(), ErrorKind::exhausted);
+    EXPECT_TRUE(contains(told(status).what(), "not enough memory")) << told(status).what();
+  }
+  for (const int status : {CL_OUT_OF_RESOURCES, CL_INVALID_BUFFER_SIZE, CL_DEVICE_NOT_AVAILABLE,
+                           CL_EXEC_STATUS_ERROR_FOR_EVENTS_IN_WAIT_LIST}) {
+    EXPECT_EQ(told(status).kind(), ErrorKind::exhausted);
+    EXPECT_TRUE(contains(told(status).what(), status_name(status) + " from clTest"));
+  }
+  for (const int status : {CL_INVALID_KERNEL_NAME, CL_INVALID_VALUE, CL_BUILD_PROGRAM_FAILURE}) {
+    EXPECT_EQ(told(status).kind(), ErrorKind::internal);
   }
 }
 

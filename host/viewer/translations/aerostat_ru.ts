@@ -1661,6 +1661,10 @@
         <translation>Трассировка лучей…</translation>
     </message>
     <message>
+        <source>Compiling kernels…</source>
+        <translation>Компилируются ядра…</translation>
+    </message>
+    <message>
         <source>Building the world…</source>
         <translation>Построение мира…</translation>
     </message>
@@ -1869,6 +1873,10 @@
     <message>
         <source>compiling kernels…</source>
         <translation>компилируются ядра…</translation>
+    </message>
+    <message>
+        <source>compiling kernels (first run only), %1 %…</source>
+        <translation>компилируются ядра (только при первом запуске), %1 %…</translation>
     </message>
     <message>
         <source>uploading…</source>
