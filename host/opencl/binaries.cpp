@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <system_error>
+#include <utility>
 #include <vector>
 
 #include <fmt/format.h>

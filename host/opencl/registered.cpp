@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstdlib>
 #include <fstream>
+#include <system_error>
 
 #include <dlfcn.h>
 #include <fmt/format.h>
