@@ -46,7 +46,7 @@ typedef struct AeroFrame {
   aero_float filter_scale; /* of the filter: 1, or less where one pixel is taken of several */
 } AeroFrame;
 
-AERO_ASSERT_LAYOUT(AeroFrame, 136);
+AERO_ASSERT_LAYOUT(AeroFrame, 140);
 
 /* The work of one launch: blocks of pixels, one packet of lanes each. A packet holds 2^log2_w x
  * 2^log2_h pixels with 2^log2_samples samples each; their product is LANES. */
@@ -76,6 +76,6 @@ typedef struct AeroLaunch {
   AeroWindow film;
 } AeroLaunch;
 
-AERO_ASSERT_LAYOUT(AeroLaunch, 192);
+AERO_ASSERT_LAYOUT(AeroLaunch, 196);
 
 #endif
