@@ -63,8 +63,8 @@ DeviceBench::DeviceBench(const opencl::Device& device, int lanes,
   const render::Crop all{0, 0, scene.image.width, scene.image.height};
   launch_.tile = render::tile_of(all, render::packet_shape(lanes_, 1), 0);
   launch_.film = render::window_of(all);
-  const AeroScene packed = pack::pack_scene(scene);
-  scene_ = {context_, budget_, std::span(&packed, 1), "the scene"};
+  const auto packed = pack::pack_scene(scene);
+  scene_ = {context_, budget_, std::span(packed.get(), 1), "the scene"};
   const std::vector<AeroFilmPixel> film(std::size_t{launch_.frame.width} * launch_.frame.height);
   film_ = {context_, budget_, std::span(film), "the film"};
   const std::uint64_t rays = std::uint64_t{launch_.tile.block_count} * lanes_;

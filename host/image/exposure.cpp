@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <array>
 #include <bit>
 #include <cmath>
 #include <cstdint>
@@ -36,7 +35,7 @@ constexpr std::size_t kBlockPixels = 8192;
 constexpr int kBinShift = 52 - 5;
 constexpr std::uint64_t kFirstBin = std::bit_cast<std::uint64_t>(kLeastLight) >> kBinShift;
 constexpr std::size_t kBins = (std::bit_cast<std::uint64_t>(0x1p130) >> kBinShift) - kFirstBin;
-using Counts = std::array<std::uint64_t, kBins>;
+using Counts = std::vector<std::uint64_t>;  // of kBins
 
 std::size_t bin_of(double light) {
   return (std::bit_cast<std::uint64_t>(light) >> kBinShift) - kFirstBin;
@@ -58,10 +57,10 @@ std::size_t blocks_of(const Film& film) {
 }
 
 Counts count_bins(const Film& film) {
-  Counts all{};
+  Counts all(kBins);
   std::mutex adding;
   tbb::parallel_for(std::size_t{0}, blocks_of(film), [&](std::size_t block) {
-    std::array<std::uint32_t, kBins> counts{};
+    std::vector<std::uint32_t> counts(kBins);
     each_light(film, block, [&](double light) { ++counts[bin_of(light)]; });
     const std::lock_guard lock(adding);
     for (std::size_t bin = 0; bin < kBins; ++bin) all[bin] += counts[bin];

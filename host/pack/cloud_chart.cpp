@@ -5,9 +5,7 @@
 #include <cmath>
 #include <cstdint>
 #include <cstdlib>
-#include <cstring>
 #include <mutex>
-#include <optional>
 #include <vector>
 
 #include <oneapi/tbb/parallel_for.h>
@@ -193,7 +191,7 @@ void spread(Distances& distances) {
   pass(kSide - 1, -1, -1);
 }
 
-AeroCloudChart charted(const AeroCumulus& clouds, AeroCloudChart chart) {
+void mark_cells(const AeroCumulus& clouds, AeroCloudChart& chart) {
   Distances distances(static_cast<std::size_t>(kSide) * kSide, 255);
   tbb::parallel_for(0, kSide / kTile,
                     [&](int tile_z) { survey(clouds, chart, tile_z, distances); });
@@ -201,41 +199,46 @@ AeroCloudChart charted(const AeroCumulus& clouds, AeroCloudChart chart) {
   for (std::size_t i = 0; i < distances.size(); ++i) {
     chart.cells[i / 4] |= std::uint32_t{distances[i]} << (8 * (i % 4));
   }
-  return chart;
 }
 
 float corner_by(float eye, float tile) {
   return tile * (std::floor(eye / tile) - static_cast<float>(kSide / kTile / 2));
 }
 
-bool same(const AeroCumulus& a, const AeroCumulus& b) {
-  return a.size == b.size && a.threshold == b.threshold && a.seed == b.seed;
-}
+/// The newest chart and what it was made of.
+struct Kept {
+  float size, threshold;
+  std::uint32_t seed;
+  std::shared_ptr<const AeroCloudChart> chart;
+
+  bool is_for(const AeroCumulus& clouds, float x0, float z0) const {
+    return chart && size == clouds.size && threshold == clouds.threshold && seed == clouds.seed &&
+           chart->x0 == x0 && chart->z0 == z0;
+  }
+};
 
 }  // namespace
 
-AeroCloudChart cloud_chart(const AeroCumulus& clouds, const vec3& eye) {
-  AeroCloudChart chart{};
+std::shared_ptr<const AeroCloudChart> cloud_chart(const AeroCumulus& clouds, const vec3& eye) {
   const bool some_clear = clouds.threshold + kLeastOver - kNumericalMargin > 0.0f;
-  if (!(clouds.extinction > 0.0f) || !some_clear) return chart;
-  chart.side = kSide;
-  chart.cell = clouds.size / kCellsPerSize;
-  const float tile = static_cast<float>(kTile) * chart.cell;
-  chart.x0 = corner_by(eye.x, tile);
-  chart.z0 = corner_by(eye.z, tile);
+  if (!(clouds.extinction > 0.0f) || !some_clear) return nullptr;
+  const float cell = clouds.size / kCellsPerSize;
+  const float tile = static_cast<float>(kTile) * cell;
+  const float x0 = corner_by(eye.x, tile), z0 = corner_by(eye.z, tile);
 
-  struct Kept {
-    AeroCumulus clouds;
-    AeroCloudChart chart;
-  };
   static std::mutex mutex;
-  static std::optional<Kept> kept;
+  static Kept kept{};
   const std::lock_guard lock(mutex);
-  if (!kept || !same(kept->clouds, clouds) || kept->chart.x0 != chart.x0 ||
-      kept->chart.z0 != chart.z0) {
-    kept.emplace(Kept{clouds, charted(clouds, chart)});
+  if (!kept.is_for(clouds, x0, z0)) {
+    const auto chart = std::make_shared<AeroCloudChart>();
+    chart->x0 = x0;
+    chart->z0 = z0;
+    chart->cell = cell;
+    chart->side = kSide;
+    mark_cells(clouds, *chart);
+    kept = {clouds.size, clouds.threshold, clouds.seed, chart};
   }
-  return kept->chart;
+  return kept.chart;
 }
 
 }  // namespace aerostat::pack

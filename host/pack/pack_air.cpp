@@ -33,10 +33,9 @@ void pack_sky_cells(const air::SkyTable& table, AeroAir& air) {
 
 }  // namespace
 
-AeroAir pack_air(const scene::Scene& scene) {
+void pack_air(const scene::Scene& scene, AeroAir& air) {
   const air::Light light(scene);
   const air::Atmosphere& from = light.atmosphere;
-  AeroAir air{};
   copy(air.molecules, from.molecules);
   copy(air.haze_scattering, from.haze_scattering);
   copy(air.haze_extinction, from.haze_extinction);
@@ -54,7 +53,6 @@ AeroAir pack_air(const scene::Scene& scene) {
   for (std::size_t i = 0; i < 9; ++i) copy(air.ambient[i], light.ambient[i]);
   air.fog = pack_fog(scene.fog, from.fog, glm::normalize(scene.sun.direction).y);
   pack_sky_cells(light.sky, air);
-  return air;
 }
 
 }  // namespace aerostat::pack

@@ -5,7 +5,8 @@
 
 namespace aerostat::pack {
 
-/// Solves the air of a scene (air::Light) for the eye of its camera and lays it out for the device.
-AeroAir pack_air(const scene::Scene& scene);
+/// Solves the air of a scene (air::Light) for the eye of its camera and lays it out for the device
+/// in `air`.
+void pack_air(const scene::Scene& scene, AeroAir& air);
 
 }  // namespace aerostat::pack

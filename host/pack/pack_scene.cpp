@@ -33,20 +33,17 @@ float cumulus_threshold(double cover) {
 }
 
 /// `eye` is the place of the eye over the terrain.
-AeroCumulus pack_cumulus(const scene::Cumulus& from, const dvec3& eye) {
-  AeroCumulus cumulus{};
+void pack_cumulus(const scene::Cumulus& from, const dvec3& eye, AeroCumulus& cumulus) {
   cumulus.base = static_cast<float>(from.base_m);
   cumulus.thickness = static_cast<float>(from.thickness_m);
   cumulus.size = static_cast<float>(from.size_m);
   cumulus.threshold = cumulus_threshold(from.cover);
   cumulus.extinction = from.cover > 0.0 ? kCumulusExtinction : 0.0f;
   cumulus.seed = from.seed * 2654435761u;
-  cumulus.chart = cloud_chart(cumulus, vec3(eye));
-  return cumulus;
+  if (const auto chart = cloud_chart(cumulus, vec3(eye))) cumulus.chart = *chart;
 }
 
-AeroSky pack_sky(const scene::Scene& scene) {
-  AeroSky sky{};
+void pack_sky(const scene::Scene& scene, AeroSky& sky) {
   copy(sky.sun_direction, glm::normalize(scene.sun.direction));
   copy(sky.sun_irradiance, dvec3(scene.sun.color) * scene.sun.irradiance);
   sky.sun_cos = static_cast<float>(std::cos(air::kSunRadius));
@@ -57,8 +54,7 @@ AeroSky pack_sky(const scene::Scene& scene) {
   sky.ambient_reach =
       scene.sky.ambient_occlusion ? static_cast<float>(scene.sky.occlusion_m) : 0.0f;
   sky.bounced = scene.sky.bounced_light ? 1u : 0u;
-  sky.cumulus = pack_cumulus(scene.sky.cumulus, scene::place_of(scene, scene.camera.position));
-  return sky;
+  pack_cumulus(scene.sky.cumulus, scene::place_of(scene, scene.camera.position), sky.cumulus);
 }
 
 AeroGround pack_ground(const scene::Scene& scene) {
@@ -141,27 +137,27 @@ std::uint32_t shading_of(scene::Shading shading) {
 
 }  // namespace
 
-AeroScene pack_scene(const scene::Scene& scene) {
+std::unique_ptr<AeroScene> pack_scene(const scene::Scene& scene) {
   if (scene.lights.size() > AERO_MAX_POINT_LIGHTS) {
     throw Error(ErrorKind::bad_data, fmt::format("/lights: found {} lights, expected at most {}",
                                                  scene.lights.size(), AERO_MAX_POINT_LIGHTS));
   }
-  AeroScene packed{};
-  packed.sky = pack_sky(scene);
-  packed.ground = pack_ground(scene);
-  packed.water = pack_water(scene.biome.water);
-  packed.balloon = pack_balloon(scene);
+  auto packed = std::make_unique<AeroScene>();
+  pack_sky(scene, packed->sky);
+  packed->ground = pack_ground(scene);
+  packed->water = pack_water(scene.biome.water);
+  packed->balloon = pack_balloon(scene);
   static_assert(scene::kObjectCount == AERO_OBJECT_COUNT);
   for (std::size_t i = 0; i < scene::kObjectCount; ++i) {
-    packed.materials[i] = pack_material(scene.materials[i]);
+    packed->materials[i] = pack_material(scene.materials[i]);
   }
   for (std::size_t i = 0; i < scene.lights.size(); ++i) {
-    packed.lights[i] = pack_light(scene.lights[i], scene.origin);
+    packed->lights[i] = pack_light(scene.lights[i], scene.origin);
   }
-  packed.light_count = static_cast<std::uint32_t>(scene.lights.size());
-  packed.shading = shading_of(scene.shading);
-  packed.air = pack_air(scene);
-  copy(packed.place, scene::place_of(scene, scene.origin));
+  packed->light_count = static_cast<std::uint32_t>(scene.lights.size());
+  packed->shading = shading_of(scene.shading);
+  pack_air(scene, packed->air);
+  copy(packed->place, scene::place_of(scene, scene.origin));
   return packed;
 }
 

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <memory>
+
 #include "bvh/bvh.hpp"
 #include "camera.h"
 #include "scene/scene.hpp"
@@ -7,9 +9,9 @@
 
 namespace aerostat::pack {
 
-/// Light, air, materials and ground rules. Throws Error{bad_data} for more than
-/// AERO_MAX_POINT_LIGHTS point lights.
-AeroScene pack_scene(const scene::Scene& scene);
+/// Light, air, materials and ground rules; too much of it for a thread's stack. Throws
+/// Error{bad_data} for more than AERO_MAX_POINT_LIGHTS point lights.
+std::unique_ptr<AeroScene> pack_scene(const scene::Scene& scene);
 
 /// Camera, image size and sampling. Parallel rays begin shortly before `world`, the bounds of all
 /// that they can meet, if the eye is far away from it: single precision would bend them. Throws

@@ -198,10 +198,10 @@ std::string read_bytes(const std::filesystem::path& path) {
   std::ifstream file(path, std::ios::binary);
   if (!file) throw unreadable(errno != 0 ? std::strerror(errno) : "it cannot be opened");
   std::string bytes;
-  char chunk[1 << 16];
+  std::vector<char> chunk(std::size_t{1} << 16);
   while (file && bytes.size() <= detail::kMaxFileBytes) {
-    file.read(chunk, sizeof chunk);
-    bytes.append(chunk, static_cast<std::size_t>(file.gcount()));
+    file.read(chunk.data(), static_cast<std::streamsize>(chunk.size()));
+    bytes.append(chunk.data(), static_cast<std::size_t>(file.gcount()));
   }
   if (file.bad()) throw unreadable("reading failed half-way");
   return bytes;

@@ -19,7 +19,8 @@ namespace {
 
 // In the child only; ends the process.
 [[noreturn]] void become(const std::vector<std::string>& arguments, const fs::path& folder,
-                         const Environment& environment, const fs::path& out, const fs::path& err) {
+                         const Environment& environment, const std::vector<Limit>& limits,
+                         const fs::path& out, const fs::path& err) {
   for (const std::string& entry : environment) {
     const auto equals = entry.find('=');
     if (equals == std::string::npos) {
@@ -27,6 +28,10 @@ namespace {
     } else {
       ::setenv(entry.substr(0, equals).c_str(), entry.substr(equals + 1).c_str(), 1);
     }
+  }
+  for (const Limit& limit : limits) {
+    const rlimit value{limit.most, limit.most};
+    if (::setrlimit(static_cast<__rlimit_resource>(limit.resource), &value) != 0) ::_exit(126);
   }
   const int out_fd = ::open(out.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600);
   const int err_fd = ::open(err.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600);
@@ -46,10 +51,10 @@ namespace {
 }  // namespace
 
 Process::Process(const std::vector<std::string>& arguments, const fs::path& folder,
-                 const Environment& environment)
+                 const Environment& environment, const std::vector<Limit>& limits)
     : out_(folder.string() + ".out"), err_(folder.string() + ".err") {
   pid_ = ::fork();
-  if (pid_ == 0) become(arguments, folder, environment, out_, err_);
+  if (pid_ == 0) become(arguments, folder, environment, limits, out_, err_);
 }
 
 void Process::send(int signal) const {
@@ -78,9 +83,9 @@ void CliTest::TearDown() {
   fs::remove_all(folder_);
 }
 
-Outcome CliTest::run(const std::vector<std::string>& arguments,
-                     const Environment& environment) const {
-  return Process(arguments, folder_, environment).wait();
+Outcome CliTest::run(const std::vector<std::string>& arguments, const Environment& environment,
+                     const std::vector<Limit>& limits) const {
+  return Process(arguments, folder_, environment, limits).wait();
 }
 
 std::string CliTest::write(const std::string& name, const std::string& text) const {

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include <gtest/gtest.h>
+#include <sys/resource.h>
 
 /// Running the program as a user does.
 namespace aerostat::test {
@@ -21,11 +22,17 @@ struct Outcome {
 /// What of the environment differs from this process: "NAME=VALUE", or "NAME" to take it away.
 using Environment = std::vector<std::string>;
 
+/// A limit that the program runs under, as the shell's `ulimit` sets it: RLIMIT_STACK and bytes.
+struct Limit {
+  int resource = 0;
+  rlim_t most = RLIM_INFINITY;
+};
+
 /// A program that was started and not yet waited for. Its stdout and stderr go to files.
 class Process {
  public:
   Process(const std::vector<std::string>& arguments, const std::filesystem::path& folder,
-          const Environment& environment);
+          const Environment& environment, const std::vector<Limit>& limits = {});
 
   void send(int signal) const;
   Outcome wait();
@@ -42,7 +49,8 @@ class CliTest : public testing::Test {
   void TearDown() override;
 
   /// Runs `aerostat` with these arguments to its end.
-  Outcome run(const std::vector<std::string>& arguments, const Environment& environment = {}) const;
+  Outcome run(const std::vector<std::string>& arguments, const Environment& environment = {},
+              const std::vector<Limit>& limits = {}) const;
 
   /// Writes a file into the folder and returns its name.
   std::string write(const std::string& name, const std::string& text) const;

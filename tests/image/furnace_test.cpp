@@ -50,7 +50,7 @@ scene::Scene furnace() {
 
 /// Radiance 1 from everywhere, and neither sun nor air.
 AeroScene even_light(const scene::Scene& scene) {
-  AeroScene packed = pack::pack_scene(scene);
+  AeroScene packed = *pack::pack_scene(scene);
   AeroAir& air = packed.air;
   const AeroSkyCell one{{1.0f, 1.0f, 1.0f}, {0.0f, 0.0f, 0.0f}};
   std::fill(std::begin(air.sky), std::end(air.sky), one);

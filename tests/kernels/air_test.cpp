@@ -81,7 +81,7 @@ TEST_P(Air, ShowsTheHostsSky) {
   for (const vec3& axis : {vec3(0, 1, 0), vec3(0, -1, 0), vec3(scene.sun.direction)}) {
     paths.add(axis, 400.0f, 1.0f);
   }
-  const auto [sky, radiance] = look(pack::pack_scene(scene), paths);
+  const auto [sky, radiance] = look(*pack::pack_scene(scene), paths);
   for (std::size_t i = 0; i < sky.size(); ++i) {
     const dvec3 expected = light.sky.radiance(dvec3(paths.directions[i])) * scene.sun.irradiance;
     ASSERT_LT(glm::distance(dvec3(sky[i]), expected), 2e-3 * glm::length(expected))
@@ -103,7 +103,7 @@ TEST_P(Air, IsSeenOverADistanceAsTheHostFollowsIt) {
       }
     }
     const vec3 surface(0.3f, 0.2f, 0.1f);
-    const auto arriving = follow(pack::pack_scene(scene), paths, surface);
+    const auto arriving = follow(*pack::pack_scene(scene), paths, surface);
     for (std::size_t i = 0; i < arriving.size(); ++i) {
       const dvec3 direction(paths.directions[i]);
       const auto path = air.follow({paths.origins[i].y, direction, paths.distances[i]}, 300);
@@ -125,7 +125,7 @@ TEST_P(Air, OfAWayToItsEndIsTheSky) {
       paths.add(towards(azimuth_deg, elevation_deg), 400.0f, 1.2e5f);
     }
   }
-  const AeroScene packed = pack::pack_scene(scene);
+  const AeroScene packed = *pack::pack_scene(scene);
   const auto [sky, radiance] = look(packed, paths);
   const auto arriving = follow(packed, paths, vec3(0.0f));
   for (std::size_t i = 0; i < sky.size(); ++i) {
@@ -162,7 +162,7 @@ TEST_P(Air, BringsSunAndSkyToSurfacesAsOnTheHost) {
     const scene::Scene scene = morning(sun_deg);
     const air::Scattering air(air::atmosphere_of(scene), glm::normalize(scene.sun.direction));
     const auto sun = output<float>(3 * count), ambient = output<float>(3 * count);
-    probe.run("probe_sun", count, uploaded(pack::pack_scene(scene)), input(padded(heights)),
+    probe.run("probe_sun", count, uploaded(*pack::pack_scene(scene)), input(padded(heights)),
               input(planes(normals)), sun, ambient);
     const auto lit = sun.read(), around = ambient.read();
     for (std::size_t i = 0; i < heights.size(); ++i) {
@@ -195,7 +195,7 @@ TEST_P(Air, HoldsNumbersForEverySunAndDirection) {
       for (const vec3& axis : {vec3(0, 1, 0), vec3(0, -1, 0), vec3(1, 0, 0), vec3(0, 0, 1)}) {
         paths.add(axis, 0.0f, INFINITY);
       }
-      const AeroScene packed = pack::pack_scene(scene);
+      const AeroScene packed = *pack::pack_scene(scene);
       const auto [sky, radiance] = look(packed, paths);
       const auto arriving = follow(packed, paths, vec3(0.5f));
       for (std::size_t i = 0; i < sky.size(); ++i) {
@@ -217,7 +217,7 @@ TEST_P(Air, ShowsTheSunsDiscAndNothingOfItElsewhere) {
     const float a = radians_from_degrees(degrees);
     paths.add(std::cos(a) * sun + std::sin(a) * side, 400.0f, 1.0f);
   }
-  const auto [sky, radiance] = look(pack::pack_scene(scene), paths);
+  const auto [sky, radiance] = look(*pack::pack_scene(scene), paths);
   const auto disc = [&, &s = sky, &r = radiance](std::size_t i) {
     return glm::length(r[i] - s[i]);
   };
@@ -237,7 +237,7 @@ TEST_P(Air, HoldsFogBelowItsTop) {
   Paths paths;
   paths.add({1.0f, 0.0f, 0.0f}, 50.0f, 300.0f);
   paths.add({1.0f, 0.0f, 0.0f}, 500.0f, 300.0f);
-  const AeroScene packed = pack::pack_scene(scene);
+  const AeroScene packed = *pack::pack_scene(scene);
   const auto black = follow(packed, paths, vec3(0.0f)), white = follow(packed, paths, vec3(1.0f));
   EXPECT_NEAR(white[0].y - black[0].y, 0.02f, 0.002f) << "the visibility's contrast";
   EXPECT_GT(white[1].y - black[1].y, 0.98f) << "clear above";

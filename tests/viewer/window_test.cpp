@@ -41,6 +41,7 @@ class WindowTest : public QObject {
   void init();
   void cleanup() { window_.reset(); }
   void shows_the_scene_to_the_end();
+  void shows_clouds();
   void a_change_is_seen_soon();
   void two_hundred_changes_leave_the_last();
   void the_mouse_moves_the_camera();
@@ -93,6 +94,13 @@ void WindowTest::shows_the_scene_to_the_end() {
   // Not one colour all over.
   const QImage& image = window_->shown()->image;
   QVERIFY(image.pixel(80, 2) != image.pixel(80, 85));
+}
+
+void WindowTest::shows_clouds() {
+  const auto scene = small_scene("snow").with({{"/sky/cumulus/cover", "0.3"}});
+  window_->document().start(scene, {});
+  QVERIFY(wait_until_done());
+  QVERIFY(window_->messages().message().isEmpty());
 }
 
 void WindowTest::a_change_is_seen_soon() {
