@@ -31,10 +31,12 @@ std::vector<KeepOut> kept_out(const scene::Scene& scene, const Surface& surface)
     if (above < kClearM) circles.push_back({{at.x, at.z}, radius_m});
   };
   add(scene::place_of(scene, scene.camera.position), 5.0);
-  const scene::Balloon& balloon = scene.balloon;
-  if (balloon.enabled) {
+  const auto add_balloon = [&](const scene::Balloon& balloon) {
+    if (!balloon.enabled) return;
     add(scene::place_of(scene, balloon.position), 0.6 * balloon.diameter_m + 3.0);
-  }
+  };
+  add_balloon(scene.balloon);
+  std::for_each(scene.balloons.begin(), scene.balloons.end(), add_balloon);
   return circles;
 }
 

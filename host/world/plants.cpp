@@ -1,5 +1,7 @@
 #include "world/plants.hpp"
 
+#include <algorithm>
+
 #include <oneapi/tbb/parallel_for.h>
 
 #include "scatter/sight.hpp"
@@ -31,6 +33,11 @@ void choose_details(const scene::Scene& scene, const std::vector<plant::ModelKey
     const plant::Detail detail = scatter::detail_of(instance, models[instance.model], eye, pixel);
     instance.model = instance.model * kDetails + static_cast<std::uint32_t>(detail);
   });
+}
+
+/// Whether plants leave the same room for two balloons.
+bool same_room(const scene::Balloon& a, const scene::Balloon& b) {
+  return a.enabled == b.enabled && a.position == b.position && a.diameter_m == b.diameter_m;
 }
 
 void place(const mesh::TriangleMesh& model, const scatter::Instance& instance,
@@ -78,8 +85,9 @@ bool same_plants(const scene::Scene& a, const scene::Scene& b, scatter::Where wh
   return a.vegetation == b.vegetation && a.biome == b.biome &&
          a.camera.position == b.camera.position &&
          scene::point_of_view(a.camera) == scene::point_of_view(b.camera) &&
-         scene::pixel_size(a) == scene::pixel_size(b) && a.balloon.enabled == b.balloon.enabled &&
-         a.balloon.position == b.balloon.position && a.balloon.diameter_m == b.balloon.diameter_m;
+         scene::pixel_size(a) == scene::pixel_size(b) && same_room(a.balloon, b.balloon) &&
+         std::equal(a.balloons.begin(), a.balloons.end(), b.balloons.begin(), b.balloons.end(),
+                    same_room);
 }
 
 void append_as_triangles(const Plants& plants, Objects& objects) {

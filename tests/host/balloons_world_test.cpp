@@ -65,6 +65,31 @@ TEST(Balloons, AreKeptUntilOneOfThemChanges) {
   EXPECT_EQ(world::build(next, &built, &first).balloon, nullptr);
 }
 
+TEST(World, PlantsFollowAFurtherBalloon) {
+  scene::Scene first = small_world(kTwo);
+  first.vegetation.enabled = true;
+  first.vegetation.reach_m = 300.0;
+  const world::World built = world::build(first);
+  ASSERT_NE(built.plants, nullptr);
+  const auto keeps_plants = [&](const scene::Scene& next) {
+    return world::build(next, &built, &first).plants == built.plants;
+  };
+  scene::Scene next = first;
+  next.balloons[1].pattern = scene::Pattern::spiral;
+  EXPECT_TRUE(keeps_plants(next)) << "plants do not see colours";
+  next.balloons[1].position.x += 5.0;
+  EXPECT_FALSE(keeps_plants(next));
+  next = first;
+  next.balloons[0].enabled = false;
+  EXPECT_FALSE(keeps_plants(next));
+  next = first;
+  next.balloons[0].diameter_m += 1.0;
+  EXPECT_FALSE(keeps_plants(next));
+  next = first;
+  next.balloons.pop_back();
+  EXPECT_FALSE(keeps_plants(next));
+}
+
 TEST(BalloonLight, IsThatOfAnIntegratingSphere) {
   scene::Scene scene = small_world("");
   scene.balloon.colors = {vec3(0.5f)};

@@ -280,6 +280,32 @@ TEST(Scatter, LeavesRoomForCameraAndBalloon) {
   EXPECT_LT(nearest(scene, balloon), 8.0f);
 }
 
+TEST(Scatter, LeavesRoomForFurtherBalloons) {
+  scene::Scene scene = scene::defaults(BiomeKind::snow, scene::View::outside);
+  scene.terrain.cells = 4;
+  scene.biome.ground.forest_share = 1.0;
+  scene.biome.ground.forest_top_m = 1e5;
+  scene.vegetation.reach_m = 400.0;
+  scene.camera.position = {0.0, 103.0, 0.0};
+  scene.balloon.enabled = false;
+  scene.balloons.assign(2, scene.balloon);
+  scene.balloons[0].position = {60.0, 100.0, 0.0};
+  scene.balloons[1].position = {-60.0, 100.0, 80.0};
+  const mesh::GridMesh ground = mesh_over(4, 4000.0, [](double, double) { return 100.0; });
+  const auto nearest = [&](const dvec3& to) {
+    float least = kInfinity;
+    for (const Instance& i : scatter(scene, ground).instances) {
+      least = std::min(least, glm::distance(i.position, vec3(to)));
+    }
+    return least;
+  };
+  for (scene::Balloon& balloon : scene.balloons) {
+    EXPECT_LT(nearest(balloon.position), 8.0f) << "a balloon that is not there takes no room";
+    balloon.enabled = true;
+    EXPECT_GT(nearest(balloon.position), 14.0f);
+  }
+}
+
 TEST(Scatter, NothingGrowsUnderWaterOrOnCliffs) {
   scene::Scene scene = scene::defaults(BiomeKind::tropical, scene::View::outside);
   scene.terrain.cells = 200;
