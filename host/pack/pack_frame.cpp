@@ -4,16 +4,18 @@
 #include <numbers>
 #include <numeric>
 
-#include "core/error.hpp"
 #include "pack/copy.hpp"
 #include "pack/pack_scene.hpp"
 #include "scene/pixel_size.hpp"
+#include "scene/view_axes.hpp"
 
 namespace aerostat::pack {
 namespace {
 
 // Of a full-frame camera.
 constexpr double kSensorHeightM = 0.024;
+// The nearest that a scene may ask for; a target may be nearer.
+constexpr double kNearestFocusM = 0.01;
 
 // Parallel rays begin before the world if it is this far away.
 constexpr double kFarM = 8192.0;
@@ -53,31 +55,6 @@ std::uint32_t lens_of(scene::Lens lens) {
   return AERO_LENS_PINHOLE;
 }
 
-/// Unit vectors.
-struct Axes {
-  dvec3 right, up, forward;
-};
-
-Axes camera_axes(const scene::Camera& from) {
-  const dvec3 view = from.target - from.position;
-  const dvec3 side = glm::cross(view, from.up);
-  if (!(glm::length(view) > 0.0) || !(glm::length(side) > 1e-9 * glm::length(view))) {
-    throw Error(ErrorKind::bad_data,
-                "/camera: position, target and up leave the view undefined; expected a target away "
-                "from the position and an up vector that is not along the view");
-  }
-  Axes axes;
-  axes.forward = glm::normalize(view);
-  axes.right = glm::normalize(side);
-  axes.up = glm::cross(axes.right, axes.forward);
-  if (from.lens == scene::Lens::panorama) {
-    // What is upright stays so all around.
-    axes.up = glm::normalize(from.up);
-    axes.forward = glm::cross(axes.up, axes.right);
-  }
-  return axes;
-}
-
 /// Metres ahead of the eye at which the first of a box is met, negative if part of it lies behind;
 /// infinite if the box is empty. The eye counts from where the box does.
 double depth_of(const bvh::Bounds& box, const dvec3& eye, const dvec3& forward) {
@@ -97,7 +74,7 @@ double aperture_radius(const scene::Camera& camera) {
 AeroCamera pack_camera(const scene::Scene& scene, const bvh::Bounds& world) {
   const scene::Camera& from = scene.camera;
   const int width = scene.image.width, height = scene.image.height;
-  const auto [right, up, forward] = camera_axes(from);
+  const auto [right, up, forward] = scene::view_axes(from);
   const bool parallel = from.lens == scene::Lens::orthographic;
   const double half_height =
       parallel ? 0.5 * from.view_height_m : std::tan(from.fov_y_deg * (std::numbers::pi / 360.0));
@@ -117,8 +94,8 @@ AeroCamera pack_camera(const scene::Scene& scene, const bvh::Bounds& world) {
   copy(camera.forward, forward);
   camera.lens = lens_of(from.lens);
   camera.aperture = static_cast<float>(aperture_radius(from));
-  camera.focus = static_cast<float>(from.focus_given ? from.focus_m
-                                                     : glm::length(from.target - from.position));
+  const double focus = from.focus_given ? from.focus_m : glm::length(from.target - from.position);
+  camera.focus = static_cast<float>(std::max(focus, kNearestFocusM));
   return camera;
 }
 

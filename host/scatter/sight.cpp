@@ -5,6 +5,8 @@
 
 #include <tbb/parallel_for.h>
 
+#include "scene/view_axes.hpp"
+
 namespace aerostat::scatter {
 namespace {
 
@@ -177,9 +179,7 @@ bool PlanView::touches(const dvec2& middle, double half) const {
 
 std::optional<PlanView> plan_view(const scene::Camera& camera, const scene::Image& image) {
   if (camera.lens != scene::Lens::pinhole) return std::nullopt;
-  const dvec3 ahead = glm::normalize(camera.target - camera.position);
-  const dvec3 aside = glm::normalize(glm::cross(ahead, camera.up));
-  const dvec3 up = glm::cross(aside, ahead);
+  const auto [aside, up, ahead] = scene::view_axes(camera);
   const double tall =
       std::tan(0.5 * glm::radians(camera.fov_y_deg)) * (1.0 + kAround / image.height);
   const double wide = tall * (image.width + kAround) / image.height;

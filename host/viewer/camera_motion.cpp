@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "scene/view_axes.hpp"
+
 namespace aerostat::viewer {
 namespace {
 
@@ -17,7 +19,9 @@ struct Polar {
 
 Polar polar_of(const dvec3& v) {
   const double level = std::hypot(v.x, v.z);
-  return {glm::length(v), std::atan2(v.x, -v.z), std::atan2(v.y, level)};
+  // Straight up or down: north, as scene::view_axes has it.
+  const double azimuth = level > 1e-6 * std::abs(v.y) ? std::atan2(v.x, -v.z) : 0.0;
+  return {glm::length(v), azimuth, std::atan2(v.y, level)};
 }
 
 dvec3 vector_of(const Polar& p) {
@@ -75,13 +79,12 @@ double flight_speed(double height_m) {
 }
 
 Sight sight_at(const scene::Camera& camera, double aspect, double x, double y) {
-  const dvec3 forward = glm::normalize(camera.target - camera.position);
-  const dvec3 right = glm::normalize(glm::cross(forward, camera.up));
-  const dvec3 up = glm::cross(right, forward);
+  const auto [right, up, forward] = scene::view_axes(camera);
   const double across = 2.0 * x - 1.0, above = 1.0 - 2.0 * y;
   if (camera.lens == scene::Lens::panorama) {
-    const double azimuth = polar_of(forward).azimuth + across * std::numbers::pi;
-    return {camera.position, vector_of({1.0, azimuth, above * 0.5 * std::numbers::pi})};
+    const double turn = across * std::numbers::pi, rise = above * 0.5 * std::numbers::pi;
+    const dvec3 level = forward * std::cos(turn) + right * std::sin(turn);
+    return {camera.position, level * std::cos(rise) + up * std::sin(rise)};
   }
   if (camera.lens == scene::Lens::orthographic) {
     const double half = 0.5 * camera.view_height_m;

@@ -5,6 +5,7 @@ aerostat_test(scene_schema_test LABEL unit LINKS aerostat::scene nlohmann_json::
 aerostat_test(schema_text_test LABEL unit LINKS aerostat::scene fmt::fmt)
 aerostat_test(sun_position_test LABEL unit LINKS aerostat::scene)
 aerostat_test(local_frame_test LABEL unit LINKS aerostat::scene)
+aerostat_test(view_axes_test LABEL unit LINKS aerostat::scene)
 aerostat_test(scene_source_test LABEL unit LINKS aerostat::scene)
 aerostat_test(scene_locale_test LABEL unit LINKS aerostat::scene)
 aerostat_test(scene_reference_test LABEL unit LINKS aerostat::scene fmt::fmt nlohmann_json::nlohmann_json)

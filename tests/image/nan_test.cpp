@@ -71,6 +71,32 @@ TEST(CleanFilm, SurvivesALandOfNoHeight) {
   }
 }
 
+/// A camera above the balloon's place that looks straight down, and one below that looks up.
+TEST(CleanFilm, LooksStraightDownAndUpThroughEveryLens) {
+  scene::Scene scene = small_scene("sand", {96, 64, 1, 64});
+  const dvec3 balloon = scene.balloon.position;
+  scene.camera.view_height_m = 200.0;
+  for (const double above : {150.0, -20.0}) {
+    // The balloon stands north of what the camera sees in the middle.
+    scene.camera.position = balloon + dvec3(0.0, above, 30.0);
+    scene.camera.target = scene.camera.position - dvec3(0.0, above, 0.0);
+    for (const auto lens : {scene::Lens::pinhole, scene::Lens::thin_lens, scene::Lens::panorama,
+                            scene::Lens::orthographic}) {
+      SCOPED_TRACE(std::to_string(above) + " m, lens " + std::to_string(static_cast<int>(lens)));
+      scene.camera.lens = lens;
+      const image::Film film = shared_session().render(scene);
+      expect_clean(film);
+      if (lens == scene::Lens::panorama) continue;
+      int upper = 0, lower = 0;
+      for (std::size_t i = 0; i < film.object_id.size(); ++i) {
+        if (film.object_id[i] != static_cast<std::uint32_t>(scene::ObjectId::envelope)) continue;
+        ++(i < film.object_id.size() / 2 ? upper : lower);
+      }
+      EXPECT_GT(above > 0.0 ? upper : lower, 2 * (above > 0.0 ? lower : upper));
+    }
+  }
+}
+
 /// Lights and cameras at the rim of what a scene may ask for.
 TEST(CleanFilm, SurvivesExtremeLight) {
   const auto count_bad = [](const scene::Scene& scene) {

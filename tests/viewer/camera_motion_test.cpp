@@ -21,6 +21,7 @@ class CameraMotionTest : public QObject {
   void orbit_keeps_the_target_and_its_distance();
   void orbit_goes_round();
   void nothing_goes_over_the_poles();
+  void straight_down_has_north_at_the_top();
   void looking_keeps_the_eye();
   void dolly_stops_before_the_target();
   void flight_follows_the_sight();
@@ -56,6 +57,22 @@ void CameraMotionTest::nothing_goes_over_the_poles() {
     const dvec3 seen = glm::normalize(looked.target - looked.position);
     QVERIFY(std::hypot(seen.x, seen.z) > 0.01);
   }
+}
+
+void CameraMotionTest::straight_down_has_north_at_the_top() {
+  const Pose down{{0.0, 50.0, 0.0}, {0.0, 0.0, 0.0}};
+  scene::Camera camera;
+  camera.position = down.position;
+  camera.target = down.target;
+  camera.fov_y_deg = 90.0;
+  QVERIFY(near(sight_at(camera, 1.0, 0.5, 0.5).direction, {0.0, -1.0, 0.0}));
+  QVERIFY(near(sight_at(camera, 1.0, 0.5, 0.0).direction, glm::normalize(dvec3(0.0, -1.0, -1.0))));
+  camera.lens = scene::Lens::panorama;
+  QVERIFY(near(sight_at(camera, 2.0, 0.5, 0.5).direction, {0.0, 0.0, -1.0}));
+  // What moves the camera agrees: right is east, and tilting it up looks north.
+  QVERIFY(near(fly(down, {0.0, 1.0, 0.0}, 3.0).position, {3.0, 50.0, 0.0}));
+  const Pose tilted = look(down, 0.0, 0.5 * std::numbers::pi);
+  QVERIFY(near(glm::normalize(tilted.target - tilted.position), {0.0, 0.0, -1.0}));
 }
 
 void CameraMotionTest::looking_keeps_the_eye() {

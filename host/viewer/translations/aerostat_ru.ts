@@ -941,8 +941,8 @@
         <translation>От чего считаются y положения и цели: от моря (абсолютно), от земли под каждой или от пола корзины шара (по умолчанию).</translation>
     </message>
     <message>
-        <source>Direction that is upright in the picture; its length does not matter, but must not be 0. Components -1000 to 1000.</source>
-        <translation>Направление, которое на картине смотрит вверх; длина не важна, но не 0. Компоненты от -1000 до 1000.</translation>
+        <source>Direction that is upright in the picture; its length does not matter, but must not be 0. A view along it has y upright; a view straight down has north at the top of the picture, one straight up has south there. Components -1000 to 1000.</source>
+        <translation>Направление, которое на картине смотрит вверх; длина не важна, но не 0. Если взгляд идёт вдоль него, вверх смотрит y; при взгляде прямо вниз наверху картины север, прямо вверх - юг. Компоненты от -1000 до 1000.</translation>
     </message>
     <message>
         <source>pinhole: all is sharp. thin_lens: sharp at one depth only. panorama: all directions, 360 degrees across and 180 down, best in a picture twice as wide as high; of the target only the azimuth counts. orthographic: parallel rays from the plane through the position, plants stand around the target.</source>
