@@ -54,7 +54,12 @@ scene::Scene read_scene(const SceneOptions& options) {
 
 scene::Scene load_scene(const SceneOptions& options) {
   scene::Scene scene = read_scene(options);
-  world::resolve(scene);
+  try {
+    world::resolve(scene);
+  } catch (const Error& error) {
+    if (error.kind() != ErrorKind::bad_data) throw;
+    throw Error(error.kind(), fmt::format("{}: {}", options.scene.string(), error.what()));
+  }
   return scene;
 }
 

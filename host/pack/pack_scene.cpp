@@ -57,6 +57,19 @@ void pack_sky(const scene::Scene& scene, AeroSky& sky) {
   pack_cumulus(scene.sky.cumulus, scene::place_of(scene, scene.camera.position), sky.cumulus);
 }
 
+/// Waves shorter than a millimetre are finer than any picture shows, and their number over a land
+/// is more than a float holds.
+constexpr double kShortestWaveM = 1e-3;
+
+float wavelength(double metres) {
+  return static_cast<float>(std::max(metres, kShortestWaveM));
+}
+
+/// 0 stands for none.
+float wavelength_or_none(double metres) {
+  return metres < kShortestWaveM ? 0.0f : static_cast<float>(metres);
+}
+
 AeroGround pack_ground(const scene::Scene& scene) {
   const scene::Ground& from = scene.biome.ground;
   AeroGround ground{};
@@ -73,10 +86,10 @@ AeroGround pack_ground(const scene::Scene& scene) {
   ground.snow_line = static_cast<float>(from.snow_line_m);
   ground.snow_fuzz = static_cast<float>(from.snow_fuzz_m);
   ground.beach_top = static_cast<float>(from.beach_top_m);
-  ground.pattern = static_cast<float>(from.pattern_m);
+  ground.pattern = wavelength(from.pattern_m);
   ground.relief = static_cast<float>(from.relief);
-  ground.ripple = static_cast<float>(from.ripple_m);
-  ground.strata = static_cast<float>(from.strata_m);
+  ground.ripple = wavelength_or_none(from.ripple_m);
+  ground.strata = wavelength_or_none(from.strata_m);
   ground.softness = static_cast<float>(from.softness);
   ground.sparkle = static_cast<float>(from.sparkle);
   copy(ground.forest, from.forest);
@@ -98,7 +111,7 @@ AeroWater pack_water(const scene::Water& from) {
   copy(water.bed, from.bed);
   // Without a sea nothing is wet.
   water.level = from.enabled ? static_cast<float>(from.level_m) : -1e9f;
-  water.wave = static_cast<float>(from.wave_m);
+  water.wave = wavelength(from.wave_m);
   water.wave_slope = static_cast<float>(from.wave_slope);
   return water;
 }

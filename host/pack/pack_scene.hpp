@@ -15,7 +15,7 @@ std::unique_ptr<AeroScene> pack_scene(const scene::Scene& scene);
 
 /// Camera, image size and sampling. Parallel rays begin shortly before `world`, the bounds of all
 /// that they can meet, if the eye is far away from it: single precision would bend them. Throws
-/// Error{bad_data} if the camera's target is its position or its up vector points along the view.
+/// Error{bad_data} if the camera's target is its position.
 AeroFrame pack_frame(const scene::Scene& scene, const bvh::Bounds& world = {});
 
 }  // namespace aerostat::pack

@@ -34,13 +34,21 @@ AEROSTAT_INLINE float fade(float t) {
   return t * t * t * (t * (t * 6.0f - 15.0f) + 10.0f);
 }
 
+/// Every number, and no number, is somewhere on the lattice; noise is 0 long before its rim.
+AEROSTAT_INLINE float on_lattice(float x) {
+  constexpr float kRim = 1 << 30;
+  const float above = x > -kRim ? x : -kRim;
+  return above < kRim ? above : kRim;
+}
+
 /// Rounds down; |x| < 2^31.
 AEROSTAT_INLINE std::int32_t floor_int(float x) {
   const auto whole = static_cast<std::int32_t>(x);
   return whole - static_cast<std::int32_t>(static_cast<float>(whole) > x);
 }
 
-AEROSTAT_INLINE float solid_noise(float x, float y, float z, std::uint32_t seed) {
+AEROSTAT_INLINE float solid_noise(float any_x, float any_y, float any_z, std::uint32_t seed) {
+  const float x = on_lattice(any_x), y = on_lattice(any_y), z = on_lattice(any_z);
   const std::int32_t ix = floor_int(x), iy = floor_int(y), iz = floor_int(z);
   const float tx = x - static_cast<float>(ix), ty = y - static_cast<float>(iy),
               tz = z - static_cast<float>(iz);

@@ -11,6 +11,7 @@
 #include <fmt/format.h>
 
 #include "core/error.hpp"
+#include "core/unit_vector.hpp"
 #include "scene/enum_names.hpp"
 #include "scene/fields.hpp"
 #include "scene/io.hpp"
@@ -95,8 +96,8 @@ void normalize_numbers(Json& node) {
 }
 
 /// A length within rounding of 1 stays as it is, so that reading what was written changes nothing.
-dvec3 unit(const dvec3& v) {
-  return std::abs(glm::dot(v, v) - 1.0) < 1e-12 ? v : glm::normalize(v);
+dvec3 kept_or_unit(const dvec3& v) {
+  return std::abs(glm::dot(v, v) - 1.0) < 1e-12 ? v : unit(v);
 }
 
 void settle_sun(const Json& document, Sun& sun, const Sun& usual) {
@@ -112,7 +113,7 @@ void settle_sun(const Json& document, Sun& sun, const Sun& usual) {
     sun.direction = detail::direction_of(
         detail::sun_angles_at(days.value(), given["latitude_deg"], given["longitude_deg"]));
   }
-  sun.direction = unit(sun.direction);
+  sun.direction = kept_or_unit(sun.direction);
 }
 
 /// Colours follow from the palette where they are not given.

@@ -64,6 +64,15 @@ struct Cell {
   }
 };
 
+/// Lattice coordinates end at 2^30 either way, so that every number, and no number, has a cell. In
+/// single precision there is nothing between lattice points from 2^23 on, where the noise is 0.
+template <class Real>
+AEROSTAT_INLINE Real on_lattice(Real x) {
+  constexpr Real kRim = 1 << 30;
+  const Real above = x > -kRim ? x : -kRim;
+  return above < kRim ? above : kRim;
+}
+
 // Truncation corrected to the floor, because SSE2 has no instruction for the latter.
 template <class Real>
 AEROSTAT_INLINE std::int32_t floor_of(Real x) {
@@ -90,7 +99,9 @@ AEROSTAT_INLINE Sample<Real> blend(const Cell<Real>& cell, Real u, Real v) {
 }
 
 template <class Real>
-AEROSTAT_INLINE Sample<Real> evaluate(const Real* table, Real x, Real y, std::uint32_t seed) {
+AEROSTAT_INLINE Sample<Real> evaluate(const Real* table, Real any_x, Real any_y,
+                                      std::uint32_t seed) {
+  const Real x = on_lattice(any_x), y = on_lattice(any_y);
   const std::int32_t ix = floor_of(x), iy = floor_of(y);
   return blend(Cell<Real>(table, seed, ix, iy), x - static_cast<Real>(ix),
                y - static_cast<Real>(iy));
@@ -106,12 +117,16 @@ struct Group {
   bool shares_a_cell;
 
   AEROSTAT_INLINE Group(const NoiseLayer& l, const float* px, const float* pz) {
-    const std::int32_t x0 = floor_of(l.along_x * px[0] - l.along_z * pz[0] + l.offset_x);
-    const std::int32_t y0 = floor_of(l.along_z * px[0] + l.along_x * pz[0] + l.offset_y);
+    const auto lattice_x = [&l, px, pz](int k) AEROSTAT_INLINE_LAMBDA {
+      return on_lattice(l.along_x * px[k] - l.along_z * pz[k] + l.offset_x);
+    };
+    const auto lattice_y = [&l, px, pz](int k) AEROSTAT_INLINE_LAMBDA {
+      return on_lattice(l.along_z * px[k] + l.along_x * pz[k] + l.offset_y);
+    };
+    const std::int32_t x0 = floor_of(lattice_x(0)), y0 = floor_of(lattice_y(0));
     std::int32_t differing = 0;
     for (int k = 0; k < kGroup; ++k) {
-      const float x = l.along_x * px[k] - l.along_z * pz[k] + l.offset_x;
-      const float y = l.along_z * px[k] + l.along_x * pz[k] + l.offset_y;
+      const float x = lattice_x(k), y = lattice_y(k);
       ix[k] = floor_of(x);
       iy[k] = floor_of(y);
       u[k] = x - static_cast<float>(ix[k]);

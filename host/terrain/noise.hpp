@@ -45,7 +45,7 @@ struct NoiseSample {
   double dy = 0.0;
 };
 
-/// Noise at a point of the lattice's plane, |x|, |y| < 2^31.
+/// Noise at a point of the lattice's plane; beyond 2^30 that of the rim.
 double perlin(double x, double y, std::uint32_t seed);
 
 /// The same with derivatives.

@@ -1,10 +1,15 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <string>
 #include <utility>
 
+#include <fmt/format.h>
+
+#include "core/error.hpp"
 #include "model/balloon.hpp"
 #include "scene/local_frame.hpp"
+#include "scene/view_axes.hpp"
 #include "terrain/terrain_mesh.hpp"
 #include "world/surface.hpp"
 #include "world/world.hpp"
@@ -47,9 +52,22 @@ double reference_height(const scene::Scene& scene, const Surface& surface,
   return 0.0;
 }
 
-void settle_height(const Surface& surface, scene::Balloon& balloon) {
+/// A place counted from a reference height, as one above the sea. Throws Error{bad_data} if no
+/// scene could give it so.
+void raise_by(double reference_m, const std::string& pointer, dvec3& place) {
+  constexpr double kMostM = 1e6;  // of the schema
+  place.y += reference_m;
+  if (!(std::abs(place.y) <= kMostM)) {
+    throw Error(ErrorKind::bad_data,
+                fmt::format("{}/1: found a height that is {} m above the sea, expected {} to {}",
+                            pointer, place.y, -kMostM, kMostM));
+  }
+}
+
+void settle_height(const Surface& surface, const std::string& pointer, scene::Balloon& balloon) {
   if (balloon.height_above != scene::HeightReference::ground) return;
-  balloon.position.y += surface.height(balloon.position.x, balloon.position.z);
+  raise_by(surface.height(balloon.position.x, balloon.position.z), pointer + "/position",
+           balloon.position);
   balloon.height_above = scene::HeightReference::sea;
 }
 
@@ -72,18 +90,23 @@ void resolve(scene::Scene& scene) {
 }
 
 void resolve(scene::Scene& scene, const Surface& surface) {
-  settle_height(surface, scene.balloon);
-  for (scene::Balloon& further : scene.balloons) settle_height(surface, further);
+  settle_height(surface, "/balloon", scene.balloon);
+  for (std::size_t i = 0; i < scene.balloons.size(); ++i) {
+    settle_height(surface, fmt::format("/balloons/{}", i), scene.balloons[i]);
+  }
   scene::Camera& camera = scene.camera;
   if (camera.position_given) {
-    camera.position.y += reference_height(scene, surface, camera.height_above, camera.position);
+    raise_by(reference_height(scene, surface, camera.height_above, camera.position),
+             "/camera/position", camera.position);
   }
   if (camera.target_given) {
-    camera.target.y += reference_height(scene, surface, camera.height_above, camera.target);
+    raise_by(reference_height(scene, surface, camera.height_above, camera.target), "/camera/target",
+             camera.target);
   }
   camera.height_above = scene::HeightReference::sea;
   if (camera.view == scene::View::basket) look_from_basket(scene);
   camera.position_given = camera.target_given = true;
+  scene::view_axes(camera);  // or their error
   scene.origin = scene::origin_for(scene);
 }
 

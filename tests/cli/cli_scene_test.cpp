@@ -55,6 +55,32 @@ TEST_F(Scenes, SetChangesTheScene) {
   EXPECT_EQ(json.at("terrain").at("seed"), 6);
 }
 
+/// Waves of the ground so short that their number over the land is more than an integer holds.
+TEST_F(Scenes, TheFinestFractalsAreNumbers) {
+  const std::string scenes[] = {
+      R"({"version": 1, "biome": "snow", "terrain": {"cells": 48, "fractal": {"octaves": 17, "lacunarity": 4}},
+          "vegetation": {"enabled": false}, "balloon": {"position": [5000, 420, 5000]}})",
+      R"({"version": 1, "terrain": {"cells": 48, "center": [50000, 50000],
+          "fractal": {"octaves": 20, "lacunarity": 3}}, "vegetation": {"enabled": false}})"};
+  for (const std::string& scene : scenes) {
+    const Outcome dump = run({"dump", write("fine.json", scene)});
+    EXPECT_EQ(dump.code, 0) << dump.err;
+    EXPECT_EQ(dump.out.find("nan"), std::string::npos);
+    EXPECT_EQ(run({"dump", write("dump.json", dump.out)}).out, dump.out);
+    const Outcome picture =
+        run({"render", "fine.json", "--width", "32", "--height", "18", "--spp", "1"});
+    EXPECT_EQ(picture.code, 0) << picture.err;
+  }
+}
+
+TEST_F(Scenes, ACameraMayLookStraightDown) {
+  const std::string down = R"({"version": 1, "camera": {"position": [0, 300, 0], "target": [0, )";
+  EXPECT_EQ(run({"check", write("down.json", down + "9, 0]}}")}).code, 0);
+  const Outcome same = run({"check", write("same.json", down + "300, 0]}}")});
+  EXPECT_EQ(same.code, 65);
+  EXPECT_TRUE(contains(same.err, "same.json: /camera/target: found the camera's own position"));
+}
+
 /// The environment in which the repository's scenes are the installed ones.
 Environment with_scenes() {
   return {"AEROSTAT_SCENE_DIR=" + std::filesystem::path(scene_path("")).parent_path().string()};

@@ -182,5 +182,34 @@ TEST(NoiseLayer, BlocksMatchThePointFunction) {
   }
 }
 
+/// Where single precision has nothing between lattice points, and beyond what an integer counts.
+TEST(Noise, IsANumberHoweverFarAway) {
+  for (const double wavelength : {1e-3, 1e-6, 3.6e-12}) {
+    const NoiseLayer layer = make_layer(wavelength, 5u, 2u);
+    Points points;
+    for (const float x : {0.0f, 0.3f, -7e3f, 5e4f, -1e6f, 3e6f}) {
+      for (const float z : {0.0f, 1e4f, -2e6f}) {
+        for (int copy = 0; copy < 2; ++copy) {
+          points.x[points.count] = x;
+          points.z[points.count] = z;
+          points.spacing[points.count++] = 0.0f;
+        }
+      }
+    }
+    Block value, dx, dz, alone;
+    sample(layer, points, value, dx, dz);
+    sample(layer, points, alone);
+    for (int i = 0; i < points.count; ++i) {
+      ASSERT_LE(std::fabs(value[i]), 0.7072f) << points.x[i] << ' ' << points.z[i];
+      ASSERT_EQ(alone[i], value[i]);
+      ASSERT_TRUE(std::isfinite(dx[i]) && std::isfinite(dz[i]));
+    }
+  }
+  for (const double far : {1e9, 1e12, 1e300}) {
+    ASSERT_LE(std::abs(perlin(far, -far, 3u)), kNoiseBound);
+    ASSERT_LE(std::abs(perlin_with_slope(-far, far, 3u).value), kNoiseBound);
+  }
+}
+
 }  // namespace
 }  // namespace aerostat::terrain

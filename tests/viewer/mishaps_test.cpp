@@ -66,6 +66,7 @@ class MishapsTest : public QObject {
   void cleanup() { window_.reset(); }
   void no_scenes_are_dropped_data();
   void no_scenes_are_dropped();
+  void a_balloon_beyond_all_heights_is_told();
   void a_pipe_is_not_taken();
   void without_room_the_saved_file_stays();
   void an_export_that_cannot_be_written_tells_why_data();
@@ -141,6 +142,21 @@ void MishapsTest::no_scenes_are_dropped() {
   QCOMPARE(window_->document().source().text(), before);
   QVERIFY(window_->document().path().isEmpty());
   QVERIFY(window_->minimumSizeHint().width() < 1200);
+}
+
+/// What only the render can find out about a scene: it is told, and the window goes on.
+void MishapsTest::a_balloon_beyond_all_heights_is_told() {
+  scene::SceneSource source = small_scene().with({{"/terrain/base_m", "500"}});
+  window_->document().start(source.with({{"/balloon/position", "[0, 1000000, 0]"}}), {});
+  const auto told = [this] {
+    return window_->messages().message().contains("/balloon/position/1");
+  };
+  QVERIFY(QTest::qWaitFor(told, kPatience_ms));
+  QVERIFY(window_->document().set("height", "/balloon/position", "[0, 100, 0]"));
+  const auto shown = [this] {
+    return window_->shown() && window_->shown()->request == window_->request();
+  };
+  QVERIFY(QTest::qWaitFor(shown, kPatience_ms));
 }
 
 void MishapsTest::a_pipe_is_not_taken() {
