@@ -3,6 +3,7 @@
 #include "cli/scene_input.hpp"
 #include "image/write.hpp"
 #include "mesh/export.hpp"
+#include "scene/local_frame.hpp"
 #include "world/world.hpp"
 
 namespace aerostat::cli {
@@ -10,7 +11,8 @@ namespace aerostat::cli {
 int export_world(const ExportOptions& options) {
   const MeshFormat format = mesh_format(options.output, options.format);
   const std::filesystem::path output = output_file(options.output, format == MeshFormat::ply);
-  const scene::Scene scene = load_scene(options.input);
+  scene::Scene scene = load_scene(options.input);
+  scene.origin = scene::origin_for_export(scene);
   const world::Objects world = world::as_triangles(
       world::build(scene), options.plants ? world::Grown::included : world::Grown::left_out);
   std::vector<mesh::ExportObject> objects;

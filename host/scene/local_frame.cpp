@@ -11,16 +11,26 @@ namespace {
 constexpr double kNear_m = 8192.0;
 constexpr double kStep_m = 4096.0;
 
-double origin_near(double place) {
+double stepped(double place) {
   return std::abs(place) < kNear_m ? 0.0 : kStep_m * std::round(place / kStep_m);
 }
 
 }  // namespace
 
-dvec3 origin_for(const Scene& scene) {
+dvec3 origin_near(const Scene& scene, const dvec3& position) {
   const dvec2& center = scene.terrain.center;
-  const dvec3 eye = place_of(scene, point_of_view(scene.camera));
-  return {center.x + origin_near(eye.x), origin_near(eye.y), center.y + origin_near(eye.z)};
+  const dvec3 place = place_of(scene, position);
+  return {center.x + stepped(place.x), stepped(place.y), center.y + stepped(place.z)};
+}
+
+dvec3 origin_for(const Scene& scene) {
+  return origin_near(scene, point_of_view(scene.camera));
+}
+
+dvec3 origin_for_export(const Scene& scene) {
+  const Terrain& terrain = scene.terrain;
+  const dvec3 center(terrain.center.x, terrain.base_m, terrain.center.y);
+  return origin_near(scene, scene.balloon.enabled ? scene.balloon.position : center);
 }
 
 dvec3 place_of(const Scene& scene, const dvec3& position) {

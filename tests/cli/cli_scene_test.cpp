@@ -183,6 +183,23 @@ TEST_F(Scenes, TheWorldIsExported) {
   EXPECT_EQ(files(), (std::vector<std::string>{"world.obj", "world.ply"}));
 }
 
+TEST_F(Scenes, AFarWorldIsExportedAsTheNearOneWithItsOrigin) {
+  const std::string scene = scene_path("sand-empty");
+  const auto exported = [&](const std::string& name, const std::string& center) {
+    const Outcome outcome = run({"export", scene, "-o", name, "--set", "/terrain/cells=16", "--set",
+                                 "/terrain/center=" + center});
+    EXPECT_EQ(outcome.code, 0) << outcome.err;
+    return read_bytes(folder_ / name);
+  };
+  const std::string near = exported("near.obj", "[0, 0]");
+  std::string far = exported("far.obj", "[1000000, -1000000]");
+  const std::string comment = "# origin 1000000 0 -1000000\n";
+  const auto at = far.find(comment);
+  ASSERT_NE(at, std::string::npos);
+  far.erase(at, comment.size());
+  EXPECT_TRUE(far == near);
+}
+
 TEST_F(Scenes, AnExportThatDoesNotArriveIsAnError) {
   std::filesystem::create_symlink("/dev/full", folder_ / "full.ply");
   const Outcome outcome =

@@ -44,6 +44,16 @@ TEST(Origin, FollowsTheTargetOfParallelRays) {
   EXPECT_EQ(origin_for(scene), dvec3(0.0));
 }
 
+TEST(Origin, OfAnExportDoesNotGoByTheCamera) {
+  Scene scene = seen_from({0.0, 0.0, 0.0}, {1e5, -1e5});
+  scene.balloon.position = {1e5 + 100.0, 300.0, -1e5};
+  EXPECT_EQ(origin_for_export(scene), dvec3(1e5, 0.0, -1e5));
+  scene.balloon.position.x += 10.0 * 4096.0;
+  EXPECT_EQ(origin_for_export(scene), dvec3(1e5 + 10.0 * 4096.0, 0.0, -1e5));
+  scene.balloon.enabled = false;
+  EXPECT_EQ(origin_for_export(scene), dvec3(1e5, 0.0, -1e5));
+}
+
 TEST(Origin, MovesNoPlaceOverTheTerrain) {
   Scene scene = seen_from({1e6, 90000.0, -1e6}, {999000.0, -1e6});
   scene.terrain.base_m = 89000.0;
