@@ -12,6 +12,7 @@
 #include <sstream>
 
 #include <OpenEXR/ImfChannelList.h>
+#include <OpenEXR/ImfHeader.h>
 #include <OpenEXR/ImfInputFile.h>
 
 #include "core/error.hpp"
@@ -175,7 +176,7 @@ TEST_F(DocsOfHelp, ManPagesHaveADateAndTheVersion) {
     std::smatch match;
     const std::string text = repository_file(page);
     ASSERT_TRUE(std::regex_search(
-        text, match, std::regex(R"(^\.TH \S+ 1 "\d{4}-\d\d-\d\d" "(aerostat [0-9.]+)")")))
+        text, match, std::regex(R"re(^\.TH \S+ 1 "\d{4}-\d\d-\d\d" "(aerostat [0-9.]+)")re")))
         << page;
     EXPECT_EQ(match[1].str() + "\n", version) << page;
   }
