@@ -51,6 +51,8 @@ PackedPlants pack_plants(const world::Plants& plants) {
     const scatter::Axes axes = scatter::axes_of(instance);
     packed.instances[i] = pack_instance(instance, axes);
     bounds[i] = placed(packed.models[instance.model].bounds, instance, axes);
+    copy(packed.instances[i].lo, bounds[i].lo);
+    copy(packed.instances[i].hi, bounds[i].hi);
   });
   packed.tree = bvh::build_instances(bounds);
   return packed;

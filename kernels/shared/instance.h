@@ -11,8 +11,10 @@ typedef struct AeroInstance {
   aero_float scale;   /* length of a column */
   aero_float tint[3]; /* multiplies the colours of the model's vertices */
   aero_uint root;     /* of the model's tree */
+  aero_float lo[3];   /* its box in the world, as the tree holds it */
+  aero_float hi[3];
 } AeroInstance;
 
-AERO_ASSERT_LAYOUT(AeroInstance, 68);
+AERO_ASSERT_LAYOUT(AeroInstance, 92);
 
 #endif

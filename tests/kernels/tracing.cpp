@@ -147,8 +147,11 @@ TracedMesh::TracedMesh(const Soup& own, const std::vector<Soup>& models,
   }
   for (const bvh::Bvh& tree : trees) pointers.push_back(&tree);
   std::vector<bvh::Bounds> bounds;
-  for (const AeroInstance& instance : instances)
+  for (AeroInstance& instance : instances) {
     bounds.push_back(placed_bounds(models[instance.root], instance));
+    copy(bounds.back().lo, instance.lo);
+    copy(bounds.back().hi, instance.hi);
+  }
   const bvh::Bvh over = bvh::build_instances(bounds);
   const bvh::Bvh* top[] = {&own_tree, &over};
   const std::uint32_t first[] = {0, 0};

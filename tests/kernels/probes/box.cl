@@ -9,19 +9,22 @@ __kernel void probe_children(__global const AeroBvhNode* nodes, __global const f
                              __global uint* met, __global uint* kept, __global float* enters) {
   const size_t i = get_global_id(0);
   __global const AeroBvhNode* node = nodes + i * LANES / 16u;
-  const Lane3 origin = load3(origins);
-  const Lane3 inverse = safe_inverse3(load3(directions));
-  const lane_float t_max = LOAD(reaches);
-  const PacketBounds bounds = packet_bounds(&origin, &inverse, lane_mask(t_max >= 0.0f));
-  const float room = BOX_WIDENING * farthest_corner(node, &bounds);
+  Ray ray;
+  ray.origin = load3(origins);
+  ray.direction = load3(directions);
+  ray.t_max = LOAD(reaches);
+  const Cone cone = make_cone(&ray, 1.0f);
+  const Lane3 inverse = safe_inverse3(ray.direction);
+  const PacketBounds bounds = packet_bounds(&ray.origin, &inverse, lane_mask(ray.t_max >= 0.0f));
+  const float room = box_room(&bounds, farthest_corner(node, &bounds));
   ChildReach reach;
-  kept[i] = cull_children(node, &bounds, room, lane_reduce_max(t_max), &reach);
+  kept[i] = cull_children(node, &bounds, room, lane_reduce_max(ray.t_max), &reach);
   vstore8(reach.enter, i, enters);
-  const WideOrigin wide = widen_origin(&origin, room);
   lane_uint bits = (lane_uint)0u;
   for (uint c = 0u; c < AERO_BVH_WIDTH; ++c) {
     const Box box = box_of_child(node, c);
-    const lane_int hit = hit_box(&box, &wide, &inverse, t_max);
+    lane_float entry;
+    const lane_int hit = enter_box(box.lo, box.hi, &cone, ray.t_max, &entry);
     bits |= lane_select(hit, (lane_uint)(1u << c), (lane_uint)0u);
   }
   STORE(bits, met);
@@ -51,7 +54,8 @@ __kernel void probe_beam(__global const AeroBvhNode* nodes, __global const float
   lane_uint bits = (lane_uint)0u;
   for (uint c = 0u; c < AERO_BVH_WIDTH; ++c) {
     const BoxPlanes box = child_planes(node, c, &beam);
-    const lane_int hit = hit_box_by_cone(&box, &packet.cone, ray.t_max);
+    lane_float entry;
+    const lane_int hit = hit_box_by_cone(&box, &packet.cone, ray.t_max, &entry);
     bits |= lane_select(hit, (lane_uint)(1u << c), (lane_uint)0u);
   }
   STORE(bits, met);

@@ -176,6 +176,8 @@ FIELD(AeroInstance, position)
 FIELD(AeroInstance, scale)
 FIELD(AeroInstance, tint)
 FIELD(AeroInstance, root)
+FIELD(AeroInstance, lo)
+FIELD(AeroInstance, hi)
 
 STRUCT(AeroBalloon)
 FIELD(AeroBalloon, glow_sun)
