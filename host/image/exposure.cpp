@@ -28,7 +28,14 @@ constexpr double kMostHeldBack = 2.0;
 // of so many stops at most: a dull view has none.
 constexpr double kRaisedShare = 0.3, kMostRoom = 1.5;
 
-constexpr double kLeastLight = 1e-9;
+// Candelas per square metre of a radiance of 1: the sun's 133.1 klx outside the air (S. Darula, R.
+// Kittler and C. A. Gueymard, "Reference luminous solar constant", Solar Energy 79, 2005) are its
+// usual irradiance of 5.
+constexpr double kCandelas = 133100.0 / 5.0;
+// From here up the middle is shown as daylight.
+constexpr double kDaylight = 100.0;
+
+constexpr double kLeastLight = 1e-12;
 constexpr std::size_t kBlockPixels = 8192;
 
 // Bins of luminance, 32 to a stop: the upper bits of a double, counted from those of kLeastLight.
@@ -134,6 +141,18 @@ Sifted sift(const Film& film, const Rank& from, const Rank& to, const Rank& ligh
   return all;
 }
 
+/// How bright a view of this mean luminance (cd/m^2) looks. Source: G. Krawczyk, K. Myszkowski and
+/// H.-P. Seidel, "Perceptual Effects in Real-time Tone Mapping", SCCG 2005, equation 11.
+double key(double candelas) {
+  return 1.03 - 2.0 / (2.0 + std::log10(candelas + 1.0));
+}
+
+/// By how many stops the middle of a view is shown darker than by day; <= 0.
+double dusk_stops(double middle) {
+  const double candelas = std::min(std::exp2(middle) * kCandelas, kDaylight);
+  return std::log2(key(candelas) / key(kDaylight));
+}
+
 /// What the middle of a picture and its lights come to, in stops.
 struct Levels {
   double middle = 0.0, lights = 0.0;
@@ -165,10 +184,12 @@ double automatic_exposure_ev(const Film& film) {
   const std::uint64_t count = std::accumulate(counts.begin(), counts.end(), std::uint64_t{0});
   if (count == 0) return 0.0;
   const Levels levels = levels_of(film, counts, count);
-  const double wanted = std::log2(kGrey) - levels.middle;
+  const double dusk = dusk_stops(levels.middle);
+  const double wanted = std::log2(kGrey) + dusk - levels.middle;
   const double room = std::log2(kLights) - levels.lights - wanted;
   if (room > 0.0) return wanted + kRaisedShare * std::min(room, kMostRoom);
-  return wanted + std::max(room, -kMostHeldBack);
+  // The lights of a dark view are lamps, which may clip: it is not darkened twice.
+  return wanted + std::max(room, std::min(-kMostHeldBack - dusk, 0.0));
 }
 
 }  // namespace aerostat::image

@@ -176,7 +176,7 @@ Film grey_film(const std::vector<float>& radiances) {
 }
 
 TEST(AutomaticExposure, BringsAnEvenPictureToGrey) {
-  for (const float light : {1e-4f, 0.02f, 0.25f, 30.0f}) {
+  for (const float light : {4e-3f, 0.02f, 0.25f, 30.0f}) {
     const double ev = automatic_exposure_ev(grey_film(std::vector<float>(100, light)));
     // Half a stop up at most where nothing is bright.
     EXPECT_NEAR(static_cast<double>(light) * std::exp2(ev), 0.25 * std::exp2(0.45), 1e-6);
@@ -219,6 +219,34 @@ TEST(AutomaticExposure, LetsAGlitterClipRatherThanLoseTheRest) {
   const double ev = automatic_exposure_ev(grey_film(radiances));
   std::fill_n(radiances.begin(), 30, 500.0f);
   EXPECT_NEAR(automatic_exposure_ev(grey_film(radiances)), ev - 0.45 - 2.0, 1e-6);
+}
+
+/// What an even picture of this luminance (cd/m^2) is exposed to.
+double shown_candelas(double candelas) {
+  const double radiance = candelas / 26620.0;
+  const Film film = grey_film(std::vector<float>(100, static_cast<float>(radiance)));
+  return radiance * std::exp2(automatic_exposure_ev(film));
+}
+
+TEST(AutomaticExposure, LeavesDuskAndNightDark) {
+  const double day = shown_candelas(3000.0);
+  // Krawczyk's key 1.03 - 2 / (2 + log10(L + 1)) of that of 100 cd/m^2.
+  EXPECT_NEAR(shown_candelas(1.0) / day, 0.1607 / 0.5305, 0.002);
+  EXPECT_NEAR(shown_candelas(1.7e-4) / day, 0.0300 / 0.5305, 0.002);
+  double before = 0.0;
+  for (double candelas = 1e-4; candelas < 90.0; candelas *= 1.5) {
+    const double now = shown_candelas(candelas);
+    EXPECT_GT(now, before) << candelas << ": what is brighter is shown brighter";
+    before = now;
+  }
+  EXPECT_NEAR(shown_candelas(110.0), day, 1e-6) << "as daylight";
+}
+
+TEST(AutomaticExposure, LetsLampsClipByNight) {
+  std::vector<float> radiances(1000, 1e-8f);
+  const double ev = automatic_exposure_ev(grey_film(radiances));
+  std::fill_n(radiances.begin(), 30, 1e-2f);
+  EXPECT_NEAR(automatic_exposure_ev(grey_film(radiances)), ev, 0.5);
 }
 
 TEST(AutomaticExposure, TakesAPictureWithoutLight) {
