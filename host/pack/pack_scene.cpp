@@ -26,6 +26,10 @@ constexpr float kCumulusExtinction = 0.03f;
 
 /// Above it the kernels' noise, whose values are spread like a logistic distribution's, has a
 /// cloud.
+/// How high the tops of heaped clouds are at most, in widths of a cloud: heaps are about as high as
+/// they are wide, narrower ones would be columns. Chosen by eye.
+constexpr double kTallest = 1.5;
+
 float cumulus_threshold(double cover) {
   if (cover >= 1.0) return -3.0f;
   const double share = std::max(cover, 1e-4);
@@ -35,7 +39,7 @@ float cumulus_threshold(double cover) {
 /// `eye` is the place of the eye over the terrain.
 void pack_cumulus(const scene::Cumulus& from, const dvec3& eye, AeroCumulus& cumulus) {
   cumulus.base = static_cast<float>(from.base_m);
-  cumulus.thickness = static_cast<float>(from.thickness_m);
+  cumulus.thickness = static_cast<float>(std::min(from.thickness_m, kTallest * from.size_m));
   cumulus.size = static_cast<float>(from.size_m);
   cumulus.threshold = cumulus_threshold(from.cover);
   cumulus.extinction = from.cover > 0.0 ? kCumulusExtinction : 0.0f;

@@ -98,6 +98,15 @@ class Cumulus : public LaneTest {
   }
 };
 
+TEST(TallClouds, AreNoColumns) {
+  auto scene = scene::defaults(scene::BiomeKind::tropical, scene::View::outside);
+  const float usual = static_cast<float>(scene.sky.cumulus.thickness_m);
+  EXPECT_EQ(pack::pack_scene(scene).sky.cumulus.thickness, usual);
+  scene.sky.cumulus.thickness_m = 6000.0;
+  scene.sky.cumulus.size_m = 50.0;
+  EXPECT_EQ(pack::pack_scene(scene).sky.cumulus.thickness, 75.0f);
+}
+
 TEST_P(Cumulus, DimsTheSunByWhatALayerLetsThrough) {
   for (const float degrees : {0.0f, 40.0f, 60.0f}) {
     AeroScene scene = closed_deck();
