@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include "scene/io.hpp"
 #include "scene/materials.hpp"
 #include "scene/palettes.hpp"
@@ -164,6 +166,16 @@ void set_quality(Scene& scene, Quality quality) {
   scene.image.spp = kSamples[static_cast<std::size_t>(quality)];
   scene.sun.soft_shadows = quality != Quality::draft;
   scene.sky.ambient_occlusion = quality != Quality::draft;
+}
+
+void set_haze_droplets(Haze& haze, double visibility_m) {
+  constexpr double kDryFrom = 6000.0;
+  if (visibility_m >= kDryFrom) return;
+  const double km = visibility_m / 1000.0;
+  const double most = km > 1.0 ? 0.16 * km + 0.34 : std::max(0.0, km - 0.5);
+  haze.angstrom = std::min(haze.angstrom, most);
+  haze.albedo =
+      vec3(1.0f) - (vec3(1.0f) - haze.albedo) * static_cast<float>(visibility_m / kDryFrom);
 }
 
 }  // namespace aerostat::scene

@@ -40,4 +40,10 @@ Scene defaults(BiomeKind biome, View view);
 /// and ambient occlusion.
 void set_quality(Scene& scene, Quality quality);
 
+/// What usual haze is made of at a visibility: below 6 km its droplets are swollen with water, down
+/// to those of fog. `angstrom` is then at most what I. I. Kim et al. found (Proc. SPIE 4214, 2001):
+/// 0.16 km^-1 V + 0.34 to 1 km, V - 0.5 km to 500 m, 0 below; and as what absorbs becomes no more,
+/// 1 - `albedo` falls with the visibility. The visibility of `haze` itself stays as it is.
+void set_haze_droplets(Haze& haze, double visibility_m);
+
 }  // namespace aerostat::scene

@@ -166,6 +166,8 @@ struct Read {
 Read read_fields(const Json& document) {
   Scene usual = defaults(detail::biome_of(document), detail::view_of(document));
   set_quality(usual, detail::quality_of(document));
+  const Json haze = document.value("haze", Json::object());
+  set_haze_droplets(usual.haze, haze.value("visibility_m", usual.haze.visibility_m));
   Scene scene = usual;
   Reader reader(document);
   fields(reader, scene);

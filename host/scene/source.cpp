@@ -132,6 +132,7 @@ struct SceneSource::State {
   void fill_in() {
     Scene usual = defaults(scene.biome.kind, scene.camera.view);
     set_quality(usual, scene.quality);
+    set_haze_droplets(usual.haze, scene.haze.visibility_m);
     for (std::size_t i = 0; i < scene.balloons.size(); ++i) {
       dress(usual.balloons.emplace_back(), palette_of_place(i));
     }

@@ -24,6 +24,17 @@ void expect_kept(const SceneSource& source) {
   EXPECT_EQ(again.text(), text);
 }
 
+TEST(SceneSource, KnowsTheUsualDropletsOfTheVisibility) {
+  const SceneSource hazy = SceneSource().with({{"/haze/visibility_m", "500"}});
+  EXPECT_TRUE(hazy.differs("/haze/visibility_m"));
+  EXPECT_FALSE(hazy.differs("/haze/angstrom"));
+  EXPECT_FALSE(hazy.differs("/haze/albedo"));
+  EXPECT_EQ(hazy.scene().haze.angstrom, 0.0);
+  EXPECT_EQ(hazy.without({"/haze/visibility_m"}).scene().haze.angstrom,
+            SceneSource().scene().haze.angstrom);
+  EXPECT_EQ(SceneSource::from_text(hazy.text(), "again").scene().haze.visibility_m, 500.0);
+}
+
 TEST(SceneSource, SaysOnlyWhatDiffers) {
   EXPECT_EQ(SceneSource().text(), "{\n  \"version\": 1,\n  \"biome\": \"snow\"\n}\n");
   const auto edited = source(R"("biome": {"kind": "sand", "water": {"enabled": false}})")

@@ -64,6 +64,24 @@ TEST(SceneQuality, SetsSamplesSoftShadowsAndOcclusion) {
   EXPECT_EQ(read("").image.spp, 4);
 }
 
+TEST(Haze, IsMadeOfEverLargerDropletsAsItThickens) {
+  const Haze usual = read(R"("biome": "snow")").haze;
+  const auto haze = [](const std::string& fields) {
+    return read(R"("biome": "snow", "haze": {)" + fields + "}").haze;
+  };
+  EXPECT_EQ(haze(R"("visibility_m": 6000)").angstrom, usual.angstrom);
+  EXPECT_EQ(haze(R"("visibility_m": 6000)").albedo, usual.albedo);
+  // Kim's exponents.
+  EXPECT_NEAR(haze(R"("visibility_m": 2000)").angstrom, 0.66, 1e-12);
+  EXPECT_NEAR(haze(R"("visibility_m": 800)").angstrom, 0.3, 1e-12);
+  EXPECT_EQ(haze(R"("visibility_m": 500)").angstrom, 0.0);
+  EXPECT_NEAR(haze(R"("visibility_m": 600)").albedo.y, 1.0 - 0.1 * (1.0 - usual.albedo.y), 1e-6);
+  // What the scene says counts.
+  const Haze smoke = haze(R"("visibility_m": 500, "angstrom": 2, "albedo": [0.3, 0.3, 0.3])");
+  EXPECT_EQ(smoke.angstrom, 2.0);
+  EXPECT_EQ(smoke.albedo, vec3(0.3f));
+}
+
 TEST(SceneQuality, LeavesWhatTheSceneSays) {
   const Scene draft =
       read(R"("quality": "draft", "image": {"spp": 7}, "sun": {"soft_shadows": true},

@@ -1085,16 +1085,16 @@
         <translation>Высота в метрах, на которой дымка слабеет в e раз, от 1 до 1000000.</translation>
     </message>
     <message>
-        <source>Extinction goes with the wavelength to the power of minus this, -1 to 4: 0 (grey) for fog, 0.3 for dust, 1.3 for fine haze.</source>
-        <translation>Ослабление идёт как длина волны в степени минус это число, от -1 до 4: 0 (серое) для тумана, 0,3 для пыли, 1,3 для тонкой дымки.</translation>
+        <source>Extinction goes with the wavelength to the power of minus this, -1 to 4: 0 (grey) for fog, 0.3 for dust, 1.3 for fine haze. Left out, it falls to 0 as the visibility falls from 6 km to 500 m.</source>
+        <translation>Ослабление идёт как длина волны в степени минус это число, от -1 до 4: 0 (серое) для тумана, 0,3 для пыли, 1,3 для тонкой дымки. Если не задано, падает до 0, когда видимость падает от 6 км до 500 м.</translation>
     </message>
     <message>
         <source>Mean cosine of the angle by which light is deflected, 0 (evenly) to 0.95 (forwards).</source>
         <translation>Средний косинус угла отклонения света, от 0 (равномерно) до 0,95 (вперёд).</translation>
     </message>
     <message>
-        <source>Share of the extinction that is scattering, the rest is absorbed. [red, green, blue], each 0 to 1.</source>
-        <translation>Доля рассеяния в ослаблении, остальное поглощается. [красный, зелёный, синий], каждый от 0 до 1.</translation>
+        <source>Share of the extinction that is scattering, the rest is absorbed. [red, green, blue], each 0 to 1. Left out, it grows towards 1 as the visibility falls below 6 km.</source>
+        <translation>Доля рассеяния в ослаблении, остальное поглощается. [красный, зелёный, синий], каждый от 0 до 1. Если не задана, растёт к 1, когда видимость падает ниже 6 км.</translation>
     </message>
     <message>
         <source>Fog that fills the valleys, even up to its top.</source>
@@ -1157,8 +1157,8 @@
         <translation>Фильтр восстановления.</translation>
     </message>
     <message>
-        <source>Exposure in stops: each doubles the brightness, -30 to 30. Left out, it follows from the picture.</source>
-        <translation>Экспозиция в ступенях: каждая удваивает яркость, от -30 до 30. Если не задана, следует из картины.</translation>
+        <source>Exposure in stops: each doubles the brightness, -30 to 30. Left out, it follows from the picture, and dusk and night stay dark.</source>
+        <translation>Экспозиция в ступенях: каждая удваивает яркость, от -30 до 30. Если не задана, следует из картины, а сумерки и ночь остаются тёмными.</translation>
     </message>
     <message>
         <source>Phong coefficients of one object.</source>
@@ -1209,8 +1209,8 @@
         <translation>Высота их оснований над морем в метрах, от 0 до 20000.</translation>
     </message>
     <message>
-        <source>From the bases to high tops in metres, 10 to 10000.</source>
-        <translation>От оснований до высоких вершин в метрах, от 10 до 10000.</translation>
+        <source>From the bases to high tops in metres, 10 to 10000; at most 1.5 times size_m counts.</source>
+        <translation>От оснований до высоких вершин в метрах, от 10 до 10000; считается не больше полуторного size_m.</translation>
     </message>
     <message>
         <source>How wide a cloud is, in metres, 10 to 20000.</source>
