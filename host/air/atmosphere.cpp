@@ -21,8 +21,12 @@ double ozone_density(double height) {
   return std::max(0.0, 1.0 - std::abs(height - kOzoneHeight) / kOzoneReach);
 }
 
-/// Mean of exp(-x) over x from a to b.
+/// Mean of exp(-x) over x from a to b, both at least -60.
 double mean_exponential(double a, double b) {
+  if (std::max(a, b) > 60.0) {
+    const double least = std::min(a, b), rise = std::abs(b - a);
+    return rise > 1e-6 ? std::exp(-least) * -std::expm1(-rise) / rise : std::exp(-least);
+  }
   const double half = 0.5 * (b - a), square = half * half;
   const double middle = std::exp(-0.5 * (a + b));
   if (square < 0.25)
@@ -60,7 +64,7 @@ Density Atmosphere::mean_density(double from, double to) const {
   const double a = std::max(from, 0.0), b = std::max(to, 0.0);
   Density mean;
   mean.molecules = mean_exponential(bounded(a / molecules_height), bounded(b / molecules_height));
-  mean.haze = mean_exponential(bounded(a / haze_height), bounded(b / haze_height));
+  mean.haze = mean_exponential(a / haze_height, b / haze_height);
   mean.ozone = ozone_density(0.5 * (a + b));
   if (fog.extinction > 0.0) {
     mean.fog = mean_fog((from - fog.top) / fog.softness, (to - fog.top) / fog.softness);

@@ -19,6 +19,11 @@ double reference_height(double elevation) {
   return std::max(0.0, height_of_sight(elevation)) + 500.0;
 }
 
+/// The same for haze: inside it.
+double haze_reference_height(double elevation, double haze_height) {
+  return std::max(0.0, height_of_sight(elevation)) + std::min(500.0, 0.5 * haze_height);
+}
+
 /// The parabola through three values at 0, a and b.
 std::array<dvec3, 3> parabola(const dvec3& f0, double a, const dvec3& fa, double b,
                               const dvec3& fb) {
@@ -51,17 +56,38 @@ Light::Light(const scene::Scene& scene, const Scattering& air)
   const double elevation = std::asin(std::clamp(sun, -1.0, 1.0));
   const double height = reference_height(elevation);
   const Columns way = air.sun_paths().columns(height, sun);
+  const double haze_from = haze_reference_height(elevation, atmosphere.haze_height);
   // At the sea each column is longer by as much as the air is denser there.
   depth_molecules = atmosphere.molecules * way.molecules *
                     std::exp(std::min(height / atmosphere.molecules_height, 60.0));
-  depth_haze = atmosphere.haze_extinction * way.haze *
-               std::exp(std::min(height / atmosphere.haze_height, 60.0));
+  depth_haze = atmosphere.haze_extinction * air.sun_paths().columns(haze_from, sun).haze *
+               std::exp(std::min(haze_from / atmosphere.haze_height, 60.0));
+  scattered_depth_haze =
+      depth_haze * (1.0 - air.thick_share() * (1.0 - reduced_haze_share(atmosphere)));
   depth_ozone = atmosphere.ozone * way.ozone;
   sun_heights[0] = height_of_sight(elevation + kSunRadius);
   sun_heights[1] = std::max(sun_heights[0] + 1.0, height_of_sight(elevation - kSunRadius));
-  around = parabola(air.around(0.0, sun), 0.4 * kAroundTop, air.around(0.4 * kAroundTop, sun),
-                    kAroundTop, air.around(kAroundTop, sun));
+  take_around(air, scene.camera.position.y);
   ambient = ambient_light(sky);
+}
+
+void Light::take_around(const Scattering& air, double eye_height) {
+  const double haze_height = atmosphere.haze_height;
+  thick_haze = air.thick_share() > 0.0;
+  double middle = 0.4 * kAroundTop, top = kAroundTop;
+  const auto height_of = [&](double x) { return thick_haze ? -haze_height * std::log1p(-x) : x; };
+  if (thick_haze) {
+    // Right at the eye, whose surroundings hide all else.
+    top = around_top = -std::expm1(-std::min(3.0, kAroundTop / haze_height));
+    const double eye = -std::expm1(-std::max(eye_height, 0.0) / haze_height);
+    middle = std::clamp(eye, 0.05 * top, 0.8 * top);
+  }
+  const double sun = air.sun().y;
+  const HazeLight::Field low = air.around(0.0, sun), half = air.around(height_of(middle), sun),
+                         high = air.around(height_of(top), sun);
+  around = parabola(low.even, middle, half.even, top, high.even);
+  around_slant = parabola(low.slant, middle, half.slant, top, high.slant);
+  if (thick_haze) around_least = glm::min(glm::min(low.even, half.even), high.even);
 }
 
 }  // namespace aerostat::air

@@ -14,10 +14,17 @@ struct Light {
   /// Optical depth towards the sun at height h: molecules exp(-h / molecules_height) + haze exp(-h
   /// / haze_height) + ozone.
   dvec3 depth_molecules{0.0}, depth_haze{0.0}, depth_ozone{0.0};
+  /// What counts as depth_haze for the light that the air scatters.
+  dvec3 scattered_depth_haze{0.0};
   /// None of the sun's disc is seen from below the first height, all of it from above the second.
   double sun_heights[2] = {0.0, 0.0};
-  /// Scattering::around at height h up to kAroundTop: around[0] + around[1] h + around[2] h^2.
-  std::array<dvec3, 3> around{};
+  /// Scattering::around where landscapes are: even[0] + even[1] x + even[2] x^2, at least
+  /// around_least, and likewise slant. x, 0 to around_top, is the height in metres; where
+  /// thick_haze, the share by which the haze is thinner than at the sea, 1 - exp(-h / haze_height).
+  std::array<dvec3, 3> around{}, around_slant{};
+  dvec3 around_least{0.0};
+  double around_top = kAroundTop;
+  bool thick_haze = false;
   SkyTable sky;
   std::array<dvec3, 9> ambient{};
 
@@ -25,6 +32,7 @@ struct Light {
 
  private:
   Light(const scene::Scene& scene, const Scattering& air);
+  void take_around(const Scattering& air, double eye_height);
 };
 
 }  // namespace aerostat::air

@@ -11,10 +11,9 @@ namespace {
 constexpr double kPi64 = std::numbers::pi;
 constexpr double kEven = 1.0 / (4.0 * kPi64);
 
-// Heights go by squares up to kHighest. The air that one eye sees reaches a tenth of a right angle
-// or so around the planet: the cosine of the sun stays near its own.
+// Heights go by squares up to kHighest.
 constexpr int kHeights = 16, kSuns = 8;
-constexpr double kHighest = 60e3, kSunReach = 0.2;
+constexpr double kHighest = 60e3, kSunReach = HazeLight::kSunReach;
 constexpr int kRings = 8, kSectors = 4, kSteps = 20;
 // Of what light a scattering sends on in the same place at most; the sum of all orders is finite.
 constexpr double kMostKept = 0.97;
@@ -27,10 +26,18 @@ dvec3 sphere_direction(int ring, int sector) {
   return {level * std::cos(azimuth), y, level * std::sin(azimuth)};
 }
 
+/// How far along a step of an optical depth the light that leaves it at its start was scattered on
+/// average: right for sources that change evenly along the step.
+double mean_place(double depth) {
+  return depth < 0.01 ? 0.5 - depth / 12.0 : 1.0 / depth - 1.0 / std::expm1(depth);
+}
+
 /// Calls `visit(share, mean, height, sun_cosine)` for each step: share is what of an even source in
-/// it arrives at the start, per extinction. Returns the transmittance of the way.
+/// it arrives at the start, per extinction; height and sun are those of its middle or, if steps
+/// `hide` their own ends, where its light was scattered on average. Returns the transmittance of
+/// the way.
 template <class Visit>
-dvec3 march(const Atmosphere& air, const dvec3& sun, const Way& way, int steps,
+dvec3 march(const Atmosphere& air, const dvec3& sun, const Way& way, int steps, bool hide,
             const Visit& visit) {
   dvec3 through(1.0);
   double before = 0.0, low = way.height;
@@ -43,7 +50,8 @@ dvec3 march(const Atmosphere& air, const dvec3& sun, const Way& way, int steps,
     const Density mean = air.mean_density(low, high);
     const dvec3 extinction = air.extinction(mean);
     const dvec3 here = glm::exp(-extinction * (now - before));
-    const double middle = 0.5 * (before + now);
+    double middle = 0.5 * (before + now);
+    if (hide) middle = std::lerp(before, now, mean_place(extinction.y * (now - before)));
     const double height = height_after(way.height, way.direction.y, middle);
     const double sun_cosine = (start * sun.y + middle * climb) / (kGroundRadius + height);
     visit(through * (1.0 - here) / glm::max(extinction, dvec3(1e-30)), mean, height, sun_cosine);
@@ -63,7 +71,7 @@ dvec3 light_around(const Atmosphere& air, const SunPaths& paths, double height, 
     Way way{height, sphere_direction(i / kSectors, i % kSectors), 0.0};
     way.length = way_to_the_end(height, way.direction.y);
     const dvec3 through = march(
-        air, sun, way, kSteps,
+        air, sun, way, kSteps, false,
         [&](const dvec3& share, const Density& mean, double at, double cosine) {
           const dvec3 scattered = share * air.scattering(mean);
           kept += scattered;
@@ -77,6 +85,27 @@ dvec3 light_around(const Atmosphere& air, const SunPaths& paths, double height, 
   }
   const double directions = kRings * kSectors;
   return second / directions / (1.0 - glm::min(kept / directions, dvec3(kMostKept)));
+}
+
+double eased(double t) {
+  t = std::clamp(t, 0.0, 1.0);
+  return t * t * (3.0 - 2.0 * t);
+}
+
+/// Three wavelengths stand for the spectrum where light passes ten airs or so. That of a sun at the
+/// horizon passes many more, and green, which molecules and ozone dim least of the three, takes
+/// over as it does under no real sky: of it there is little more than of red or of blue, and what
+/// is left in the deep twilight is grey. The luminance stays.
+dvec3 without_false_hue(const dvec3& light, double sun_sine) {
+  constexpr dvec3 kLuminance{0.2126, 0.7152, 0.0722};
+  constexpr double kMostGreen = 1.04;
+  const double above = std::asin(std::clamp(sun_sine, -1.0, 1.0)) * (180.0 / kPi64);
+  const double luminance = glm::dot(light, kLuminance);
+  if (above >= 4.0 || luminance <= 0.0) return light;
+  dvec3 hue = light;
+  hue.y = std::min(hue.y, kMostGreen * std::max(hue.x, hue.z));
+  hue = glm::mix(light, hue * (luminance / glm::dot(hue, kLuminance)), eased((4.0 - above) / 4.0));
+  return glm::mix(hue, dvec3(luminance), eased((-11.0 - above) / 4.0));
 }
 
 }  // namespace
@@ -96,7 +125,13 @@ double fog_glow(double sun_cosine) {
 }
 
 Scattering::Scattering(const Atmosphere& air, const dvec3& sun)
-    : air_(air), paths_(air), sun_(sun), around_(kHeights * kSuns) {
+    : air_(air),
+      paths_(air),
+      sun_(sun),
+      around_(kHeights * kSuns),
+      thick_share_(thick_haze_share(air)),
+      scattered_extinction_(
+          glm::mix(air.haze_extinction, reduced_haze_extinction(air), thick_share_)) {
   // Fog is too thin a layer for the light of all the air.
   Atmosphere clear = air;
   clear.fog = {};
@@ -107,6 +142,12 @@ Scattering::Scattering(const Atmosphere& air, const dvec3& sun)
     around_[static_cast<std::size_t>(i)] =
         light_around(clear, paths_, kHighest * root * root, cosine);
   });
+  if (thick_share_ <= 0.0) return;
+  clear.haze_extinction = clear.haze_scattering = dvec3(0.0);
+  const Scattering without(clear, sun);
+  haze_light_.emplace(air, paths_, sun.y, [&without](double height, double sun_cosine) {
+    return without.even_around(height, sun_cosine);
+  });
 }
 
 dvec3 Scattering::sunlight(double height, double sun_cosine) const {
@@ -114,7 +155,26 @@ dvec3 Scattering::sunlight(double height, double sun_cosine) const {
          (sun_share(height, sun_cosine) * fog_light(air_.fog, height, sun_cosine));
 }
 
-dvec3 Scattering::around(double height, double sun_cosine) const {
+dvec3 Scattering::scattered_sunlight(double height, double sun_cosine) const {
+  return paths_.transmittance(height, sun_cosine, scattered_extinction_) *
+         (sun_share(height, sun_cosine) * fog_light(air_.fog, height, sun_cosine));
+}
+
+HazeLight::Field Scattering::around(double height, double sun_cosine) const {
+  const HazeLight::Field light = spectral_around(height, sun_cosine);
+  const dvec3 even = without_false_hue(light.even, sun_.y);
+  return {even, light.slant * even / glm::max(light.even, dvec3(1e-300))};
+}
+
+HazeLight::Field Scattering::spectral_around(double height, double sun_cosine) const {
+  if (thick_share_ <= 0.0) return {even_around(height, sun_cosine), dvec3(0.0)};
+  const HazeLight::Field thick = haze_light_->at(height, sun_cosine);
+  if (thick_share_ >= 1.0) return thick;
+  return {glm::mix(even_around(height, sun_cosine), thick.even, thick_share_),
+          thick_share_ * thick.slant};
+}
+
+dvec3 Scattering::even_around(double height, double sun_cosine) const {
   const double row = std::sqrt(std::clamp(height / kHighest, 0.0, 1.0)) * (kHeights - 1);
   const double column =
       std::clamp(0.5 + 0.5 * (sun_cosine - sun_.y) / kSunReach, 0.0, 1.0) * (kSuns - 1);
@@ -132,14 +192,21 @@ PathLight Scattering::follow(const Way& way, int steps) const {
   const double fog = fog_glow(sun_.y) + kFogDirect * haze_phase(towards, kFogAsymmetry);
   PathLight light;
   light.transmittance =
-      march(air_, sun_, way, steps,
+      march(air_, sun_, way, steps, thick_share_ > 0.0,
             [&](const dvec3& share, const Density& mean, double height, double sun_cosine) {
-              const dvec3 sun = sunlight(height, sun_cosine);
+              const dvec3 sun = scattered_sunlight(height, sun_cosine);
               const dvec3 single = sun * (air_.molecules * (mean.molecules * molecules) +
                                           air_.fog.extinction * mean.fog * fog);
-              light.add += share * (single + around(height, sun_cosine) * air_.scattering(mean));
-              light.haze += share * sun * air_.haze_scattering * mean.haze;
+              const HazeLight::Field around = spectral_around(height, sun_cosine);
+              const dvec3 haze = air_.haze_scattering * mean.haze;
+              light.add += share * (single + around.even * air_.scattering(mean) -
+                                    way.direction.y * around.slant * haze);
+              light.haze += share * sun * haze;
             });
+  const dvec3 seen = light.add + haze_phase(towards, air_.haze_asymmetry) * light.haze;
+  const dvec3 change = without_false_hue(seen, sun_.y) / glm::max(seen, dvec3(1e-300));
+  light.add *= change;
+  light.haze *= change;
   return light;
 }
 

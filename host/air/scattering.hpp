@@ -1,8 +1,9 @@
 #pragma once
 
+#include <optional>
 #include <vector>
 
-#include "air/sun_paths.hpp"
+#include "air/haze_light.hpp"
 
 namespace aerostat::air {
 
@@ -35,21 +36,33 @@ class Scattering {
   /// given.
   dvec3 sunlight(double height, double sun_cosine) const;
 
-  /// Mean over all directions of the light that was scattered before: every order but the first,
-  /// taken as even in direction. For cosines within 0.2 of the sun's at the start. Source: S.
-  /// Hillaire, "A Scalable and Production Ready Sky and Atmosphere Rendering Technique" (EGSR
-  /// 2020), section 5.
-  dvec3 around(double height, double sun_cosine) const;
+  /// The part of `sunlight` that the air scatters: in thick haze also what was scattered forwards
+  /// only.
+  dvec3 scattered_sunlight(double height, double sun_cosine) const;
+
+  /// Light that was scattered before: every order but the first. For cosines within 0.2 of the
+  /// sun's at the start. In thin haze it is even: S. Hillaire, "A Scalable and Production Ready Sky
+  /// and Atmosphere Rendering Technique" (EGSR 2020), section 5; thick haze follows HazeLight.
+  HazeLight::Field around(double height, double sun_cosine) const;
+
+  /// By how much haze is thick, 0 to 1: thick_haze_share.
+  double thick_share() const { return thick_share_; }
 
   /// Single scattering along the way, with `around` as light of the later orders. The steps get
   /// longer along the way; in each the light is even and the extinction exact.
   PathLight follow(const Way& way, int steps) const;
 
  private:
+  HazeLight::Field spectral_around(double height, double sun_cosine) const;
+  dvec3 even_around(double height, double sun_cosine) const;
+
   Atmosphere air_;
   SunPaths paths_;
   dvec3 sun_;
   std::vector<dvec3> around_;
+  double thick_share_;
+  dvec3 scattered_extinction_;  // of haze, for what is scattered
+  std::optional<HazeLight> haze_light_;
 };
 
 /// Length of the way to the end of the air, or to the ground if that is met first.

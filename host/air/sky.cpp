@@ -39,6 +39,15 @@ std::array<double, 9> basis(const dvec3& d) {
           d.x * d.x - d.y * d.y};
 }
 
+/// Light of the night's own: airglow and stars, 22 magnitudes per square arcsecond or 1.7e-4 cd/m^2
+/// (A. Crumey, "Human contrast threshold and astronomical visibility", MNRAS 442, 2014), of the
+/// sun's 133.1 klx. Grey, though starlight is a little warm. By day it is left out.
+dvec3 night_light(double sun_sine) {
+  constexpr double kNight = 1.7e-4 / 133100.0;
+  const double t = std::clamp(-sun_sine / std::sin(6.0 * kPi64 / 180.0), 0.0, 1.0);
+  return dvec3(kNight * t * t * (3.0 - 2.0 * t));
+}
+
 }  // namespace
 
 SkyTable::SkyTable(const Scattering& air, double height)
@@ -77,12 +86,14 @@ dvec3 SkyTable::direction_of(double sine, int column) const {
 }
 
 void SkyTable::fill(const Scattering& air, int first_row, int end_row, const dvec3& ground) {
+  const dvec3 night = first_row == 0 ? night_light(sun_.y) : dvec3(0.0);
   tbb::parallel_for(first_row * kColumns, end_row * kColumns, [&](int i) {
     Way way{height_, direction_of(sine_of(i / kColumns), i % kColumns), 0.0};
     const double end = i / kColumns < kRowsAbove ? kTopHeight : 0.0;
     way.length = distance_to_height(height_, way.direction.y, end);
     const PathLight light = air.follow(way, kSteps);
-    cells_[static_cast<std::size_t>(i)] = {light.add + light.transmittance * ground, light.haze};
+    cells_[static_cast<std::size_t>(i)] = {light.add + light.transmittance * ground + night,
+                                           light.haze};
   });
 }
 

@@ -9,6 +9,8 @@ namespace aerostat::air {
 namespace {
 
 constexpr int kHeights = 64, kDirections = 128, kSteps = 48;
+// The table's rows are too far apart for haze of smaller scale heights.
+constexpr double kResolvedHeight = 500.0;
 
 // Metres to the horizon that is seen from the top.
 double horizon_of(double height) {
@@ -75,8 +77,14 @@ SunPaths::SunPaths(const Atmosphere& air) : air_(air), table_(kHeights * kDirect
       const double distance = distance_to_height(std::min(height, kTopHeight), cosine, kTopHeight);
       table_[static_cast<std::size_t>(row * kDirections + i)] =
           integrate(air, height, cosine, distance);
+      table_[static_cast<std::size_t>(row * kDirections + i)].haze *= thin_layer(height);
     }
   });
+}
+
+double SunPaths::thin_layer(double height) const {
+  if (air_.haze_height >= kResolvedHeight) return 1.0;
+  return std::exp(std::min(height / air_.haze_height, 60.0));
 }
 
 Columns SunPaths::columns(double height, double cosine) const {
@@ -88,13 +96,22 @@ Columns SunPaths::columns(double height, double cosine) const {
   const Place at = place((distance - least) / std::max(most - least, 1.0), kDirections);
   const Columns* low = table_.data() + row.index * kDirections + at.index;
   const Columns* high = low + kDirections;
-  return mix(mix(low[0], low[1], at.share), mix(high[0], high[1], at.share), row.share);
+  Columns found = mix(mix(low[0], low[1], at.share), mix(high[0], high[1], at.share), row.share);
+  found.haze /= thin_layer(h);
+  return found;
 }
 
 dvec3 SunPaths::transmittance(double height, double cosine) const {
+  return transmittance(height, cosine, air_.haze_extinction);
+}
+
+dvec3 SunPaths::transmittance(double height, double cosine, const dvec3& haze_extinction) const {
+  return glm::exp(-depth(height, cosine, haze_extinction));
+}
+
+dvec3 SunPaths::depth(double height, double cosine, const dvec3& haze_extinction) const {
   const Columns way = columns(height, cosine);
-  return glm::exp(
-      -(air_.molecules * way.molecules + air_.haze_extinction * way.haze + air_.ozone * way.ozone));
+  return air_.molecules * way.molecules + haze_extinction * way.haze + air_.ozone * way.ozone;
 }
 
 double sun_share(double height, double cosine) {

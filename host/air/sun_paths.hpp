@@ -27,7 +27,17 @@ class SunPaths {
   /// Of light from there, per channel, through all but the fog.
   dvec3 transmittance(double height, double cosine) const;
 
+  /// The same for haze of another extinction.
+  dvec3 transmittance(double height, double cosine, const dvec3& haze_extinction) const;
+
+  /// Minus the logarithm of that.
+  dvec3 depth(double height, double cosine, const dvec3& haze_extinction) const;
+
  private:
+  /// By how much more haze a column holds in the table than in the air: where haze is a thin layer,
+  /// columns are kept as if each began at the sea's density, which changes little with height.
+  double thin_layer(double height) const;
+
   Atmosphere air_;
   std::vector<Columns> table_;
 };

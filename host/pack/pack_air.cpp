@@ -48,8 +48,14 @@ void pack_air(const scene::Scene& scene, AeroAir& air) {
   for (std::size_t i = 0; i < 2; ++i) {
     air.sun_heights[i] = static_cast<float>(light.sun_heights[i]);
   }
-  for (std::size_t i = 0; i < 3; ++i) copy(air.around[i], light.around[i]);
-  air.around_top = static_cast<float>(air::Light::kAroundTop);
+  copy(air.scattered_depth_haze, light.scattered_depth_haze);
+  for (std::size_t i = 0; i < 3; ++i) {
+    copy(air.around[i], light.around[i]);
+    copy(air.around_slant[i], light.around_slant[i]);
+  }
+  copy(air.around_least, light.around_least);
+  air.around_top = static_cast<float>(light.around_top);
+  air.thick_haze = light.thick_haze ? 1.0f : 0.0f;
   for (std::size_t i = 0; i < 9; ++i) copy(air.ambient[i], light.ambient[i]);
   air.fog = pack_fog(scene.fog, from.fog, glm::normalize(scene.sun.direction).y);
   pack_sky_cells(light.sky, air);

@@ -38,15 +38,20 @@ typedef struct AeroAir {
   aero_float haze_asymmetry;
   aero_float depth_molecules[3], depth_haze[3]; /* towards the sun from the sea */
   aero_float depth_ozone[3];
+  aero_float scattered_depth_haze[3]; /* depth_haze for light that the air scatters */
   aero_float sun_heights[2]; /* none of the disc is seen below the first, all above the second */
-  aero_float around[3][3];   /* even light of later orders: a polynomial in the height */
-  aero_float around_top;     /* up to here */
-  aero_float ambient[9][3];  /* irradiance / pi by the normal, in spherical harmonics */
+  /* Light of later orders, even[0] + even[1] x + even[2] x^2, and what haze sends up beyond that
+   * per cosine. x is the height or, where thick_haze is not 0, 1 - the haze's density. */
+  aero_float around[3][3], around_slant[3][3];
+  aero_float around_least[3]; /* of the even part */
+  aero_float around_top;      /* the greatest x */
+  aero_float thick_haze;
+  aero_float ambient[9][3]; /* irradiance / pi by the normal, in spherical harmonics */
   aero_float horizon_sine;
   AeroFog fog;
   AeroSkyCell sky[AERO_SKY_CELLS];
 } AeroAir;
 
-AERO_ASSERT_LAYOUT(AeroAir, 32524);
+AERO_ASSERT_LAYOUT(AeroAir, 32588);
 
 #endif

@@ -139,6 +139,6 @@ typedef struct AeroScene {
   aero_float place[3];
 } AeroScene;
 
-AERO_ASSERT_LAYOUT(AeroScene, 296068);
+AERO_ASSERT_LAYOUT(AeroScene, 296132);
 
 #endif

@@ -117,6 +117,99 @@ TEST_P(Air, IsSeenOverADistanceAsTheHostFollowsIt) {
   }
 }
 
+TEST_P(Air, OfThickHazeIsSeenAsTheHostFollowsIt) {
+  for (const double visibility_m : {50.0, 500.0, 3000.0}) {
+    for (const double scale_height_m : {30.0, 1200.0, 1e6}) {
+      SCOPED_TRACE(std::to_string(visibility_m) + " m, scale height " +
+                   std::to_string(scale_height_m) + " m");
+      scene::Scene scene = morning();
+      scene.haze.visibility_m = visibility_m;
+      scene.haze.scale_height_m = scale_height_m;
+      scene::set_haze_droplets(scene.haze, visibility_m);
+      scene.camera.position.y = std::min(0.3 * scale_height_m, 400.0);
+      const air::Scattering air(air::atmosphere_of(scene), glm::normalize(scene.sun.direction));
+      Paths paths;
+      for (const float azimuth_deg : {20.0f, 130.0f}) {
+        for (const float distance : {20.0f, 300.0f, 12000.0f}) {
+          for (const float elevation_deg : {-0.5f, 4.0f, 40.0f}) {
+            if (elevation_deg < 0.0f && distance > 1000.0f) continue;
+            paths.add(towards(azimuth_deg, elevation_deg),
+                      static_cast<float>(scene.camera.position.y), distance);
+          }
+        }
+      }
+      const vec3 surface(0.03f, 0.02f, 0.01f);
+      const auto arriving = follow(pack::pack_scene(scene), paths, surface);
+      for (std::size_t i = 0; i < arriving.size(); ++i) {
+        const dvec3 direction(paths.directions[i]);
+        const auto path = air.follow({paths.origins[i].y, direction, paths.distances[i]}, 400);
+        const double phase =
+            air::haze_phase(glm::dot(direction, air.sun()), air.atmosphere().haze_asymmetry);
+        const dvec3 expected = scene.sun.irradiance * (path.add + phase * path.haze) +
+                               path.transmittance * dvec3(surface);
+        // Four steps, of which the first may hide the others and reach out of the haze.
+        EXPECT_LT(glm::distance(dvec3(arriving[i]), expected), 0.2 * glm::length(expected) + 1e-6)
+            << direction.y << " over " << paths.distances[i];
+      }
+    }
+  }
+}
+
+/// What the eye sees behind as much haze is the sky, whatever stands there.
+TEST_P(Air, HidesWhatIsFarBehindThickHaze) {
+  for (const double visibility_m : {50.0, 200.0, 500.0}) {
+    scene::Scene scene = morning();
+    scene.haze.visibility_m = visibility_m;
+    scene::set_haze_droplets(scene.haze, visibility_m);
+    Paths paths;
+    for (const float azimuth_deg : {20.0f, 130.0f, 215.0f}) {
+      for (const float elevation_deg : {0.5f, 6.0f, 20.0f}) {
+        paths.add(towards(azimuth_deg, elevation_deg), 400.0f, 7000.0f);
+      }
+    }
+    const AeroScene packed = pack::pack_scene(scene);
+    const auto [sky, radiance] = look(packed, paths);
+    const auto black = follow(packed, paths, vec3(0.0f)), white = follow(packed, paths, vec3(1.0f));
+    for (std::size_t i = 0; i < sky.size(); ++i) {
+      // Less than a display shows.
+      EXPECT_LT(glm::distance(white[i], black[i]), 0.01f * glm::length(sky[i])) << i;
+      EXPECT_LT(glm::distance(black[i], sky[i]), 0.04f * glm::length(sky[i])) << i;
+    }
+  }
+}
+
+TEST_P(Air, OfAnyKindGivesLightAndNothingBelowIt) {
+  std::mt19937 random(29);
+  const auto between = [&random](double a, double b) {
+    return std::uniform_real_distribution<double>(a, b)(random);
+  };
+  for (int i = 0; i < 8; ++i) {
+    scene::Scene scene = morning(between(-30.0, 90.0));
+    scene.haze = {std::pow(10.0, between(1.0, 5.0)), std::pow(10.0, between(0.0, 6.0)),
+                  between(-1.0, 4.0), between(0.0, 0.95),
+                  vec3(dvec3(between(0.0, 1.0), 1.0, between(0.0, 1.0)))};
+    scene.air.density = between(0.0, 10.0);
+    scene.air.ozone_du = between(0.0, 3000.0);
+    scene.fog.enabled = i % 4 == 0;
+    SCOPED_TRACE(scene::write_text(scene));
+    Paths paths;
+    for (int k = 0; k < 200; ++k) {
+      paths.add(vec3(dvec3(between(-1.0, 1.0), between(-1.0, 1.0), between(-1.0, 1.0))),
+                static_cast<float>(between(-500.0, 9000.0)),
+                static_cast<float>(std::pow(10.0, between(0.0, 6.0))));
+    }
+    const AeroScene packed = pack::pack_scene(scene);
+    const auto [sky, radiance] = look(packed, paths);
+    const auto arriving = follow(packed, paths, vec3(0.5f));
+    for (std::size_t k = 0; k < sky.size(); ++k) {
+      for (const vec3& light : {sky[k], radiance[k], arriving[k]}) {
+        ASSERT_TRUE(is_finite(light)) << paths.directions[k].y;
+        ASSERT_GE(std::min({light.x, light.y, light.z}), 0.0f) << paths.directions[k].y;
+      }
+    }
+  }
+}
+
 TEST_P(Air, OfAWayToItsEndIsTheSky) {
   const scene::Scene scene = morning(30.0);
   Paths paths;
