@@ -34,6 +34,9 @@ constexpr double kRaisedShare = 0.3, kMostRoom = 1.5;
 constexpr double kCandelas = 133100.0 / 5.0;
 // From here up the middle is shown as daylight.
 constexpr double kDaylight = 100.0;
+// From here down eyes hardly see darker views as any darker; that a later hour of the night is
+// shown darker all the same, each stop by so much, was chosen by eye.
+constexpr double kNight = 0.01, kNightShare = 0.25;
 
 constexpr double kLeastLight = 1e-12;
 constexpr std::size_t kBlockPixels = 8192;
@@ -150,7 +153,8 @@ double key(double candelas) {
 /// By how many stops the middle of a view is shown darker than by day; <= 0.
 double dusk_stops(double middle) {
   const double candelas = std::min(std::exp2(middle) * kCandelas, kDaylight);
-  return std::log2(key(candelas) / key(kDaylight));
+  const double night = std::min(candelas / kNight, 1.0);
+  return std::log2(key(candelas) / key(kDaylight)) + kNightShare * std::log2(night);
 }
 
 /// What the middle of a picture and its lights come to, in stops.

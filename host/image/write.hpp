@@ -20,7 +20,7 @@ struct Pixels {
 /// the brightest twentieth of the pixels, goes to a grey of 0.25, or up to two stops darker where
 /// that keeps the brightest hundredth below white, so that snow does not clip, or up to half a stop
 /// brighter where that hundredth is far from it. Below 100 cd/m^2 the grey falls as views look to
-/// an eye, by two stops at 1 cd/m^2 and four by night: radiance 1 counts as 26620 cd/m^2, as under
+/// an eye, by two stops at 1 cd/m^2 and five by night: radiance 1 counts as 26620 cd/m^2, as under
 /// a sun of irradiance 5. 0 for a picture without light.
 double automatic_exposure_ev(const Film& film);
 
