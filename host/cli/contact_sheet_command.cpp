@@ -9,6 +9,7 @@
 #include "cli/picture.hpp"
 #include "cli/scene_input.hpp"
 #include "core/error.hpp"
+#include "core/file.hpp"
 #include "core/stop_scope.hpp"
 #include "core/stopwatch.hpp"
 #include "image/sheet.hpp"
@@ -103,7 +104,7 @@ class SheetRender {
 
 int contact_sheet(const ContactSheetOptions& options) {
   const Stopwatch watch;
-  const fs::path output = output_file(output_of(options), true);
+  const fs::path output = output_file(output_of(options), options.input, true);
   const Interrupt interrupt;
   ProgressBar bar(stderr_style(options.quiet), print_stderr);
   const WarningsAbove warnings(bar, options.quiet);
@@ -118,7 +119,7 @@ int contact_sheet(const ContactSheetOptions& options) {
   bar.clear();
   const auto bytes = image::encode_png(sheet.pixels());
   stop_if_asked(interrupt.token());
-  image::write_file(output, bytes);
+  write_file(output, bytes);
   if (!options.quiet) {
     bar.message(fmt::format("wrote {} ({} tiles of {} x {}, {} spp) in {:.1f} s on {}",
                             name_of_output(output), seeds.size(), layout.tile_width,

@@ -1,7 +1,7 @@
 #include "cli/commands.hpp"
 #include "cli/parse.hpp"
 #include "cli/scene_input.hpp"
-#include "image/write.hpp"
+#include "core/file.hpp"
 #include "mesh/export.hpp"
 #include "scene/local_frame.hpp"
 #include "world/world.hpp"
@@ -10,7 +10,8 @@ namespace aerostat::cli {
 
 int export_world(const ExportOptions& options) {
   const MeshFormat format = mesh_format(options.output, options.format);
-  const std::filesystem::path output = output_file(options.output, format == MeshFormat::ply);
+  const std::filesystem::path output =
+      output_file(options.output, options.input, format == MeshFormat::ply);
   scene::Scene scene = load_scene(options.input);
   scene.origin = scene::origin_for_export(scene);
   const world::Objects world = world::as_triangles(
@@ -22,7 +23,7 @@ int export_world(const ExportOptions& options) {
   }
   const auto file = format == MeshFormat::ply ? mesh::ply_bytes(objects, scene.origin)
                                               : mesh::obj_bytes(objects, scene.origin);
-  image::write_file(output, file);
+  write_file(output, file);
   return 0;
 }
 

@@ -12,6 +12,7 @@
 #include <fmt/format.h>
 
 #include "core/error.hpp"
+#include "core/file.hpp"
 
 namespace aerostat::cli {
 
@@ -55,11 +56,13 @@ std::optional<std::pair<std::uint32_t, std::uint32_t>> seed_range(std::string_vi
 }
 
 /// What says the format of a file: `format`, or the ending of its name, or `usual` for standard
-/// output.
+/// output and for a special file without an ending, such as /dev/null.
 std::string ending_of(const std::filesystem::path& path, const std::string& format,
                       const char* usual) {
   if (!format.empty()) return "." + format;
-  return is_standard(path) ? usual : lower(path.extension().string());
+  const std::string ending = lower(path.extension().string());
+  const bool has_none = is_standard(path) || (ending.empty() && is_special_file(path));
+  return has_none ? usual : ending;
 }
 
 std::optional<int> exponent_of_unit(const std::string& unit) {

@@ -30,13 +30,14 @@ std::vector<std::uint32_t> parse_seeds(const std::string& text);
 enum class PictureFormat { png, exr };
 
 /// "png" or "exr", or if that is empty by the file's extension, whatever its case; PNG for standard
-/// output. Throws Error{usage} for any extension but .png and .exr.
+/// output and, without an extension, for a special file (see is_special_file). Throws Error{usage}
+/// for any extension but .png and .exr.
 PictureFormat picture_format(const std::filesystem::path& path, const std::string& format = {});
 
 enum class MeshFormat { ply, obj };
 
 /// "ply" or "obj", or if that is empty by the file's extension, whatever its case; PLY for standard
-/// output. Throws Error{usage} for any extension but .ply and .obj.
+/// output and such a special file. Throws Error{usage} for any extension but .ply and .obj.
 MeshFormat mesh_format(const std::filesystem::path& path, const std::string& format = {});
 
 /// Whether a name on the command line is "-": standard input of a scene, standard output of a file.

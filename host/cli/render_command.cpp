@@ -12,6 +12,7 @@
 #include "cli/report.hpp"
 #include "cli/scene_input.hpp"
 #include "core/error.hpp"
+#include "core/file.hpp"
 #include "core/stop_scope.hpp"
 #include "core/stopwatch.hpp"
 #include "image/write.hpp"
@@ -91,7 +92,7 @@ int render(const RenderOptions& options) {
   const fs::path named =
       options.output.empty() ? default_picture(options.input.scene) : options.output;
   const PictureFormat format = picture_format(named, options.format);
-  const fs::path output = output_file(named, true);
+  const fs::path output = output_file(named, options.input, true);
   const Interrupt interrupt;
   ProgressBar bar(stderr_style(options.quiet), print_stderr);
   const WarningsAbove warnings(bar, options.quiet);
@@ -119,7 +120,7 @@ int render(const RenderOptions& options) {
   const auto bytes = encode(film, format, scene.image);
   seconds.encoding = phase.restart();
   stop_if_asked(interrupt.token());
-  image::write_file(output, bytes);
+  write_file(output, bytes);
   seconds.writing = phase.seconds();
 
   if (!options.quiet) {

@@ -11,7 +11,7 @@
 
 #include "cli/parse.hpp"
 #include "core/error.hpp"
-#include "image/write.hpp"
+#include "core/file.hpp"
 #include "scene/installed.hpp"
 #include "scene/io.hpp"
 #include "world/world.hpp"
@@ -37,6 +37,16 @@ std::string text_of_stdin() {
     text.append(chunk, static_cast<std::size_t>(count));
   }
   return text;
+}
+
+/// By whatever name: the output would destroy it.
+void refuse_own_input(const std::filesystem::path& output, const SceneOptions& input) {
+  const std::filesystem::path scene =
+      is_standard(input.scene) ? "/dev/stdin" : scene::find_scene(input.scene);
+  if (!is_same_file(output, scene)) return;
+  throw Error(ErrorKind::usage, fmt::format("--output: '{}' is the scene file '{}' itself, which "
+                                            "would be lost; give another name",
+                                            output.string(), name_of_scene(input)));
 }
 
 }  // namespace
@@ -67,14 +77,16 @@ std::string name_of_scene(const SceneOptions& options) {
   return is_standard(options.scene) ? kStandardInput : options.scene.string();
 }
 
-std::filesystem::path output_file(const std::filesystem::path& output, bool is_binary) {
+std::filesystem::path output_file(const std::filesystem::path& output, const SceneOptions& input,
+                                  bool is_binary) {
   const std::filesystem::path file = is_standard(output) ? "/dev/stdout" : output;
   if (file == "/dev/stdout" && is_binary && ::isatty(STDOUT_FILENO) == 1) {
     throw Error(ErrorKind::usage,
                 "--output: standard output is a terminal, which can show no binary file; send it "
                 "on, such as > picture.png");
   }
-  image::require_writable(file);
+  require_writable(file);
+  refuse_own_input(file, input);
   return file;
 }
 
@@ -83,8 +95,7 @@ std::string name_of_output(const std::filesystem::path& output) {
 }
 
 void write_stdout(const std::string& text) {
-  image::write_file("/dev/stdout",
-                    {reinterpret_cast<const std::uint8_t*>(text.data()), text.size()});
+  write_file("/dev/stdout", {reinterpret_cast<const std::uint8_t*>(text.data()), text.size()});
 }
 
 }  // namespace aerostat::cli

@@ -20,8 +20,10 @@ scene::Scene load_scene(const SceneOptions& options);
 std::string name_of_scene(const SceneOptions& options);
 
 /// The file to write for a name on the command line: standard output for "-". Throws Error{usage}
-/// if that is a terminal and `is_binary`, and as image::require_writable does.
-std::filesystem::path output_file(const std::filesystem::path& output, bool is_binary);
+/// if that is a terminal and `is_binary`, or if it is the scene file by whatever name, which the
+/// output would destroy, and as require_writable does.
+std::filesystem::path output_file(const std::filesystem::path& output, const SceneOptions& input,
+                                  bool is_binary);
 
 /// An output as messages call it.
 std::string name_of_output(const std::filesystem::path& output);

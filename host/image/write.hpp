@@ -1,8 +1,6 @@
 #pragma once
 
 #include <cstdint>
-#include <filesystem>
-#include <span>
 #include <vector>
 
 #include "image/film.hpp"
@@ -53,14 +51,5 @@ std::vector<std::uint8_t> encode_png(const Pixels& pixels);
 /// of it that the film shows. Layers that the film does not have are left out. Throws
 /// Error{internal} if a layer's length is wrong or the encoder fails.
 std::vector<std::uint8_t> encode_exr(const Film& film);
-
-/// Writes the file whole or not at all: a temporary file beside it, checked, synced, renamed.
-/// Throws Error{io} with the path and the system's reason; then nothing is left behind and an older
-/// file stays as it was. "/dev/stdout", pipes and other special files are written directly.
-void write_file(const std::filesystem::path& path, std::span<const std::uint8_t> bytes);
-
-/// Throws Error{io} or Error{usage} early, before work is done for nothing, if `path` cannot be
-/// written: its folder is missing or read-only, or it is a folder.
-void require_writable(const std::filesystem::path& path);
 
 }  // namespace aerostat::image

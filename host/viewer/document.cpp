@@ -2,9 +2,9 @@
 
 #include <QUndoCommand>
 #include <chrono>
+#include <new>
 
 #include "core/error.hpp"
-#include "image/write.hpp"
 
 namespace aerostat::viewer {
 namespace {
@@ -105,23 +105,33 @@ void Document::show(const scene::SceneSource& source) {
 }
 
 void Document::start(const scene::SceneSource& source, const QString& path) {
+  begin(source, path, path.isEmpty() ? FileStamp() : file_stamp(path.toStdString()));
+}
+
+void Document::begin(const scene::SceneSource& source, const QString& path,
+                     const FileStamp& stamp) {
   undo_.clear();
   saved_ = source;
   path_ = path;
+  stamp_ = stamp;
   show(source);
   Q_EMIT file_changed();
 }
 
 bool Document::open(const QString& path) {
-  return guarded([&] { start(scene::SceneSource::from_file(path.toStdString()), path); });
+  return guarded([&] {
+    const FileStamp stamp = file_stamp(path.toStdString());  // of what is read, or older
+    begin(scene::SceneSource::from_file(path.toStdString()), path, stamp);
+  });
 }
 
 bool Document::save(const QString& path) {
   return guarded([&] {
     const std::string text = source_.text();
-    image::write_file(path.toStdString(),
-                      {reinterpret_cast<const std::uint8_t*>(text.data()), text.size()});
+    write_file(path.toStdString(),
+               {reinterpret_cast<const std::uint8_t*>(text.data()), text.size()});
     path_ = path;
+    stamp_ = file_stamp(path.toStdString());
     saved_ = source_;
     undo_.setClean();
     end_gesture();

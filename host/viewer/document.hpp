@@ -5,6 +5,7 @@
 #include <QString>
 #include <QUndoStack>
 
+#include "core/file.hpp"
 #include "scene/source.hpp"
 
 namespace aerostat::viewer {
@@ -44,6 +45,8 @@ class Document : public QObject {
   void start(const scene::SceneSource& source, const QString& path);
   bool open(const QString& path);
   bool save(const QString& path);
+  /// Of the file as it was opened or saved; another one now means that another program wrote it.
+  const FileStamp& stamp() const { return stamp_; }
 
  Q_SIGNALS:
   void changed();
@@ -56,9 +59,11 @@ class Document : public QObject {
   template <typename Action>
   bool guarded(Action action);
   void show(const scene::SceneSource& source);
+  void begin(const scene::SceneSource& source, const QString& path, const FileStamp& stamp);
 
   scene::SceneSource source_, saved_;
   QString path_;
+  FileStamp stamp_;
   QUndoStack undo_;
   int gesture_ = 0;
 };

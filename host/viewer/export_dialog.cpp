@@ -8,6 +8,7 @@
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QLineEdit>
+#include <QMessageBox>
 #include <QProgressBar>
 #include <QPushButton>
 #include <QVBoxLayout>
@@ -106,6 +107,7 @@ void ExportDialog::build() {
 
 void ExportDialog::set_path(const QString& path) {
   path_->setText(path);
+  agreed_path_ = path;
 }
 
 void ExportDialog::set_quality(const QString& quality) {
@@ -120,7 +122,7 @@ void ExportDialog::choose_path() {
   const QString path =
       QFileDialog::getSaveFileName(this, tr("Export Picture"), path_->text(),
                                    tr("Pictures (*.png)") + ";;" + tr("OpenEXR (*.exr)"));
-  if (!path.isEmpty()) path_->setText(path);
+  if (!path.isEmpty()) set_path(path);  // the dialog asked
 }
 
 /// The quality's own samples and light, whatever the scene says of them.
@@ -142,6 +144,7 @@ void ExportDialog::begin() {
   const QFileInfo file(path);
   // "folder/" stays what it is, and is refused.
   if (file.suffix().isEmpty() && !file.fileName().isEmpty()) path += QStringLiteral(".png");
+  if (!may_write(path)) return;
   scene::Scene scene;
   try {
     scene::SceneSource source = document_.source().with(changes());
@@ -165,8 +168,51 @@ void ExportDialog::begin() {
         end(written, written ? tr("Wrote %1").arg(QDir::toNativeSeparators(path)) : error);
       },
       Qt::QueuedConnection);
+  connect(
+      job_.get(), &ExportJob::obstructed, this, [this, path] { ask_about_file(path); },
+      Qt::QueuedConnection);
   set_busy(true);
   job_->start(scene, path, device_);
+}
+
+/// Neither the scene itself, nor an older file without a question.
+bool ExportDialog::may_write(const QString& path) {
+  if (is_same_file(path.toStdString(), document_.path().toStdString())) {
+    message_->setText(tr("This is the scene file itself; give the picture another name."));
+    return false;
+  }
+  if (path == agreed_path_ || !QFileInfo(path).isFile()) return true;
+  const auto answer =
+      QMessageBox::question(this, tr("Export Picture"),
+                            tr("%1 already exists. Replace it?").arg(QFileInfo(path).fileName()));
+  if (answer != QMessageBox::Yes) return false;
+  agreed_path_ = path;
+  return true;
+}
+
+/// The picture is made, and another program wrote its file meanwhile.
+void ExportDialog::ask_about_file(QString path) {
+  if (!job_) return;
+  QMessageBox box(QMessageBox::Warning, tr("File Changed"),
+                  tr("Another program wrote %1 while the picture was rendered.")
+                      .arg(QFileInfo(path).fileName()),
+                  QMessageBox::Discard, this);
+  auto* overwrite = box.addButton(tr("Overwrite"), QMessageBox::DestructiveRole);
+  auto* another = box.addButton(tr("Save As…"), QMessageBox::AcceptRole);
+  box.exec();
+  if (box.clickedButton() == another) {
+    const QString suffix = QFileInfo(path).suffix();
+    path = QFileDialog::getSaveFileName(this, tr("Export Picture"), path, "*." + suffix);
+  } else if (box.clickedButton() != overwrite) {
+    path.clear();
+  }
+  if (path.isEmpty()) return end(false, tr("The picture was discarded."));
+  try {
+    write_file(path.toStdString(), job_->bytes());
+    end(true, tr("Wrote %1").arg(QDir::toNativeSeparators(path)));
+  } catch (const std::exception& error) {
+    end(false, QString::fromUtf8(error.what()));
+  }
 }
 
 void ExportDialog::show_progress(double fraction, const QString& stage) {

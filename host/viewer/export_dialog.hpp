@@ -43,11 +43,14 @@ class ExportDialog : public QDialog {
   void choose_path();
   void show_progress(double fraction, const QString& stage);
   void end(bool written, const QString& error);
+  bool may_write(const QString& path);
+  void ask_about_file(QString path);
   void set_busy(bool busy);
   std::vector<scene::Override> changes() const;
 
   const Document& document_;
   QString device_;
+  QString agreed_path_;  // may be replaced without a question
   QLineEdit* path_;
   QComboBox* quality_;
   WholeBox* width_;

@@ -3,6 +3,7 @@
 #include <QFileInfo>
 
 #include "core/error.hpp"
+#include "core/file.hpp"
 #include "core/stop_scope.hpp"
 #include "image/write.hpp"
 #include "opencl/device.hpp"
@@ -48,6 +49,7 @@ ExportJob::~ExportJob() {
 }
 
 void ExportJob::start(const scene::Scene& scene, const QString& path, const QString& device) {
+  before_ = file_stamp(path.toStdString());
   thread_ = std::jthread(
       [this, scene, path, device](const std::stop_token& stop) { run(stop, scene, path, device); });
 }
@@ -59,7 +61,8 @@ void ExportJob::cancel() {
 void ExportJob::run(const std::stop_token& stop, scene::Scene scene, const QString& path,
                     const QString& device) {
   try {
-    image::require_writable(path.toStdString());
+    const std::filesystem::path file = path.toStdString();
+    require_writable(file);
     render::Options options;
     options.devices = opencl::select_devices(opencl::effective_selector(device.toStdString()));
     render::Session session(std::move(options));
@@ -74,11 +77,14 @@ void ExportJob::run(const std::stop_token& stop, scene::Scene scene, const QStri
     });
     const bool exr =
         QFileInfo(path).suffix().compare(QLatin1String("exr"), Qt::CaseInsensitive) == 0;
-    const auto bytes =
-        exr ? image::encode_exr(film)
-            : image::encode_png(image::develop(film, render::look_of(scene.image, film)));
+    bytes_ = exr ? image::encode_exr(film)
+                 : image::encode_png(image::develop(film, render::look_of(scene.image, film)));
     stop_if_asked(stop);
-    image::write_file(path.toStdString(), bytes);
+    if (!is_special_file(file) && file_stamp(file) != before_) {
+      Q_EMIT obstructed();
+      return;
+    }
+    write_file(file, bytes_);
     Q_EMIT finished(true, {});
   } catch (const Error& error) {
     const bool cancelled = error.kind() == ErrorKind::interrupted;

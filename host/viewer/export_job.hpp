@@ -8,6 +8,7 @@
 #include <stop_token>
 #include <thread>
 
+#include "core/file.hpp"
 #include "scene/scene.hpp"
 
 namespace aerostat::viewer {
@@ -25,17 +26,24 @@ class ExportJob : public QObject {
   /// suffix says PNG or EXR.
   void start(const scene::Scene& scene, const QString& path, const QString& device);
   void cancel();
+  /// Of the picture's file, once `obstructed` was sent.
+  const std::vector<std::uint8_t>& bytes() const { return bytes_; }
 
  Q_SIGNALS:
   /// Of the whole, 0 to 1; `stage` is a word for it.
   void progressed(double fraction, const QString& stage);
   /// `error` is empty if the file was written, or if the job was cancelled.
   void finished(bool written, const QString& error);
+  /// Instead of `finished`: the picture is made, but another program wrote its file meanwhile,
+  /// which was left alone.
+  void obstructed();
 
  private:
   void run(const std::stop_token& stop, scene::Scene scene, const QString& path,
            const QString& device);
 
+  FileStamp before_;  // of the picture's file
+  std::vector<std::uint8_t> bytes_;
   std::jthread thread_;
 };
 

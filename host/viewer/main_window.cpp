@@ -45,6 +45,7 @@ MainWindow::MainWindow(const QString& device, render::Options options, QWidget* 
   connect(&document_, &Document::failed, this,
           [this](const QString& message) { messages_->show_message(message); });
   connect(&document_, &Document::file_changed, this, &MainWindow::show_title);
+  connect(files_, &SceneFiles::changed_elsewhere, this, &MainWindow::show_changed_file);
   connect(&document_.undo_stack(), &QUndoStack::cleanChanged, this, &MainWindow::show_title);
   restore_layout();
   show_title();
@@ -102,6 +103,15 @@ void MainWindow::choose_device(const QString& selector) {
   panels_->show_device(selector);
   renderer_->use_device(selector);
   render();
+}
+
+void MainWindow::show_changed_file(const QString& message, bool can_reload) {
+  std::vector<MessageBar::Offer> offers;
+  if (can_reload) {
+    const QString text = document_.is_modified() ? tr("Reload and Lose Changes") : tr("Reload");
+    offers.push_back({text, [this] { files_->reload(); }});
+  }
+  messages_->show_message(message, offers);
 }
 
 void MainWindow::show_trouble(const Trouble& trouble) {

@@ -64,6 +64,7 @@ class MainWindow : public QMainWindow {
   void render();
   void show_look(std::shared_ptr<const Shown> shown);
   void show_progress(const render::Progress& progress);
+  void show_changed_file(const QString& message, bool can_reload);
   void show_trouble(const Trouble& trouble);
   void choose_device(const QString& selector);
   void show_title();

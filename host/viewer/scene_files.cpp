@@ -4,6 +4,7 @@
 #include <QFileInfo>
 #include <QMenu>
 #include <QMessageBox>
+#include <QPushButton>
 #include <QSettings>
 
 namespace aerostat::viewer {
@@ -19,7 +20,45 @@ QString filter() {
 }  // namespace
 
 SceneFiles::SceneFiles(Document& document, QWidget* window)
-    : QObject(window), document_(document), window_(window) {}
+    : QObject(window), document_(document), window_(window) {
+  settled_.setSingleShot(true);
+  settled_.setInterval(200);
+  const auto wait = [this] { settled_.start(); };
+  connect(&watcher_, &QFileSystemWatcher::fileChanged, this, wait);
+  connect(&watcher_, &QFileSystemWatcher::directoryChanged, this, wait);
+  connect(&settled_, &QTimer::timeout, this, &SceneFiles::look_at_file);
+  connect(&document, &Document::file_changed, this, &SceneFiles::watch);
+}
+
+/// The folder, too: a file that is replaced is another one for the watcher.
+void SceneFiles::watch() {
+  known_ = document_.stamp();
+  const QStringList watched = watcher_.files() + watcher_.directories();
+  if (!watched.isEmpty()) watcher_.removePaths(watched);
+  if (document_.path().isEmpty()) return;
+  watcher_.addPath(QFileInfo(document_.path()).absolutePath());
+  watcher_.addPath(document_.path());
+}
+
+void SceneFiles::look_at_file() {
+  if (document_.path().isEmpty()) return;
+  const FileStamp now = file_stamp(document_.path().toStdString());
+  if (now == known_) return;
+  known_ = now;
+  if (now == document_.stamp()) return;  // it came back
+  const QString name = QFileInfo(document_.path()).fileName();
+  if (now.exists()) {
+    watcher_.addPath(document_.path());
+    Q_EMIT changed_elsewhere(tr("Another program changed %1.").arg(name), true);
+  } else {
+    Q_EMIT changed_elsewhere(
+        tr("Another program removed or renamed %1. Saving writes it anew.").arg(name), false);
+  }
+}
+
+void SceneFiles::reload() {
+  document_.open(document_.path());
+}
 
 bool SceneFiles::may_discard() {
   if (!document_.is_modified()) return true;
@@ -52,14 +91,44 @@ void SceneFiles::ask_and_open() {
 }
 
 bool SceneFiles::save() {
-  return document_.path().isEmpty() ? save_as() : document_.save(document_.path());
+  if (document_.path().isEmpty()) return save_as();
+  const FileStamp now = file_stamp(document_.path().toStdString());
+  if (!now.exists() || now == document_.stamp()) return document_.save(document_.path());
+  QMessageBox box(QMessageBox::Warning, tr("File Changed"),
+                  tr("Another program changed %1 since it was opened or saved here.")
+                      .arg(QFileInfo(document_.path()).fileName()),
+                  QMessageBox::Cancel, window_);
+  box.setInformativeText(
+      tr("Overwriting it loses what that program wrote; reloading it loses the "
+         "changes made here."));
+  auto* overwrite = box.addButton(tr("Overwrite"), QMessageBox::DestructiveRole);
+  auto* another = box.addButton(tr("Save As…"), QMessageBox::AcceptRole);
+  auto* again = box.addButton(tr("Reload"), QMessageBox::ResetRole);
+  box.setDefaultButton(QMessageBox::Cancel);
+  box.exec();
+  if (box.clickedButton() == overwrite) return document_.save(document_.path());
+  if (box.clickedButton() == another) return save_as();
+  if (box.clickedButton() == again) reload();
+  return false;
+}
+
+/// Asks about a file that the dialog did not ask about.
+bool SceneFiles::may_replace(const QString& path) {
+  if (!QFileInfo::exists(path)) return true;
+  return QMessageBox::question(
+             window_, tr("Save the Scene"),
+             tr("%1 already exists. Replace it?").arg(QFileInfo(path).fileName())) ==
+         QMessageBox::Yes;
 }
 
 bool SceneFiles::save_as() {
   QString path =
       QFileDialog::getSaveFileName(window_, tr("Save the Scene"), document_.path(), filter());
   if (path.isEmpty()) return false;
-  if (QFileInfo(path).suffix().isEmpty()) path += QStringLiteral(".json");
+  if (QFileInfo(path).suffix().isEmpty()) {
+    path += QStringLiteral(".json");
+    if (!may_replace(path)) return false;
+  }
   if (!document_.save(path)) return false;
   remember(path);
   return true;

@@ -63,7 +63,7 @@ std::optional<image::Pixels> read_png(const std::filesystem::path& path) {
 
 void write_png(const std::filesystem::path& path, const image::Pixels& pixels) {
   std::filesystem::create_directories(path.parent_path());
-  image::write_file(path, image::encode_png(pixels));
+  write_file(path, image::encode_png(pixels));
 }
 
 }  // namespace aerostat::test

@@ -1653,6 +1653,34 @@
         <source>Size: %1</source>
         <translation>Размер: %1</translation>
     </message>
+    <message>
+        <source>This is the scene file itself; give the picture another name.</source>
+        <translation>Это сам файл сцены; дайте снимку другое имя.</translation>
+    </message>
+    <message>
+        <source>%1 already exists. Replace it?</source>
+        <translation>Файл %1 уже существует. Заменить его?</translation>
+    </message>
+    <message>
+        <source>File Changed</source>
+        <translation>Файл изменён</translation>
+    </message>
+    <message>
+        <source>Another program wrote %1 while the picture was rendered.</source>
+        <translation>Пока строился снимок, файл %1 записала другая программа.</translation>
+    </message>
+    <message>
+        <source>Overwrite</source>
+        <translation>Перезаписать</translation>
+    </message>
+    <message>
+        <source>Save As…</source>
+        <translation>Сохранить как…</translation>
+    </message>
+    <message>
+        <source>The picture was discarded.</source>
+        <translation>Снимок отброшен.</translation>
+    </message>
 </context>
 <context>
     <name>aerostat::viewer::ExportJob</name>
@@ -1922,6 +1950,14 @@
         <source>%1  ·  %2 s</source>
         <translation>%1  ·  %2 с</translation>
     </message>
+    <message>
+        <source>Reload and Lose Changes</source>
+        <translation>Перечитать и потерять изменения</translation>
+    </message>
+    <message>
+        <source>Reload</source>
+        <translation>Перечитать</translation>
+    </message>
 </context>
 <context>
     <name>aerostat::viewer::MessageBar</name>
@@ -2080,6 +2116,42 @@
     <message>
         <source>Open &amp;Recent</source>
         <translation>Н&amp;едавние</translation>
+    </message>
+    <message>
+        <source>Another program changed %1.</source>
+        <translation>Другая программа изменила файл %1.</translation>
+    </message>
+    <message>
+        <source>Another program removed or renamed %1. Saving writes it anew.</source>
+        <translation>Другая программа удалила или переименовала файл %1. При сохранении он будет записан заново.</translation>
+    </message>
+    <message>
+        <source>File Changed</source>
+        <translation>Файл изменён</translation>
+    </message>
+    <message>
+        <source>Another program changed %1 since it was opened or saved here.</source>
+        <translation>Другая программа изменила файл %1 после того, как он был открыт или сохранён здесь.</translation>
+    </message>
+    <message>
+        <source>Overwriting it loses what that program wrote; reloading it loses the changes made here.</source>
+        <translation>При перезаписи пропадёт записанное той программой; при перечитывании пропадут сделанные здесь изменения.</translation>
+    </message>
+    <message>
+        <source>Overwrite</source>
+        <translation>Перезаписать</translation>
+    </message>
+    <message>
+        <source>Save As…</source>
+        <translation>Сохранить как…</translation>
+    </message>
+    <message>
+        <source>Reload</source>
+        <translation>Перечитать</translation>
+    </message>
+    <message>
+        <source>%1 already exists. Replace it?</source>
+        <translation>Файл %1 уже существует. Заменить его?</translation>
     </message>
 </context>
 <context>

@@ -1,5 +1,7 @@
 // Files are written whole or not at all.
 
+#include "core/file.hpp"
+
 #include <chrono>
 #include <csignal>
 #include <filesystem>
@@ -7,6 +9,7 @@
 #include <iterator>
 #include <string>
 #include <thread>
+#include <vector>
 
 #include <fcntl.h>
 #include <gtest/gtest.h>
@@ -17,9 +20,8 @@
 
 #include "core/error.hpp"
 #include "error_of.hpp"
-#include "image/write.hpp"
 
-namespace aerostat::image {
+namespace aerostat {
 namespace {
 
 namespace fs = std::filesystem;
@@ -85,6 +87,133 @@ TEST_F(WriteFile, WritesThroughALinkAndKeepsIt) {
   EXPECT_TRUE(fs::is_symlink(folder_ / "link"));
   EXPECT_EQ(read(folder_ / "real"), "new");
   EXPECT_EQ(entries(), 2u);
+}
+
+TEST_F(WriteFile, WritesWhatALinkPointsToWhereThatIsNotThereYet) {
+  fs::create_directory(folder_ / "real");
+  fs::create_symlink("real/new.png", folder_ / "link.png");
+  fs::create_symlink(folder_ / "link.png", folder_ / "real" / "to link.png");
+  const fs::path link = folder_ / "real" / "to link.png";
+  require_writable(link);
+  EXPECT_FALSE(fs::exists(folder_ / "real" / "new.png"));
+  write_file(link, bytes_of("new"));
+  EXPECT_TRUE(fs::is_symlink(link));
+  EXPECT_TRUE(fs::is_symlink(folder_ / "link.png"));
+  EXPECT_FALSE(fs::is_symlink(folder_ / "real" / "new.png"));
+  EXPECT_EQ(read(folder_ / "real" / "new.png"), "new");
+}
+
+TEST_F(WriteFile, NamesTheLinkAndItsTargetWhereThatHasNoFolder) {
+  fs::create_symlink("none/new.png", folder_ / "link.png");
+  for (const Error& error : {error_of([&] { require_writable(folder_ / "link.png"); }),
+                             error_of([&] { write_file(folder_ / "link.png", bytes_of("x")); })}) {
+    EXPECT_EQ(error.kind(), ErrorKind::io);
+    EXPECT_NE(std::string(error.what()).find("link.png'"), std::string::npos) << error.what();
+    EXPECT_NE(std::string(error.what()).find("none/new.png'"), std::string::npos) << error.what();
+  }
+  EXPECT_TRUE(fs::is_symlink(folder_ / "link.png"));
+  EXPECT_EQ(entries(), 1u);
+}
+
+TEST_F(WriteFile, LinksThatLeadInACircleAreAnError) {
+  fs::create_symlink("b", folder_ / "a");
+  fs::create_symlink("a", folder_ / "b");
+  EXPECT_EQ(error_of([&] { require_writable(folder_ / "a"); }).kind(), ErrorKind::io);
+  EXPECT_EQ(error_of([&] { write_file(folder_ / "a", bytes_of("x")); }).kind(), ErrorKind::io);
+  EXPECT_TRUE(fs::is_symlink(folder_ / "a"));
+  EXPECT_EQ(entries(), 2u);
+}
+
+TEST_F(WriteFile, OtherNamesOfAFileKeepItsOldContent) {
+  write_file(folder_ / "a", bytes_of("old"));
+  fs::create_hard_link(folder_ / "a", folder_ / "b");
+  EXPECT_TRUE(is_same_file(folder_ / "a", folder_ / "b"));
+  write_file(folder_ / "a", bytes_of("new"));
+  EXPECT_EQ(read(folder_ / "a"), "new");
+  EXPECT_EQ(read(folder_ / "b"), "old");
+  EXPECT_FALSE(is_same_file(folder_ / "a", folder_ / "b"));
+}
+
+TEST_F(WriteFile, LeavesAFileThatIsReadOnly) {
+  const fs::path path = folder_ / "a";
+  write_file(path, bytes_of("kept"));
+  ASSERT_EQ(::chmod(path.c_str(), 0444), 0);
+  fs::create_symlink("a", folder_ / "link");
+  for (const fs::path& name : {path, folder_ / "link"}) {
+    EXPECT_EQ(error_of([&] { require_writable(name); }).kind(), ErrorKind::io);
+    const Error error = error_of([&] { write_file(name, bytes_of("lost")); });
+    EXPECT_EQ(error.kind(), ErrorKind::io);
+    EXPECT_NE(std::string(error.what()).find("read-only"), std::string::npos) << error.what();
+  }
+  EXPECT_EQ(read(path), "kept");
+}
+
+TEST_F(WriteFile, KeepsOwnerAndGroup) {
+  const fs::path path = folder_ / "a";
+  write_file(path, bytes_of("old"));
+  if (::chown(path.c_str(), 12345, 23456) != 0) return;  // root alone gives files away
+  ASSERT_EQ(::chmod(path.c_str(), 0640), 0);
+  write_file(path, bytes_of("new"));
+  struct stat status {};
+  ASSERT_EQ(::stat(path.c_str(), &status), 0);
+  EXPECT_EQ(status.st_uid, 12345u);
+  EXPECT_EQ(status.st_gid, 23456u);
+  EXPECT_EQ(status.st_mode & 07777u, 0640u);
+}
+
+TEST_F(WriteFile, RemovesWhatKilledRunsLeft) {
+  const pid_t child = ::fork();
+  if (child == 0) ::_exit(0);
+  ::waitpid(child, nullptr, 0);  // now there is no such process
+  const auto name = [this](pid_t process) {
+    return folder_ / (".aerostat-" + std::to_string(process) + "-0.tmp");
+  };
+  const auto put = [](const fs::path& path, int hours) {
+    std::ofstream(path) << "half";
+    fs::last_write_time(path, fs::file_time_type::clock::now() - std::chrono::hours(hours));
+  };
+  put(name(child), 2);
+  put(name(::getppid()), 2);
+  put(folder_ / ".aerostat-notes.tmp", 2);
+  require_writable(folder_ / "a.png");
+  EXPECT_FALSE(fs::exists(name(child)));
+  EXPECT_TRUE(fs::exists(name(::getppid()))) << "it may still be written";
+  EXPECT_TRUE(fs::exists(folder_ / ".aerostat-notes.tmp"));
+  put(name(child), 0);
+  require_writable(folder_ / "a.png");
+  EXPECT_TRUE(fs::exists(name(child))) << "its process may be of another container";
+}
+
+TEST_F(WriteFile, OpenFilesAreWrittenToAndNotReplaced) {
+  const fs::path path = folder_ / "log";
+  const int fd = ::open(path.c_str(), O_WRONLY | O_CREAT | O_APPEND, 0600);
+  ASSERT_GE(fd, 0);
+  ASSERT_EQ(::write(fd, "one ", 4), 4);
+  for (const std::string folder : {"/dev/fd/", "/proc/self/fd/"}) {
+    const std::string name = folder + std::to_string(fd);
+    EXPECT_TRUE(is_special_file(name));
+    require_writable(name);
+    write_file(name, bytes_of("two "));
+  }
+  fs::create_symlink("/dev/fd/" + std::to_string(fd), folder_ / "link.png");
+  write_file(folder_ / "link.png", bytes_of("three"));
+  ::close(fd);
+  EXPECT_EQ(read(path), "one two two three");
+}
+
+TEST_F(WriteFile, StampsTellReplacedAndChangedFiles) {
+  const fs::path path = folder_ / "a";
+  EXPECT_FALSE(file_stamp(path).exists());
+  write_file(path, bytes_of("1"));
+  const FileStamp first = file_stamp(path);
+  EXPECT_TRUE(first.exists());
+  EXPECT_EQ(file_stamp(path), first);
+  fs::create_hard_link(path, folder_ / "older");  // its number is not given out anew
+  write_file(path, bytes_of("2"));
+  const FileStamp second = file_stamp(path);
+  EXPECT_NE(second, first);
+  std::ofstream(path, std::ios::app) << "3";
+  EXPECT_NE(file_stamp(path), second);
 }
 
 TEST_F(WriteFile, ReportsAFullDevice) {
@@ -178,4 +307,4 @@ TEST_F(WriteFile, TryingLeavesNothingAndTouchesNothing) {
 }
 
 }  // namespace
-}  // namespace aerostat::image
+}  // namespace aerostat

@@ -1,0 +1,299 @@
+#include "core/file.hpp"
+
+#include <atomic>
+#include <cerrno>
+#include <charconv>
+#include <chrono>
+#include <csignal>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <system_error>
+#include <utility>
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include "core/error.hpp"
+
+namespace aerostat {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string reason(int code) {
+  return std::generic_category().message(code);
+}
+
+[[noreturn]] void fail(const fs::path& path, const std::string& why) {
+  throw Error(ErrorKind::io, fmt::format("cannot write '{}': {}", path.string(), why));
+}
+
+/// An open file; what it names is removed unless it is kept.
+class Descriptor {
+ public:
+  explicit Descriptor(int fd, fs::path temporary = {})
+      : fd_(fd), temporary_(std::move(temporary)) {}
+  Descriptor(Descriptor&& other) noexcept
+      : fd_(std::exchange(other.fd_, -1)), temporary_(std::exchange(other.temporary_, {})) {}
+  Descriptor& operator=(Descriptor&&) = delete;
+  ~Descriptor() {
+    if (fd_ >= 0) ::close(fd_);
+    if (!temporary_.empty()) ::unlink(temporary_.c_str());
+  }
+
+  int fd() const { return fd_; }
+  bool is_named() const { return !temporary_.empty(); }
+  const fs::path& temporary() const { return temporary_; }
+  void set_temporary(fs::path path) { temporary_ = std::move(path); }
+  void keep() { temporary_.clear(); }
+
+  /// The system's error code, 0 if the data arrived.
+  int close() { return ::close(std::exchange(fd_, -1)) == 0 ? 0 : errno; }
+
+ private:
+  int fd_;
+  fs::path temporary_;
+};
+
+fs::path folder_of(const fs::path& path) {
+  const fs::path parent = path.parent_path();
+  return parent.empty() ? fs::path(".") : parent;
+}
+
+constexpr std::string_view kTemporary = ".aerostat-";
+
+fs::path temporary_name(const fs::path& folder) {
+  static std::atomic<unsigned> counter{0};
+  return folder / fmt::format("{}{}-{}.tmp", kTemporary, ::getpid(), counter++);
+}
+
+/// The process that a temporary file belongs to; nothing for another file.
+std::optional<pid_t> owner_of(const std::string& name) {
+  if (!name.starts_with(kTemporary) || !name.ends_with(".tmp")) return std::nullopt;
+  pid_t process = 0;
+  const char* const first = name.data() + kTemporary.size();
+  const auto [end, error] = std::from_chars(first, name.data() + name.size(), process);
+  if (error != std::errc{} || *end != '-' || process <= 0) return std::nullopt;
+  return process;
+}
+
+// Of runs that were killed while they wrote. Another container or host may have processes that are
+// not seen here, so that a file must be old, too.
+void remove_leftovers(const fs::path& folder) {
+  std::error_code error;
+  const auto old = fs::file_time_type::clock::now() - std::chrono::hours(1);
+  for (fs::directory_iterator at(folder, error), end; !error && at != end; at.increment(error)) {
+    const auto process = owner_of(at->path().filename().string());
+    if (!process || ::kill(*process, 0) == 0 || errno != ESRCH) continue;
+    std::error_code ignored;
+    const auto written = at->last_write_time(ignored);
+    if (!ignored && written < old) fs::remove(at->path(), ignored);
+  }
+}
+
+constexpr mode_t kMode = 0666;  // less the umask
+
+Descriptor create_named(const fs::path& path) {
+  remove_leftovers(folder_of(path));
+  for (int attempt = 0; attempt < 100; ++attempt) {
+    fs::path name = temporary_name(folder_of(path));
+    const int fd = ::open(name.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, kMode);
+    if (fd >= 0) return Descriptor(fd, std::move(name));
+    if (errno != EEXIST && errno != EINTR) fail(path, reason(errno));
+  }
+  fail(path, "no free name for a temporary file beside it");
+}
+
+std::string handle_of(const Descriptor& file) {
+  return fmt::format("/proc/self/fd/{}", file.fd());
+}
+
+// A file without a name vanishes with the process, even if it is killed. Not every file system has
+// them, and to be named later they need /proc.
+Descriptor create_temporary(const fs::path& path) {
+  const int fd = ::open(folder_of(path).c_str(), O_WRONLY | O_TMPFILE | O_CLOEXEC, kMode);
+  if (fd < 0) return create_named(path);
+  Descriptor file(fd);
+  if (::access(handle_of(file).c_str(), F_OK) != 0) return create_named(path);
+  return file;
+}
+
+void write_all(int fd, std::span<const std::uint8_t> bytes, const fs::path& path) {
+  while (!bytes.empty()) {
+    const ssize_t written = ::write(fd, bytes.data(), bytes.size());
+    if (written < 0 && errno == EINTR) continue;
+    if (written <= 0) fail(path, reason(written < 0 ? errno : ENOSPC));
+    bytes = bytes.subspan(static_cast<std::size_t>(written));
+  }
+}
+
+std::optional<struct stat> status_of(const fs::path& path) {
+  struct stat status {};
+  if (::stat(path.c_str(), &status) == 0) return status;
+  if (errno != ENOENT) fail(path, reason(errno));
+  return std::nullopt;
+}
+
+/// The number of an open file that is asked for by a name such as "/dev/stdout" or "/dev/fd/3".
+/// Opening it anew would truncate a file that it stands for.
+std::optional<int> open_file_of(const fs::path& path) {
+  if (path == "/dev/stdout") return STDOUT_FILENO;
+  if (path == "/dev/stderr") return STDERR_FILENO;
+  const std::string folder = path.parent_path().string();
+  if (folder != "/dev/fd" && folder != "/proc/self/fd") return std::nullopt;
+  const std::string name = path.filename().string();
+  int number = -1;
+  const auto [end, error] = std::from_chars(name.data(), name.data() + name.size(), number);
+  if (error != std::errc{} || end != name.data() + name.size() || number < 0) return std::nullopt;
+  return number;
+}
+
+constexpr int kMostLinks = 40;  // as the kernel's own limit
+
+// Through links the file they point to is replaced, not the links; it need not exist yet.
+fs::path behind_links(const fs::path& path) {
+  fs::path target = path;
+  std::error_code error;
+  for (int i = 0; !open_file_of(target) && fs::is_symlink(target, error); ++i) {
+    if (i == kMostLinks) fail(path, "it is a link that leads back to itself");
+    target = folder_of(target) / fs::read_symlink(target, error);
+    if (error) fail(path, error.message());
+  }
+  return target;
+}
+
+void write_special(const fs::path& path, std::span<const std::uint8_t> bytes) {
+  const auto number = open_file_of(path);
+  const int fd = number ? ::dup(*number) : ::open(path.c_str(), O_WRONLY | O_NOCTTY | O_CLOEXEC);
+  if (fd < 0) fail(path, reason(errno));
+  Descriptor file(fd);
+  write_all(file.fd(), bytes, path);
+  if (const int code = file.close()) fail(path, reason(code));
+}
+
+// Gives the unnamed file `name`; false if that name is taken.
+bool link_as(const Descriptor& file, const fs::path& name, const fs::path& path) {
+  const int result =
+      ::linkat(AT_FDCWD, handle_of(file).c_str(), AT_FDCWD, name.c_str(), AT_SYMLINK_FOLLOW);
+  if (result == 0) return true;
+  if (errno != EEXIST) fail(path, reason(errno));
+  return false;
+}
+
+void name_temporary(Descriptor& file, const fs::path& path) {
+  fs::path name;
+  do {
+    name = temporary_name(folder_of(path));
+  } while (!link_as(file, name, path));
+  file.set_temporary(std::move(name));
+}
+
+// As far as the user may give files away; the mode last, for a change of owner takes bits from it.
+void keep_rights(int fd, const struct stat& older) {
+  if (::fchown(fd, older.st_uid, older.st_gid) != 0) {
+    [[maybe_unused]] const int result = ::fchown(fd, static_cast<uid_t>(-1), older.st_gid);
+  }
+  ::fchmod(fd, older.st_mode & 07777);
+}
+
+void write_beside(const fs::path& path, std::span<const std::uint8_t> bytes,
+                  const std::optional<struct stat>& older) {
+  Descriptor file = create_temporary(path);
+  if (older) keep_rights(file.fd(), *older);
+  write_all(file.fd(), bytes, path);
+  if (::fsync(file.fd()) != 0) fail(path, reason(errno));
+  const bool is_placed = !file.is_named() && !older && link_as(file, path, path);
+  if (!is_placed && !file.is_named()) name_temporary(file, path);
+  if (const int code = file.close()) {
+    if (is_placed) ::unlink(path.c_str());
+    fail(path, reason(code));
+  }
+  if (is_placed) return;
+  if (::rename(file.temporary().c_str(), path.c_str()) != 0) fail(path, reason(errno));
+  file.keep();
+}
+
+/// What an output's name stands for.
+struct Place {
+  fs::path path;                      // behind all links
+  std::optional<struct stat> status;  // nothing if it is not there yet
+  bool is_special;                    // to be written to as it is
+};
+
+void refuse_folder(const fs::path& path, const std::optional<struct stat>& status) {
+  if ((status && S_ISDIR(status->st_mode)) || !path.has_filename()) {
+    throw Error(
+        ErrorKind::usage,
+        fmt::format("cannot write '{}': it is a folder, a file name is needed", path.string()));
+  }
+}
+
+void refuse_read_only(const fs::path& path, const struct stat& status) {
+  // Root may write all; that nobody may is said on purpose.
+  const bool is_locked = S_ISREG(status.st_mode) && (status.st_mode & 0222) == 0;
+  if (is_locked || ::access(path.c_str(), W_OK) != 0) {
+    fail(path, is_locked ? "it is read-only; allow writing (chmod u+w) or take another name"
+                         : reason(errno));
+  }
+}
+
+/// Refuses what cannot be an output.
+Place place_of(const fs::path& path) {
+  if (path.empty()) throw Error(ErrorKind::usage, "the name of the output file is empty");
+  const fs::path target = behind_links(path);
+  if (open_file_of(target)) return {target, std::nullopt, true};
+  const auto status = status_of(target);
+  refuse_folder(path, status);
+  if (status) {
+    refuse_read_only(target, *status);
+  } else if (!status_of(folder_of(target))) {
+    const std::string link =
+        target == path ? "" : fmt::format("it is a link to '{}', and ", target.string());
+    fail(path, fmt::format("{}there is no folder '{}'", link, folder_of(target).string()));
+  }
+  return {target, status, status && !S_ISREG(status->st_mode)};
+}
+
+}  // namespace
+
+void write_file(const fs::path& path, std::span<const std::uint8_t> bytes) {
+  const Place place = place_of(path);
+  if (place.is_special) {
+    write_special(place.path, bytes);
+  } else {
+    write_beside(place.path, bytes, place.status);
+  }
+}
+
+void require_writable(const fs::path& path) {
+  const Place place = place_of(path);
+  // Only a try tells: permissions lie to root, on read-only and on full file systems.
+  if (!place.is_special) create_named(place.path);
+}
+
+bool is_same_file(const fs::path& a, const fs::path& b) {
+  struct stat first {
+  }, second{};
+  if (::stat(a.c_str(), &first) != 0 || ::stat(b.c_str(), &second) != 0) return false;
+  return S_ISREG(first.st_mode) && first.st_dev == second.st_dev && first.st_ino == second.st_ino;
+}
+
+bool is_special_file(const fs::path& path) {
+  if (open_file_of(path)) return true;
+  std::error_code error;
+  const fs::file_status status = fs::status(path, error);
+  return fs::exists(status) && !fs::is_regular_file(status) && !fs::is_directory(status);
+}
+
+FileStamp file_stamp(const fs::path& path) {
+  struct stat status {};
+  if (::stat(path.c_str(), &status) != 0) return {};
+  return {status.st_dev, status.st_ino, static_cast<std::uint64_t>(status.st_size),
+          status.st_mtim.tv_sec * std::int64_t{1000000000} + status.st_mtim.tv_nsec};
+}
+
+}  // namespace aerostat

@@ -1,0 +1,1 @@
+aerostat_test(file_test LABEL unit LINKS aerostat::core)
