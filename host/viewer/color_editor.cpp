@@ -1,14 +1,18 @@
 #include "viewer/color_editor.hpp"
 
 #include <QColorDialog>
+#include <QDialogButtonBox>
 #include <QHBoxLayout>
 #include <QJsonArray>
 #include <QJsonDocument>
 #include <QPainter>
+#include <QScrollArea>
 #include <QToolButton>
+#include <QVBoxLayout>
 #include <cmath>
 
 #include "image/tone.hpp"
+#include "viewer/screen_fit.hpp"
 
 namespace aerostat::viewer {
 namespace {
@@ -42,6 +46,30 @@ QIcon swatch(const QColor& color, const QSize& size, const QWidget& on) {
   painter.setBrush(color);
   painter.drawRoundedRect(QRectF(0.5, 0.5, size.width() - 1, size.height() - 1), 3, 3);
   return QIcon(pixmap);
+}
+
+/// Qt's dialog for colours, in a frame that scrolls where the screen is smaller than it. An invalid
+/// colour if it was cancelled.
+QColor ask_for_color(const QColor& before, const QString& title, QWidget* parent) {
+  QDialog dialog(parent);
+  dialog.setWindowTitle(title);
+  auto* colors = new QColorDialog(before);
+  colors->setWindowFlags(Qt::Widget);
+  colors->setOptions(QColorDialog::DontUseNativeDialog | QColorDialog::NoButtons);
+  auto* scroll = new QScrollArea;
+  scroll->setFrameShape(QFrame::NoFrame);
+  scroll->setWidget(colors);
+  auto* buttons = new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel);
+  QObject::connect(buttons, &QDialogButtonBox::accepted, &dialog, &QDialog::accept);
+  QObject::connect(buttons, &QDialogButtonBox::rejected, &dialog, &QDialog::reject);
+  auto* layout = new QVBoxLayout(&dialog);
+  layout->addWidget(scroll);
+  layout->addWidget(buttons);
+  const QMargins rim = layout->contentsMargins();
+  resize_to_fit(dialog, colors->sizeHint() + QSize(rim.left() + rim.right(),
+                                                   rim.top() + rim.bottom() + layout->spacing() +
+                                                       buttons->sizeHint().height()));
+  return dialog.exec() == QDialog::Accepted ? colors->currentColor() : QColor();
 }
 
 }  // namespace
@@ -111,7 +139,7 @@ void ColorEditor::arrange() {
 
 void ColorEditor::choose(int index) {
   QColor& color = colors_[static_cast<std::size_t>(index)];
-  const QColor chosen = QColorDialog::getColor(color, this, title_);
+  const QColor chosen = ask_for_color(color, title_, this);
   if (!chosen.isValid()) return;
   colors_[static_cast<std::size_t>(index)] = chosen;
   tell();

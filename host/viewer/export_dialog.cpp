@@ -16,6 +16,7 @@
 
 #include "viewer/controls.hpp"
 #include "viewer/export_job.hpp"
+#include "viewer/screen_fit.hpp"
 
 namespace aerostat::viewer {
 namespace {
@@ -102,7 +103,7 @@ void ExportDialog::build() {
   layout->addWidget(message_);
   layout->addStretch(1);
   layout->addLayout(buttons);
-  resize(520, sizeHint().height());
+  resize_to_fit(*this, QSize(520, sizeHint().height()));
 }
 
 void ExportDialog::set_path(const QString& path) {

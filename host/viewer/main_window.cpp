@@ -15,6 +15,7 @@
 #include "viewer/panels.hpp"
 #include "viewer/picture_view.hpp"
 #include "viewer/scene_files.hpp"
+#include "viewer/screen_fit.hpp"
 
 namespace aerostat::viewer {
 
@@ -194,8 +195,10 @@ void MainWindow::save_layout() {
 
 void MainWindow::restore_layout() {
   const QSettings settings;
-  if (!restoreGeometry(settings.value(QStringLiteral("geometry")).toByteArray())) {
-    resize(1280, 800);
+  if (restoreGeometry(settings.value(QStringLiteral("geometry")).toByteArray())) {
+    move_onto_screen(*this);
+  } else {
+    resize_to_fit(*this, QSize(1280, 800));
   }
   restoreState(settings.value(QStringLiteral("state")).toByteArray());
 }

@@ -41,6 +41,8 @@ void MainWindow::build_status() {
   work_label_ = new QLabel;
   place_label_ = new QLabel;
   for (QLabel* label : {place_label_, device_label_}) label->setContentsMargins(8, 0, 8, 0);
+  // A long text is cut; it does not widen the window beyond the screen.
+  for (QLabel* label : {work_label_, place_label_, device_label_}) label->setMinimumWidth(1);
   statusBar()->addWidget(work_label_, 1);
   statusBar()->addPermanentWidget(place_label_);
   statusBar()->addPermanentWidget(device_label_);
@@ -65,6 +67,7 @@ void MainWindow::show_look(std::shared_ptr<const Shown> shown) {
   if (look.complete) parts << tr("done");
   work_label_->setText(parts.join(QStringLiteral("  ·  ")));
   device_label_->setText(shown->device);
+  device_label_->setToolTip(shown->device);
   if (const auto height = camera_.height_above_ground()) {
     place_label_->setText(tr("eye %1 m above ground").arg(*height, 0, 'f', 0));
   }

@@ -10,6 +10,10 @@ namespace aerostat::viewer {
 namespace {
 
 constexpr qsizetype kLongest = 600, kLongestWord = 120;
+/// Where there is no room, the names of devices are cut.
+constexpr int kNarrowestButton = 70;
+/// Of the message beside its buttons; below that they stand one above the other. By eye.
+constexpr int kNarrowestMessage = 300;
 
 /// A broken file may have a key of megabytes, and the message would name it: it loses its middle,
 /// and what words are wider than the window get places to break at.
@@ -39,12 +43,13 @@ MessageBar::MessageBar(QWidget* parent)
   text_->setForegroundRole(QPalette::ToolTipText);
   text_->setTextFormat(Qt::PlainText);
   text_->setWordWrap(true);
-  text_->setMinimumWidth(200);  // not that of its longest word
+  text_->setMinimumWidth(120);  // not that of its longest word
   text_->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
   auto* icon = new QLabel;
   const int size = style()->pixelMetric(QStyle::PM_SmallIconSize);
   icon->setPixmap(style()->standardIcon(QStyle::SP_MessageBoxWarning).pixmap(size, size));
   auto* close = new QPushButton(tr("Dismiss"));
+  close->setMinimumWidth(kNarrowestButton);
   close->setShortcut(QKeySequence(Qt::CTRL | Qt::Key_Period));
   connect(close, &QPushButton::clicked, this, &MessageBar::dismiss);
   auto* layout = new QHBoxLayout(this);
@@ -52,7 +57,7 @@ MessageBar::MessageBar(QWidget* parent)
   layout->addWidget(icon);
   layout->addWidget(text_, 1);
   layout->addLayout(offers_);
-  layout->addWidget(close);
+  offers_->addWidget(close);
   hide();
 }
 
@@ -61,7 +66,8 @@ QString MessageBar::message() const {
 }
 
 void MessageBar::clear_offers() {
-  while (QLayoutItem* item = offers_->takeAt(0)) {
+  while (offers_->count() > 1) {  // the last one dismisses
+    QLayoutItem* item = offers_->takeAt(0);
     item->widget()->hide();
     item->widget()->deleteLater();
     delete item;
@@ -75,13 +81,28 @@ void MessageBar::show_message(const QString& message, const std::vector<Offer>& 
   text_->setAccessibleName(shown);
   for (const Offer& offer : offers) {
     auto* button = new QPushButton(offer.text);
+    button->setMinimumWidth(kNarrowestButton);
+    button->setToolTip(offer.text);
     connect(button, &QPushButton::clicked, this, [this, accept = offer.accept] {
       dismiss();
       accept();
     });
-    offers_->addWidget(button);
+    offers_->insertWidget(offers_->count() - 1, button);
   }
+  arrange(parentWidget() != nullptr ? parentWidget()->width() : width());
   show();
+}
+
+void MessageBar::arrange(int width) {
+  int buttons = 0;
+  for (int i = 0; i < offers_->count(); ++i) buttons += offers_->itemAt(i)->sizeHint().width();
+  offers_->setDirection(width < kNarrowestMessage + buttons ? QBoxLayout::TopToBottom
+                                                            : QBoxLayout::LeftToRight);
+}
+
+void MessageBar::resizeEvent(QResizeEvent* event) {
+  QFrame::resizeEvent(event);
+  arrange(width());
 }
 
 void MessageBar::dismiss() {

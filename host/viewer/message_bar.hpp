@@ -25,8 +25,12 @@ class MessageBar : public QFrame {
   void dismiss();
   QString message() const;
 
+ protected:
+  void resizeEvent(QResizeEvent* event) override;
+
  private:
   void clear_offers();
+  void arrange(int width);
 
   QLabel* text_;
   QHBoxLayout* offers_;

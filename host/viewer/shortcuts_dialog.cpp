@@ -8,6 +8,8 @@
 #include <QTextBrowser>
 #include <QVBoxLayout>
 
+#include "viewer/screen_fit.hpp"
+
 namespace aerostat::viewer {
 namespace {
 
@@ -74,7 +76,7 @@ ShortcutsDialog::ShortcutsDialog(QMainWindow& window) : QDialog(&window) {
   auto* layout = new QVBoxLayout(this);
   layout->addWidget(text);
   layout->addWidget(buttons);
-  resize(560, 620);
+  resize_to_fit(*this, QSize(560, 620));
 }
 
 }  // namespace aerostat::viewer
