@@ -2,6 +2,7 @@
 // it is no number or infinite.
 #include "random_scenes.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 
@@ -35,7 +36,10 @@ void expect_dump_reads_back(const scene::Scene& scene) {
 
 void expect_finite(const image::Film& film) {
   EXPECT_EQ(film.nan_pixels, 0u);
-  for (const vec3& light : film.radiance) ASSERT_TRUE(is_finite(light));
+  for (const vec3& light : film.radiance) {
+    ASSERT_TRUE(is_finite(light));
+    ASSERT_GE(std::min({light.x, light.y, light.z}), 0.0f) << "no light is below none";
+  }
   for (const vec3& normal : film.normal_ws) ASSERT_TRUE(is_finite(normal));
 }
 
