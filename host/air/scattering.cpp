@@ -101,9 +101,10 @@ dvec3 without_false_hue(const dvec3& light, double sun_sine) {
   constexpr double kMostGreen = 1.04;
   const double above = std::asin(std::clamp(sun_sine, -1.0, 1.0)) * (180.0 / kPi64);
   const double luminance = glm::dot(light, kLuminance);
-  if (above >= 4.0 || luminance <= 0.0) return light;
+  if (above >= 4.0 || luminance < 1e-290) return light;
   dvec3 hue = light;
-  hue.y = std::min(hue.y, kMostGreen * std::max(hue.x, hue.z));
+  // What is green by its own colour stays so by half.
+  hue.y = std::min(hue.y, std::max(kMostGreen * std::max(hue.x, hue.z), 0.5 * hue.y));
   hue = glm::mix(light, hue * (luminance / glm::dot(hue, kLuminance)), eased((4.0 - above) / 4.0));
   return glm::mix(hue, dvec3(luminance), eased((-11.0 - above) / 4.0));
 }

@@ -41,11 +41,13 @@ std::array<double, 9> basis(const dvec3& d) {
 
 /// Light of the night's own: airglow and stars, 22 magnitudes per square arcsecond or 1.7e-4 cd/m^2
 /// (A. Crumey, "Human contrast threshold and astronomical visibility", MNRAS 442, 2014), of the
-/// sun's 133.1 klx. Grey, though starlight is a little warm. By day it is left out.
-dvec3 night_light(double sun_sine) {
+/// sun's 133.1 klx. Grey, though starlight is a little warm. By day it is left out; thinner air
+/// glows less.
+dvec3 night_light(const Atmosphere& air, double sun_sine) {
   constexpr double kNight = 1.7e-4 / 133100.0;
   const double t = std::clamp(-sun_sine / std::sin(6.0 * kPi64 / 180.0), 0.0, 1.0);
-  return dvec3(kNight * t * t * (3.0 - 2.0 * t));
+  const double density = air.molecules.y * air.molecules_height / rayleigh_depth(kWavelengths_um.y);
+  return dvec3(kNight * t * t * (3.0 - 2.0 * t) * std::min(density, 1.0));
 }
 
 }  // namespace
@@ -86,7 +88,7 @@ dvec3 SkyTable::direction_of(double sine, int column) const {
 }
 
 void SkyTable::fill(const Scattering& air, int first_row, int end_row, const dvec3& ground) {
-  const dvec3 night = first_row == 0 ? night_light(sun_.y) : dvec3(0.0);
+  const dvec3 night = first_row == 0 ? night_light(air.atmosphere(), sun_.y) : dvec3(0.0);
   tbb::parallel_for(first_row * kColumns, end_row * kColumns, [&](int i) {
     Way way{height_, direction_of(sine_of(i / kColumns), i % kColumns), 0.0};
     const double end = i / kColumns < kRowsAbove ? kTopHeight : 0.0;

@@ -169,8 +169,10 @@ TEST(AnyAir, GivesLightAndNothingBelowIt) {
     auto scene = scene::defaults(scene::BiomeKind::sand, scene::View::outside);
     scene.haze = {magnitude(10.0, 1e7), magnitude(1.0, 1e6), between(-1.0, 4.0), between(0.0, 0.95),
                   vec3(dvec3(between(0.0, 1.0), 1.0, between(0.0, 1.0)))};
-    scene.air = {between(0.0, 10.0), between(0.0, 3000.0), vec3(dvec3(between(0.0, 1.0)))};
-    scene.sun.direction = sun_at(between(-90.0, 90.0));
+    scene.air = {i % 6 == 0 ? 5e-324 : between(0.0, 10.0), between(0.0, 3000.0),
+                 vec3(dvec3(between(0.0, 1.0)))};
+    if (i % 3 == 0) scene.haze.albedo.x = scene.haze.albedo.z = 0.0f;
+    scene.sun.direction = sun_at(i % 3 == 0 ? between(-12.0, 4.0) : between(-90.0, 90.0));
     scene.camera.position.y = magnitude(1.0, 2e5);
     scene.fog.enabled = i % 4 == 0;
     SCOPED_TRACE(scene::write_text(scene));
