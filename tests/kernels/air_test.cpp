@@ -139,7 +139,7 @@ TEST_P(Air, OfThickHazeIsSeenAsTheHostFollowsIt) {
         }
       }
       const vec3 surface(0.03f, 0.02f, 0.01f);
-      const auto arriving = follow(pack::pack_scene(scene), paths, surface);
+      const auto arriving = follow(*pack::pack_scene(scene), paths, surface);
       for (std::size_t i = 0; i < arriving.size(); ++i) {
         const dvec3 direction(paths.directions[i]);
         const auto path = air.follow({paths.origins[i].y, direction, paths.distances[i]}, 400);
@@ -167,7 +167,7 @@ TEST_P(Air, HidesWhatIsFarBehindThickHaze) {
         paths.add(towards(azimuth_deg, elevation_deg), 400.0f, 7000.0f);
       }
     }
-    const AeroScene packed = pack::pack_scene(scene);
+    const AeroScene packed = *pack::pack_scene(scene);
     const auto [sky, radiance] = look(packed, paths);
     const auto black = follow(packed, paths, vec3(0.0f)), white = follow(packed, paths, vec3(1.0f));
     for (std::size_t i = 0; i < sky.size(); ++i) {
@@ -198,7 +198,7 @@ TEST_P(Air, OfAnyKindGivesLightAndNothingBelowIt) {
                 static_cast<float>(between(-500.0, 9000.0)),
                 static_cast<float>(std::pow(10.0, between(0.0, 6.0))));
     }
-    const AeroScene packed = pack::pack_scene(scene);
+    const AeroScene packed = *pack::pack_scene(scene);
     const auto [sky, radiance] = look(packed, paths);
     const auto arriving = follow(packed, paths, vec3(0.5f));
     for (std::size_t k = 0; k < sky.size(); ++k) {

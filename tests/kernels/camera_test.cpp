@@ -29,8 +29,9 @@ AeroTile tile_of(Word x0, Word y0, Word x1, Word y1, Word log2_w, Word log2_h, W
 AeroFrame frame_of(Word width, Word height, Word samples, Word filter) {
   AeroFrame frame{};
   const float step = 2.0f / static_cast<float>(width);
-  frame.camera = {{1, 2, 3}, {-1.0f, 0.5f, -1.0f}, {step, 0, 0}, {0, -step, 0}, {1, 0, 0},
-                  {0, 1, 0}, {0, 0, -1},           0.0f,         1.0f,          AERO_LENS_PINHOLE};
+  frame.camera = {{1, 2, 3},        {-1.0f, 0.5f, -1.0f}, {step, 0, 0}, {0, -step, 0}, {1, 0, 0},
+                  {0, 1, 0},        {0, 0, -1},           0.0f,         1.0f,          0.0f,
+                  AERO_LENS_PINHOLE};
   frame.width = width;
   frame.height = height;
   frame.sample_stride = 37;

@@ -101,10 +101,10 @@ class Cumulus : public LaneTest {
 TEST(TallClouds, AreNoColumns) {
   auto scene = scene::defaults(scene::BiomeKind::tropical, scene::View::outside);
   const float usual = static_cast<float>(scene.sky.cumulus.thickness_m);
-  EXPECT_EQ(pack::pack_scene(scene).sky.cumulus.thickness, usual);
+  EXPECT_EQ(pack::pack_scene(scene)->sky.cumulus.thickness, usual);
   scene.sky.cumulus.thickness_m = 6000.0;
   scene.sky.cumulus.size_m = 50.0;
-  EXPECT_EQ(pack::pack_scene(scene).sky.cumulus.thickness, 75.0f);
+  EXPECT_EQ(pack::pack_scene(scene)->sky.cumulus.thickness, 75.0f);
 }
 
 TEST_P(Cumulus, DimsTheSunByWhatALayerLetsThrough) {

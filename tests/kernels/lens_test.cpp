@@ -21,8 +21,8 @@ constexpr double kPi64 = std::numbers::pi;
 AeroFrame frame_of(Word lens) {
   AeroFrame frame{};
   AeroCamera& camera = frame.camera;
-  camera = {{1, 2, 3}, {-4, 2, -1}, {0.25f, 0, 0}, {0, -0.25f, 0}, {1, 0, 0},
-            {0, 1, 0}, {0, 0, -1},  kAperture,     kFocus,         lens};
+  camera = {{1, 2, 3},  {-4, 2, -1}, {0.25f, 0, 0}, {0, -0.25f, 0}, {1, 0, 0}, {0, 1, 0},
+            {0, 0, -1}, kAperture,   kFocus,        0.0f,           lens};
   if (lens == AERO_LENS_ORTHOGRAPHIC) camera.corner[2] = 0.0f;
   frame.width = kWidth;
   frame.height = kHeight;
