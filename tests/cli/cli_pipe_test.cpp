@@ -90,7 +90,8 @@ int code_in_terminal(const std::string& command) {
 }
 
 TEST_F(Pipe, NothingBinaryGoesToATerminal) {
-  const std::string program = "'" AEROSTAT_BINARY "' ", scene = "'" + scene_path("snow") + "'";
+  const std::string program = "'" AEROSTAT_BINARY "' ",
+                    scene = std::string("'").append(scene_path("snow")).append("'");
   for (const std::string name : {"-", "/dev/stdout --format png"}) {
     EXPECT_EQ(code_in_terminal(program + "render " + scene + " -o " + name + kSmall), 64) << name;
   }

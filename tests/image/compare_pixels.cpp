@@ -13,6 +13,8 @@
 #include <stb_image.h>
 #pragma GCC diagnostic pop
 
+#include "core/file.hpp"
+
 namespace aerostat::test {
 namespace {
 
