@@ -28,6 +28,7 @@ AeroFrame frame_of(Word lens) {
   frame.height = kHeight;
   frame.filter = AERO_FILTER_GAUSSIAN;
   frame.samples = kSamples;
+  frame.filter_scale = 1.0f;
   frame.sample_stride = 5;
   frame.sample_shift = 0x12345678u;
   return frame;
