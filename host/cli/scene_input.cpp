@@ -25,16 +25,16 @@ constexpr std::size_t kMostBytes = std::size_t{32} << 20;  // more than a scene 
 
 std::string text_of_stdin() {
   std::string text;
-  char chunk[1 << 16];
+  std::vector<char> chunk(std::size_t{1} << 16);
   while (text.size() < kMostBytes) {
-    const ssize_t count = ::read(STDIN_FILENO, chunk, sizeof chunk);
+    const ssize_t count = ::read(STDIN_FILENO, chunk.data(), chunk.size());
     if (count < 0 && errno == EINTR) continue;
     if (count < 0) {
       throw Error(ErrorKind::io, fmt::format("{}: cannot read the scene: {}", kStandardInput,
                                              std::generic_category().message(errno)));
     }
     if (count == 0) break;
-    text.append(chunk, static_cast<std::size_t>(count));
+    text.append(chunk.data(), static_cast<std::size_t>(count));
   }
   return text;
 }

@@ -52,22 +52,29 @@ double reference_height(const scene::Scene& scene, const Surface& surface,
   return 0.0;
 }
 
-/// A place counted from a reference height, as one above the sea. Throws Error{bad_data} if no
-/// scene could give it so.
-void raise_by(double reference_m, const std::string& pointer, dvec3& place) {
+/// Throws Error{bad_data} for a place above the sea that no scene file could give.
+void check_place(const std::string& pointer, const dvec3& place) {
   constexpr double kMostM = 1e6;  // of the schema
-  place.y += reference_m;
-  if (!(std::abs(place.y) <= kMostM)) {
+  for (int axis = 0; axis < 3; ++axis) {
+    if (std::abs(place[axis]) <= kMostM) continue;
     throw Error(ErrorKind::bad_data,
-                fmt::format("{}/1: found a height that is {} m above the sea, expected {} to {}",
-                            pointer, place.y, -kMostM, kMostM));
+                fmt::format("{}/{}: found {} m, with all heights above the sea, expected {} to {}",
+                            pointer, axis, place[axis], -kMostM, kMostM));
   }
 }
 
-void settle_height(const Surface& surface, const std::string& pointer, scene::Balloon& balloon) {
+void check_places(const scene::Scene& scene) {
+  check_place("/balloon/position", scene.balloon.position);
+  for (std::size_t i = 0; i < scene.balloons.size(); ++i) {
+    check_place(fmt::format("/balloons/{}/position", i), scene.balloons[i].position);
+  }
+  check_place("/camera/position", scene.camera.position);
+  check_place("/camera/target", scene.camera.target);
+}
+
+void settle_height(const Surface& surface, scene::Balloon& balloon) {
   if (balloon.height_above != scene::HeightReference::ground) return;
-  raise_by(surface.height(balloon.position.x, balloon.position.z), pointer + "/position",
-           balloon.position);
+  balloon.position.y += surface.height(balloon.position.x, balloon.position.z);
   balloon.height_above = scene::HeightReference::sea;
 }
 
@@ -90,22 +97,19 @@ void resolve(scene::Scene& scene) {
 }
 
 void resolve(scene::Scene& scene, const Surface& surface) {
-  settle_height(surface, "/balloon", scene.balloon);
-  for (std::size_t i = 0; i < scene.balloons.size(); ++i) {
-    settle_height(surface, fmt::format("/balloons/{}", i), scene.balloons[i]);
-  }
+  settle_height(surface, scene.balloon);
+  for (scene::Balloon& further : scene.balloons) settle_height(surface, further);
   scene::Camera& camera = scene.camera;
   if (camera.position_given) {
-    raise_by(reference_height(scene, surface, camera.height_above, camera.position),
-             "/camera/position", camera.position);
+    camera.position.y += reference_height(scene, surface, camera.height_above, camera.position);
   }
   if (camera.target_given) {
-    raise_by(reference_height(scene, surface, camera.height_above, camera.target), "/camera/target",
-             camera.target);
+    camera.target.y += reference_height(scene, surface, camera.height_above, camera.target);
   }
   camera.height_above = scene::HeightReference::sea;
   if (camera.view == scene::View::basket) look_from_basket(scene);
   camera.position_given = camera.target_given = true;
+  check_places(scene);
   scene::view_axes(camera);  // or their error
   scene.origin = scene::origin_for(scene);
 }

@@ -63,7 +63,7 @@ Objects as_triangles(const World& world, Grown plants = Grown::left_out);
 
 /// Fills in what depends on the terrain: positions given above the ground become positions above
 /// the sea, the basket view gets its camera, and Scene::origin is chosen. Throws Error{bad_data} if
-/// a height is beyond the 1000 km that a scene may ask for, or if that puts the camera's target at
+/// a place is beyond the 1000 km that a scene may ask for, or if that puts the camera's target at
 /// its position.
 void resolve(scene::Scene& scene);
 

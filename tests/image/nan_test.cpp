@@ -76,6 +76,7 @@ TEST(CleanFilm, LooksStraightDownAndUpThroughEveryLens) {
   scene::Scene scene = small_scene("sand", {96, 64, 1, 64});
   const dvec3 balloon = scene.balloon.position;
   scene.camera.view_height_m = 200.0;
+  scene.camera.fov_y_deg = 100.0;
   for (const double above : {150.0, -20.0}) {
     // The balloon stands north of what the camera sees in the middle.
     scene.camera.position = balloon + dvec3(0.0, above, 30.0);
