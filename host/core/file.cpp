@@ -262,10 +262,16 @@ Place place_of(const fs::path& path) {
 
 void write_file(const fs::path& path, std::span<const std::uint8_t> bytes) {
   const Place place = place_of(path);
-  if (place.is_special) {
-    write_special(place.path, bytes);
-  } else {
-    write_beside(place.path, bytes, place.status);
+  try {
+    if (place.is_special) {
+      write_special(place.path, bytes);
+    } else {
+      write_beside(place.path, bytes, place.status);
+    }
+  } catch (const Error& error) {
+    if (place.path == path) throw;
+    // The user knows the link by its name.
+    throw Error(error.kind(), fmt::format("{}; '{}' is a link to it", error.what(), path.string()));
   }
 }
 
