@@ -6,7 +6,7 @@ set(CMAKE_CXX_STANDARD_REQUIRED ON)
 set(CMAKE_CXX_EXTENSIONS OFF)
 set(CMAKE_POSITION_INDEPENDENT_CODE ON)
 set(CMAKE_EXPORT_COMPILE_COMMANDS ON)
-if(NOT CMAKE_BUILD_TYPE AND NOT CMAKE_CONFIGURATION_TYPES)
+if(PROJECT_IS_TOP_LEVEL AND NOT CMAKE_BUILD_TYPE AND NOT CMAKE_CONFIGURATION_TYPES)
   set(CMAKE_BUILD_TYPE Release CACHE STRING "Debug, Release or RelWithDebInfo" FORCE)
 endif()
 
@@ -14,7 +14,8 @@ option(AEROSTAT_WERROR "Treat warnings as errors" OFF)
 option(AEROSTAT_SANITIZE "Build with AddressSanitizer and UndefinedBehaviorSanitizer" OFF)
 
 add_library(aerostat_options INTERFACE)
-target_include_directories(aerostat_options INTERFACE "${CMAKE_SOURCE_DIR}/host")
+target_include_directories(aerostat_options INTERFACE "${PROJECT_SOURCE_DIR}/host"
+                           "${PROJECT_SOURCE_DIR}/include")
 # Host arithmetic must give the same bits at every optimisation level: no fused contraction.
 target_compile_options(aerostat_options INTERFACE -Wall -Wextra -Wpedantic -Wshadow -Wconversion
                        -Wno-sign-conversion -Wno-psabi -ffp-contract=off
@@ -48,7 +49,7 @@ function(aerostat_test name)
   endif()
   add_executable(${name} ${name}.cpp ${ARG_SOURCES})
   target_link_libraries(${name} PRIVATE aerostat_options ${ARG_LINKS} GTest::gtest_main)
-  target_compile_definitions(${name} PRIVATE AEROSTAT_SOURCE_DIR="${CMAKE_SOURCE_DIR}")
+  target_compile_definitions(${name} PRIVATE AEROSTAT_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
   gtest_discover_tests(${name} PROPERTIES LABELS ${ARG_LABEL} TIMEOUT ${ARG_TIMEOUT}
                        DISCOVERY_MODE PRE_TEST)
 endfunction()

@@ -1,5 +1,32 @@
-# What `cmake --install` puts beside the programs. Included after the programs' folders.
-include(GNUInstallDirs)
+# What `cmake --install` installs, in three components: `programs` with all that they need, `library`
+# (libaerostat) and `dev` (headers and what find_package and pkg-config read). Included after the
+# folders of host.
+include(CMakePackageConfigHelpers)
+
+if(BUILD_SHARED_LIBS OR NOT DEFINED BUILD_SHARED_LIBS)
+  set(package_dir "${CMAKE_INSTALL_LIBDIR}/cmake/aerostat")
+  install(TARGETS aerostat_lib EXPORT aerostatTargets
+          LIBRARY COMPONENT library NAMELINK_COMPONENT dev
+          RUNTIME COMPONENT library)
+  install(DIRECTORY include/aerostat DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}" COMPONENT dev)
+  install(EXPORT aerostatTargets NAMESPACE aerostat:: DESTINATION "${package_dir}" COMPONENT dev)
+  configure_package_config_file(cmake/aerostatConfig.cmake.in
+                                "${CMAKE_CURRENT_BINARY_DIR}/aerostatConfig.cmake"
+                                INSTALL_DESTINATION "${package_dir}")
+  write_basic_package_version_file("${CMAKE_CURRENT_BINARY_DIR}/aerostatConfigVersion.cmake"
+                                   COMPATIBILITY SameMinorVersion)
+  configure_file(cmake/aerostat.pc.in "${CMAKE_CURRENT_BINARY_DIR}/aerostat.pc" @ONLY)
+  install(FILES "${CMAKE_CURRENT_BINARY_DIR}/aerostatConfig.cmake"
+                "${CMAKE_CURRENT_BINARY_DIR}/aerostatConfigVersion.cmake"
+          DESTINATION "${package_dir}" COMPONENT dev)
+  install(FILES "${CMAKE_CURRENT_BINARY_DIR}/aerostat.pc"
+          DESTINATION "${CMAKE_INSTALL_LIBDIR}/pkgconfig" COMPONENT dev)
+  install(FILES examples/render_to_png.cpp examples/turn_around.cpp examples/CMakeLists.txt
+          DESTINATION "${CMAKE_INSTALL_DATADIR}/doc/libaerostat-dev/examples" COMPONENT dev)
+endif()
+if(NOT AEROSTAT_PROGRAMS)
+  return()
+endif()
 
 # Debian's zsh looks in share/zsh/vendor-completions.
 set(AEROSTAT_ZSH_COMPLETIONS "${CMAKE_INSTALL_DATADIR}/zsh/site-functions" CACHE STRING

@@ -1,4 +1,5 @@
-# `cmake --workflow --preset package` makes build/package/aerostat_VERSION_ARCHITECTURE.deb.
+# `cmake --workflow --preset package` makes three packages in build/package: aerostat (the programs),
+# libaerostat0 (the library) and libaerostat-dev (headers, CMake and pkg-config files, examples).
 set(CPACK_PACKAGE_NAME aerostat)
 set(CPACK_PACKAGE_VENDOR "aerostat")
 set(CPACK_PACKAGE_CONTACT "The maintainers of aerostat <maintainers@aerostat.example>")
@@ -8,20 +9,38 @@ biome, with a hot-air balloon seen from outside or from its basket. It traces
 rays on OpenCL devices: on the cores of any CPU by PoCL, or on a GPU by its
 driver. A few lines of JSON describe a scene; a window sets it up by eye.")
 set(CPACK_PACKAGE_CHECKSUM SHA256)
-set(CPACK_RESOURCE_FILE_LICENSE "${CMAKE_SOURCE_DIR}/LICENSE")
+set(CPACK_RESOURCE_FILE_LICENSE "${PROJECT_SOURCE_DIR}/LICENSE")
 set(CPACK_STRIP_FILES ON)
 set(CPACK_GENERATOR DEB)
-set(CPACK_PRE_BUILD_SCRIPTS "${CMAKE_SOURCE_DIR}/cmake/PackageStage.cmake")
+set(CPACK_PRE_BUILD_SCRIPTS "${PROJECT_SOURCE_DIR}/cmake/PackageStage.cmake")
 
 set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
 set(CPACK_DEBIAN_PACKAGE_RELEASE 1)
-set(CPACK_DEBIAN_PACKAGE_SECTION graphics)
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON) # the libraries; OpenCL's loader is among them
-set(CPACK_DEBIAN_PACKAGE_DEPENDS "pocl-opencl-icd | opencl-icd") # a device
+
+set(CPACK_DEB_COMPONENT_INSTALL ON)
+set(CPACK_COMPONENTS_ALL programs library dev)
+set(device "pocl-opencl-icd | opencl-icd")
+set(library_package "libaerostat${PROJECT_VERSION_MAJOR}")
+set(CPACK_DEBIAN_PROGRAMS_PACKAGE_NAME aerostat)
+set(CPACK_DEBIAN_PROGRAMS_PACKAGE_SECTION graphics)
+set(CPACK_DEBIAN_PROGRAMS_PACKAGE_DEPENDS "${device}")
+set(CPACK_DEBIAN_LIBRARY_PACKAGE_NAME "${library_package}")
+set(CPACK_DEBIAN_LIBRARY_PACKAGE_SECTION libs)
+set(CPACK_DEBIAN_LIBRARY_PACKAGE_DEPENDS "${device}")
+set(CPACK_COMPONENT_LIBRARY_DESCRIPTION "ray-traced pictures of landscapes as a library
+Programs that link it render scenes of aerostat on OpenCL devices.")
+set(CPACK_DEBIAN_DEV_PACKAGE_NAME libaerostat-dev)
+set(CPACK_DEBIAN_DEV_PACKAGE_SECTION libdevel)
+set(CPACK_DEBIAN_DEV_PACKAGE_DEPENDS
+    "${library_package} (= ${PROJECT_VERSION}-${CPACK_DEBIAN_PACKAGE_RELEASE})")
+set(CPACK_COMPONENT_DEV_DESCRIPTION "headers of the library of aerostat
+What a program needs to be built against libaerostat.")
 set(CPACK_DEBIAN_PACKAGE_CONTROL_STRICT_PERMISSION ON)
 
 # Read by PackageStage.cmake.
-set(CPACK_AEROSTAT_SOURCE_DIR "${CMAKE_SOURCE_DIR}")
-set(CPACK_AEROSTAT_DOC_DIR "${CMAKE_INSTALL_DOCDIR}")
+set(CPACK_AEROSTAT_SOURCE_DIR "${PROJECT_SOURCE_DIR}")
+set(CPACK_AEROSTAT_DOC_ROOT "${CMAKE_INSTALL_DATADIR}/doc")
+set(CPACK_AEROSTAT_LIBRARY_PACKAGE "${library_package}")
 set(CPACK_AEROSTAT_MAN_DIR "${CMAKE_INSTALL_MANDIR}")
 include(CPack)
