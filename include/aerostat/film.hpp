@@ -42,7 +42,7 @@ class AEROSTAT_API Film {
   /// at all. Throws Error{usage} for another ending, and Error{io} if it cannot be written.
   void save(const std::filesystem::path& path) const;
 
-  struct State;  ///< internal
+  struct AEROSTAT_HIDDEN State;  ///< internal
   explicit Film(std::shared_ptr<const State> state);
 
  private:

@@ -35,7 +35,7 @@ class AEROSTAT_API Scene {
   int width() const;
   int height() const;
 
-  struct State;  ///< internal
+  struct AEROSTAT_HIDDEN State;  ///< internal
   const State& state() const { return *state_; }
 
  private:
