@@ -1,7 +1,7 @@
 /* The same traversal, counting what it does. */
 #define AERO_COUNTERS
+#include "bvh/traverse.clh"
 #include "ray_buffer.clh"
-#include "traverse.clh"
 
 __kernel void count_rays(__global const AeroBvhNode* nodes, __global const AeroTriangle* triangles,
                          __global const AeroInstance* instances, __global const float* grid,

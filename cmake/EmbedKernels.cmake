@@ -5,7 +5,7 @@
 
 function(aerostat_embed_kernels target)
   set(root "${CMAKE_CURRENT_SOURCE_DIR}")
-  file(GLOB files CONFIGURE_DEPENDS RELATIVE "${root}" "${root}/shared/*.h" "${root}/device/*.clh"
+  file(GLOB_RECURSE files CONFIGURE_DEPENDS RELATIVE "${root}" "${root}/shared/*.h" "${root}/device/*.clh"
        "${root}/*.cl")
   list(SORT files)
   # The list is a file of its own, so that a removed kernel is noticed too.

@@ -1,7 +1,7 @@
-#include "cloud_march.clh"
-#include "film.clh"
-#include "sampling.clh"
-#include "shade.clh"
+#include "atmosphere/cloud_march.clh"
+#include "film/film.clh"
+#include "light/shade.clh"
+#include "sample/sampling.clh"
 
 /* Radiance of a tile's eye rays, added to the film. */
 __kernel void shade_hits(const AeroLaunch launch, __global const AeroScene* scene,

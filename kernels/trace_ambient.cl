@@ -1,5 +1,5 @@
-#include "ambient.clh"
-#include "camera.clh"
+#include "camera/camera.clh"
+#include "light/ambient.clh"
 
 /* Rays from every hit of a tile towards the sky: found[block] says what is near. Every BUNDLE-th
  * work-item works on that many blocks together. */

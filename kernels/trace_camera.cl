@@ -1,5 +1,5 @@
-#include "film.clh"
-#include "traverse.clh"
+#include "bvh/traverse.clh"
+#include "film/film.clh"
 
 /* Eye rays of a tile's pixels that are not settled: the closest hits of block into hits[block].
  * Every BUNDLE-th work-item traces that many blocks together. */

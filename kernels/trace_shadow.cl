@@ -1,5 +1,5 @@
-#include "camera.clh"
-#include "shadow.clh"
+#include "camera/camera.clh"
+#include "light/shadow.clh"
 
 /* Shadow rays from the hits of a tile to every light: bit i of visible[block] is set where light i
  * arrives. Every BUNDLE-th work-item traces that many blocks together. */

@@ -7,7 +7,7 @@ namespace aerostat::opencl {
 
 /// A kernel file inside the binary, byte for byte as it was when the binary was built.
 struct EmbeddedFile {
-  std::string_view path;  // relative to the kernel folder, such as "device/lanes.clh"
+  std::string_view path;  // relative to the kernel folder, such as "device/core/lanes.clh"
   std::string_view text;
 };
 

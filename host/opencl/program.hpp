@@ -9,7 +9,7 @@
 
 namespace aerostat::opencl {
 
-/// Kernel sources by path relative to the kernel folder ("device/lanes.clh").
+/// Kernel sources by path relative to the kernel folder ("device/core/lanes.clh").
 using SourceTree = std::map<std::string, std::string>;
 
 /// The sources in the binary, or those of the folder AEROSTAT_KERNEL_DIR if that is set.

@@ -25,7 +25,7 @@ struct Spots {
   }
 };
 
-/// fBm of the noise in space that kernels/device/solid_noise.clh defines, as filtered_solid_fbm
+/// fBm of the noise in space that kernels/device/noise/solid_noise.clh defines, as filtered_solid_fbm
 /// there and the same within rounding: octaves of half the wavelength and `gain` times the
 /// amplitude each, those finer than two to four times `footprint` (metres) faded out. `ridges`
 /// folds each octave at zero.

@@ -27,7 +27,7 @@ Choice choose_palm(const Nature& nature, const Site& site, Random& random) {
 }
 
 /// Trees of a kind stand together: yellower and brighter here, bluer and darker there, and now and
-/// then a pale crown. As kernels/device/canopy.clh paints the woods.
+/// then a pale crown. As kernels/device/material/canopy.clh paints the woods.
 vec3 kind_tint(const GroundNoise& noise, Random& random) {
   const float warm = 0.7f * noise.broad + 0.35f * noise.fine;
   const vec3 hue(1.0f + 0.8f * warm, 1.0f + 0.35f * warm, 1.0f - 0.5f * warm);

@@ -1,5 +1,5 @@
+#include "bvh/traverse.clh"
 #include "probe.clh"
-#include "traverse.clh"
 
 /* Every sixteen rays meet one node, at every width. Per ray, bit c says whether child c is met; per
  * packet, bit c says whether child c is left after culling, with the eight lower bounds. Rays of a

@@ -1,4 +1,4 @@
-#include "camera.clh"
+#include "camera/camera.clh"
 #include "probe.clh"
 
 __kernel void probe_packets(const AeroTile tile, __global uint* x, __global uint* y,

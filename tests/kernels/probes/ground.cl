@@ -1,4 +1,4 @@
-#include "ground.clh"
+#include "material/ground.clh"
 #include "probe.clh"
 
 /* Noise (broad, fine, rough) and mix (rock, beach, snow, forest) at points, as planes. */

@@ -1,8 +1,8 @@
 #include "bvh_node.h"
 #include "camera.h"
 #include "film_pixel.h"
+#include "geometry/ray.clh"
 #include "instance.h"
-#include "ray.clh"
 #include "scene_params.h"
 #include "trace_triangle.h"
 

@@ -1,5 +1,5 @@
+#include "noise/solid_noise.clh"
 #include "probe.clh"
-#include "solid_noise.clh"
 
 __kernel void probe_perlin(const uint seed, __global const float* x, __global const float* y,
                            __global float* noise) {

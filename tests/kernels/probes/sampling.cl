@@ -1,5 +1,5 @@
 #include "probe.clh"
-#include "sampling.clh"
+#include "sample/sampling.clh"
 
 /* The numbers of a tile's samples, and what they choose. */
 __kernel void probe_light_samples(const AeroLaunch launch, __global const float* axis,

@@ -1,6 +1,6 @@
-#include "cloud_march.clh"
+#include "atmosphere/cloud_march.clh"
+#include "light/shade.clh"
 #include "probe.clh"
-#include "shade.clh"
 
 /* A look whose scalars stand in `coefficients`: ambient, diffuse, specular, shininess,
  * translucency, then the albedo and the softness. */

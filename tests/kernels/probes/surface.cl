@@ -1,5 +1,5 @@
+#include "geometry/hit_triangle.clh"
 #include "probe.clh"
-#include "surface.clh"
 
 inline Hit load_hit(__global const float* tuv, __global const uint* slots) {
   Hit hit;

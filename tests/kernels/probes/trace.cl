@@ -1,5 +1,5 @@
+#include "bvh/traverse.clh"
 #include "probe.clh"
-#include "traverse.clh"
 
 inline Ray load_ray(__global const float* origins, __global const float* directions,
                     __global const float* t_max) {
