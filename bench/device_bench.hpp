@@ -64,7 +64,7 @@ class DeviceBench {
   render::DeviceGeometry device_;
   AeroLaunch launch_{};
   opencl::Buffer<AeroScene> scene_;
-  opencl::Buffer<AeroFilmPixel> film_;  // no pixel of it is settled
+  opencl::Buffer<AeroFilmPixel> film_;  // no pixel of it is converged
   opencl::Buffer<float> rays_;
   const RaySet* rays_on_device_ = nullptr;
   opencl::RawBuffer hits_, visible_;

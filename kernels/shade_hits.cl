@@ -13,7 +13,7 @@ __kernel void shade_hits(const AeroLaunch launch, __global const AeroScene* scen
   if (block >= launch.tile.block_count) return;
   const AeroLaunch task = launch;
   PixelPacket packet = pixel_packet(&task.tile, block);
-  leave_settled(film, &task.film, task.tile.first_sample, &packet);
+  skip_converged(film, &task.film, task.tile.first_sample, &packet);
   if (!lane_any(packet.active)) return;
   const Ray ray = generate_rays(&task.frame, &packet);
   const Hit hit = hits[block];
@@ -70,10 +70,10 @@ __kernel void clear_film(__global AeroFilmPixel* film, const uint pixels) {
   film[i] = empty;
 }
 
-/* Settles the pixels that have samples enough. */
-__kernel void settle_film(__global AeroFilmPixel* film, const AeroSettling settling) {
+/* Marks as converged the pixels that have samples enough. */
+__kernel void mark_converged(__global AeroFilmPixel* film, const AeroConvergence convergence) {
   const uint i = (uint)get_global_id(0);
-  const AeroSettling asked = settling;
+  const AeroConvergence asked = convergence;
   if (i >= asked.width * asked.height) return;
-  if (is_settled(film, i, &asked)) film[i].settled = 1u;
+  if (has_converged(film, i, &asked)) film[i].converged = 1u;
 }

@@ -1,7 +1,7 @@
 #include "bvh/traverse.clh"
 #include "film/film.clh"
 
-/* Eye rays of a tile's pixels that are not settled: the closest hits of block into hits[block].
+/* Eye rays of a tile's pixels that are not converged: the closest hits of block into hits[block].
  * Every BUNDLE-th work-item traces that many blocks together. */
 __kernel void trace_camera_rays(const AeroLaunch launch, __global const AeroBvhNode* nodes,
                                 __global const AeroTriangle* triangles,
@@ -21,7 +21,7 @@ __kernel void trace_camera_rays(const AeroLaunch launch, __global const AeroBvhN
   for (uint i = 0u; i < BUNDLE; ++i) {
     /* Blocks beyond the tile's last lie below it: their lanes are off. */
     PixelPacket packet = pixel_packet(&tile, first + i);
-    leave_settled(film, &window, tile.first_sample, &packet);
+    skip_converged(film, &window, tile.first_sample, &packet);
     const Ray ray = generate_offset_rays(&frame, &packet, dx, dy);
     start_packet(packets + i, &ray);
   }

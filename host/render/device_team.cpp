@@ -90,7 +90,7 @@ int DeviceTeam::await_programs(const std::function<void(double)>& waiting, doubl
   return built;
 }
 
-void DeviceTeam::settle(const AeroSettling& settling, const RowQueue& queue) {
+void DeviceTeam::mark_converged(const AeroConvergence& convergence, const RowQueue& queue) {
   // A pixel asks its neighbours, also those that another device holds.
   const std::vector<RowRun> runs = queue.held();
   for (std::size_t i = 1; i < runs.size(); ++i) {
@@ -100,7 +100,7 @@ void DeviceTeam::settle(const AeroSettling& settling, const RowQueue& queue) {
     on(upper, [&] { upper.adopt(below.y0, below.y0 + 1, lower.film()); });
     on(lower, [&] { lower.adopt(above.y1 - 1, above.y1, upper.film()); });
   }
-  on_each([&](DeviceWorker& worker) { worker.settle(settling); });
+  on_each([&](DeviceWorker& worker) { worker.mark_converged(convergence); });
 }
 
 /// One thread a device; this one waits for them.

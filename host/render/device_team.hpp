@@ -38,7 +38,7 @@ class DeviceTeam {
   int await_programs(const std::function<void(double)>& waiting, double& seconds);
 
   /// Settles pixels of the film, whose rows lie where `queue` says, between passes.
-  void settle(const AeroSettling& settling, const RowQueue& queue);
+  void mark_converged(const AeroConvergence& convergence, const RowQueue& queue);
 
   /// Renders the pass on all devices; returns early, with work under way, when `stop` is requested.
   void trace(const Pass& pass, RowQueue& queue, const std::stop_token& stop,
@@ -47,7 +47,7 @@ class DeviceTeam {
   /// Where the rows of `queue` lie after whole passes.
   std::vector<FilmRows> film_rows(const RowQueue& queue) const;
 
-  /// Eye rays of the film whose light is in the films or that settled pixels had no need of.
+  /// Eye rays of the film whose light is in the films or that converged pixels had no need of.
   std::uint64_t rays_done() const;
 
   const DeviceGeometry& geometry() const { return workers_.front()->geometry(); }

@@ -56,17 +56,17 @@ void DeviceWorker::begin_frame(const AeroScene& scene, std::size_t pixels) {
 void DeviceWorker::begin_film(const Crop& window) {
   in_flight_.clear();
   rays_done_ = 0;
-  some_settled_ = false;
+  some_converged_ = false;
   stats_ = {};
   window_ = window;
   opencl::launch(context_, programs_->clear_film, packet_range(window.pixels(), 1), film_,
                  static_cast<cl_uint>(window.pixels()));
 }
 
-void DeviceWorker::settle(const AeroSettling& settling) {
-  some_settled_ = true;
-  opencl::launch(context_, programs_->settle_film, packet_range(window_.pixels(), 1), film_,
-                 settling);
+void DeviceWorker::mark_converged(const AeroConvergence& convergence) {
+  some_converged_ = true;
+  opencl::launch(context_, programs_->mark_converged, packet_range(window_.pixels(), 1), film_,
+                 convergence);
 }
 
 /// Rows that keep the device busy for the time of a launch, in one launch or, where a packet holds
@@ -176,8 +176,8 @@ void DeviceWorker::retire(std::size_t most_in_flight) {
     rays_done_ += work.rays;
     // By the device's clock: the host's tells nothing when several launches end while it sleeps.
     const double spent = camera + shadow + ambient + shade;
-    // Settled pixels are done at once: they say nothing of those that are not.
-    if (spent > 0.0 && !some_settled_) {
+    // Converged pixels are done at once: they say nothing of those that are not.
+    if (spent > 0.0 && !some_converged_) {
       const double now_rate = static_cast<double>(work.rays) / spent;
       rate_ = rate_ <= 0.0 ? now_rate : 0.7 * rate_ + 0.3 * now_rate;
     }

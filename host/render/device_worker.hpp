@@ -65,8 +65,8 @@ class DeviceWorker {
   /// Takes over rows y0 <= y < y1 of the image from another device's film of the same window.
   void adopt(int y0, int y1, const FilmBuffer& from);
 
-  /// Settles the pixels of the film that have samples enough. Between passes.
-  void settle(const AeroSettling& settling);
+  /// Marks as converged the pixels of the film that have samples enough. Between passes.
+  void mark_converged(const AeroConvergence& convergence);
 
   /// Renders rows of `queue` as device number `index` until none is left or `stop` is requested; in
   /// that case launches may be under way when it returns. `film_of(i)` is the film of device i.
@@ -76,7 +76,7 @@ class DeviceWorker {
   /// The sums over the samples so far. Reading waits for launches.
   const FilmBuffer& film() const { return film_; }
 
-  /// Eye rays whose light is in the film, and those that settled pixels had no need of. From any
+  /// Eye rays whose light is in the film, and those that converged pixels had no need of. From any
   /// thread.
   std::uint64_t rays_done() const { return rays_done_; }
   /// Of the film so far. Not during `trace`.
@@ -104,9 +104,9 @@ class DeviceWorker {
   DeviceGeometry geometry_;
   opencl::Buffer<AeroScene> scene_;
   FilmBuffer film_;
-  Crop window_;                // of the image, that the film holds
-  bool occlusion_ = false;     // whether the frame asks for ambient occlusion
-  bool some_settled_ = false;  // pixels of the frame may be
+  Crop window_;                  // of the image, that the film holds
+  bool occlusion_ = false;       // whether the frame asks for ambient occlusion
+  bool some_converged_ = false;  // pixels of the frame may be
   opencl::RawBuffer hits_, visible_, found_;
   std::uint64_t packets_capacity_ = 0;
 

@@ -22,7 +22,7 @@ class PassPlan {
   /// are added in their order all the same, so every bit stays.
   int samples_from(int done) const;
   /// Whether it is decided before that pass which pixels take no more samples.
-  bool settles_before(int done) const;
+  bool decides_before(int done) const;
   /// The pixels of that pass: the crop and what is left of the apron. None has more than the first.
   Crop area_from(int done) const;
   /// Eye rays of all passes, if no pixel settles.

@@ -50,7 +50,7 @@ void warm_up(const opencl::Context& context, Programs& programs, int lanes,
   step(share.shade, programs.shade_hits, range, launch, none, none, none, none, none, none, none,
        none, none);
   step(share.film, programs.clear_film, packet_range(1, 1), none, cl_uint{0});
-  step(share.film, programs.settle_film, packet_range(1, 1), none, AeroSettling{});
+  step(share.film, programs.mark_converged, packet_range(1, 1), none, AeroConvergence{});
 }
 
 }  // namespace
@@ -73,7 +73,7 @@ Programs build_programs(const opencl::Context& context, int lanes, KernelProgres
   programs.trace_ambient_rays = rendering.kernel("trace_ambient_rays");
   programs.shade_hits = rendering.kernel("shade_hits");
   programs.clear_film = rendering.kernel("clear_film");
-  programs.settle_film = rendering.kernel("settle_film");
+  programs.mark_converged = rendering.kernel("mark_converged");
   warm_up(context, programs, lanes, progress);
   progress.finish();
   programs.seconds = watch.seconds();

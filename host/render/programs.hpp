@@ -18,7 +18,7 @@ struct Programs {
   cl::Kernel trace_ambient_rays;
   cl::Kernel shade_hits;
   cl::Kernel clear_film;
-  cl::Kernel settle_film;
+  cl::Kernel mark_converged;
   double seconds = 0.0;  // that building took
 };
 

@@ -21,7 +21,7 @@ constexpr double kLaunch_s = 0.02;
 constexpr double kFirstLook_s = 0.05;
 constexpr double kFirstRoughLook_s = 0.03;  // carving and building take as long again
 constexpr double kFirstRate = 1e6;          // drafted pixels per second, before one was measured
-constexpr std::chrono::milliseconds kSettling(150);
+constexpr std::chrono::milliseconds kConvergence(150);
 
 scene::Scene drafted(scene::Scene scene) {
   scene.image.spp = 1;
@@ -199,7 +199,7 @@ void Progressive::render(const scene::Scene& scene, const std::stop_token& stop,
   state.coarse.begin_kernels();
   if (!state.has_land(scene)) {
     state.show_steps(state.coarse, state.placed(scene, world::Carving::coarse), true);
-    rest(kSettling, stop);
+    rest(kConvergence, stop);
   }
   state.show_steps(state.fine, state.placed(scene, world::Carving::fine), false);
 }

@@ -31,7 +31,8 @@ std::uint64_t shadow_rays_of(std::uint64_t hits, const scene::Scene& scene) {
 
 /// A display shows about the square root of the light: noise counts by what it is there, where a
 /// white card in the sun is white and the darkest shades, a fiftieth as bright, stay in the dark.
-AeroSettling settling_of(const scene::Image& image, const dvec3& daylight, const AeroWindow& film) {
+AeroConvergence convergence_of(const scene::Image& image, const dvec3& daylight,
+                               const AeroWindow& film) {
   const double white = image::luminance(daylight);
   const double noise = image.adaptive_threshold;
   return {static_cast<float>(4.0 * noise * noise * white), static_cast<float>(0.02 * white),
@@ -193,13 +194,14 @@ image::Film Session::State::trace(const scene::Scene& scene, const Crop& crop) {
   team.begin_film(area.window);
   RowQueue queue(area.window.y0, area.window.y1, static_cast<int>(options.devices.size()));
   Pass pass{whole, {}, 0, 0, options.tile_pixels, options.launch_seconds};
-  const AeroSettling settling = settling_of(scene.image, dvec3(daylight), window_of(area.window));
+  const AeroConvergence convergence =
+      convergence_of(scene.image, dvec3(daylight), window_of(area.window));
   for (passes_done = 0; passes_done < scene.image.spp; passes_done += pass.samples) {
     if (passes_done > 0) publish(read_passes(scene, area, queue));
     pass.area = plan.area_from(passes_done);
     pass.first_sample = passes_done;
     pass.samples = plan.samples_from(passes_done);
-    if (plan.settles_before(passes_done)) team.settle(settling, queue);
+    if (plan.decides_before(passes_done)) team.mark_converged(convergence, queue);
     trace_pass(pass, queue, plan);
   }
   image::Film read = read_passes(scene, area, queue);

@@ -24,7 +24,7 @@ TEST(Adaptive, WithoutAThresholdAllPixelsGetAllSamples) {
   for (const auto samples : film.samples) ASSERT_EQ(samples, 64u);
 }
 
-TEST(Adaptive, SettlesPixelsInWholeRounds) {
+TEST(Adaptive, MarksPixelsInWholeRounds) {
   const image::Film film = shared_session().render(adaptive_scene(0.01));
   std::uint64_t least = 0, most = 0;
   for (std::size_t i = 0; i < film.samples.size(); ++i) {

@@ -211,7 +211,7 @@ TEST(PassPlan, IsOfAllSamplesInPassesThatEndWithARound) {
   std::vector<int> begins, decisions;
   for (int done = 0; done < 50; done += plan.samples_from(done)) {
     begins.push_back(done);
-    if (plan.settles_before(done)) decisions.push_back(done);
+    if (plan.decides_before(done)) decisions.push_back(done);
   }
   EXPECT_EQ(begins, (std::vector{0, 1, 9, 13, 15, 16, 24, 32, 40, 48}));
   EXPECT_EQ(decisions, (std::vector{16, 32, 48}));

@@ -70,12 +70,12 @@ AeroBvhNode random_node(std::mt19937& random, float scale) {
 struct Answers {
   std::vector<std::uint32_t> met, kept;
   std::vector<float> enter;
-  std::vector<std::uint32_t> beams;  // which packets made one; empty if none was asked to
+  std::vector<std::uint32_t> frustums;  // which packets made one; empty if none was asked to
 };
 
-/// The general tests, and over them those by beams where `by_beam` says so.
+/// The general tests, and over them those by frustums where `by_frustum` says so.
 Answers ask(const Probe& probe, const std::vector<AeroBvhNode>& nodes,
-            const std::vector<BoxRay>& rays, bool by_beam = false) {
+            const std::vector<BoxRay>& rays, bool by_frustum = false) {
   std::vector<vec3> origins, directions;
   std::vector<float> reaches;
   for (const BoxRay& ray : rays) {
@@ -88,11 +88,11 @@ Answers ask(const Probe& probe, const std::vector<AeroBvhNode>& nodes,
   const auto enter = output<float>(8 * packets);
   probe.run("probe_children", rays.size(), input(nodes), input(planes(origins)),
             input(planes(directions)), input(reaches), met, kept, enter);
-  if (!by_beam) return {met.read(), kept.read(), enter.read(), {}};
-  const auto beams = output<std::uint32_t>(packets);
-  probe.run("probe_beam", rays.size(), input(nodes), input(planes(origins)),
-            input(planes(directions)), input(reaches), met, kept, enter, beams);
-  return {met.read(), kept.read(), enter.read(), beams.read()};
+  if (!by_frustum) return {met.read(), kept.read(), enter.read(), {}};
+  const auto frustums = output<std::uint32_t>(packets);
+  probe.run("probe_frustum", rays.size(), input(nodes), input(planes(origins)),
+            input(planes(directions)), input(reaches), met, kept, enter, frustums);
+  return {met.read(), kept.read(), enter.read(), frustums.read()};
 }
 
 struct Slab {
@@ -263,7 +263,7 @@ TEST_P(Boxes, NoChildThatARayMeetsIsLeftOut) {
   }
 }
 
-TEST_P(Boxes, NoChildThatABeamMeetsIsLeftOut) {
+TEST_P(Boxes, NoChildThatAFrustumMeetsIsLeftOut) {
   for (const Scenario& scenario : scenarios()) {
     std::mt19937 random(78);
     std::vector<AeroBvhNode> nodes;
@@ -275,15 +275,15 @@ TEST_P(Boxes, NoChildThatABeamMeetsIsLeftOut) {
     const Answers answers = ask(probe, nodes, rays, true);
     Tally tally;
     compare(answers, nodes, rays, lanes, tally);
-    const auto beams = std::count(answers.beams.begin(), answers.beams.end(), 1u);
+    const auto frustums = std::count(answers.frustums.begin(), answers.frustums.end(), 1u);
     if (scenario.name == std::string("coherent")) {
-      EXPECT_GT(beams * 4, static_cast<std::ptrdiff_t>(answers.beams.size()));
+      EXPECT_GT(frustums * 4, static_cast<std::ptrdiff_t>(answers.frustums.size()));
     }
     if (scenario.name == std::string("along_axes")) {
-      EXPECT_EQ(beams, 0);
+      EXPECT_EQ(frustums, 0);
     }
     EXPECT_EQ(tally.missed, 0) << scenario.name << ": hit_child_by_cone misses what a ray meets";
-    EXPECT_EQ(tally.culled, 0) << scenario.name << ": cull_by_beam drops what a ray meets";
+    EXPECT_EQ(tally.culled, 0) << scenario.name << ": cull_by_frustum drops what a ray meets";
     EXPECT_EQ(tally.late, 0) << scenario.name << ": a distance is no lower bound";
     EXPECT_EQ(tally.far_off, 0) << scenario.name << ": children far from a ray are met";
   }

@@ -118,7 +118,7 @@ TEST_P(GridTrace, MeetsTheSameTrianglesAsASoupToTheBit) {
     ASSERT_EQ(occluded[i].met(), expected[i].met()) << "ray " << i;
 }
 
-// With beams of one direction, as the sun's, of one origin, and with rays of all directions.
+// With frustums of one direction, as the sun's, of one origin, and with rays of all directions.
 TEST_P(GridTrace, FromAboveMeetsWhatARayEnters) {
   const auto& [shape, lanes] = GetParam();
   const mesh::GridMesh grid = bumpy(shape);

@@ -66,9 +66,9 @@ __kernel void probe_bundle(__global const AeroBvhNode* nodes,
 }
 
 inline void hit_triangle(__global const AeroTriangle* triangle, uint slot, const Ray* ray,
-                         const RayFrame* frame, const Cone* cone, Hit* hit) {
+                         const RayFrame* frame, const SlabRay* slab_ray, Hit* hit) {
   const Crossing crossing = cross_triangle(triangle, frame);
-  take_hit(&crossing, (lane_uint)slot, enter_triangle(triangle, cone), ray, frame, hit);
+  take_hit(&crossing, (lane_uint)slot, enter_triangle(triangle, slab_ray), ray, frame, hit);
 }
 
 /* Every ray against the same triangles in their order, without a tree. */
@@ -79,9 +79,9 @@ __kernel void probe_triangles(__global const AeroTriangle* triangles, const uint
   const Ray ray = load_ray(origins, directions, t_max);
   const RayFrame frame = ray_frame(&ray, lane_mask(ray.t_max >= 0.0f));
   Hit hit = no_hit();
-  const Cone cone = make_cone(&ray, 1.0f);
+  const SlabRay slab_ray = make_slab_ray(&ray, 1.0f);
   for (uint i = 0u; i < count; ++i) {
-    hit_triangle(triangles + i, first_slot + i, &ray, &frame, &cone, &hit);
+    hit_triangle(triangles + i, first_slot + i, &ray, &frame, &slab_ray, &hit);
   }
   store3_planes(lane3(hit.t, hit.u, hit.v), tuv);
   STORE(hit.triangle, slots);
@@ -93,12 +93,12 @@ __kernel void probe_pairs(__global const AeroTriangle* triangles, __global const
                           __global float* tuv, __global uint* slots) {
   const Ray ray = load_ray(origins, directions, t_max);
   const RayFrame frame = ray_frame(&ray, lane_mask(ray.t_max >= 0.0f));
-  const Cone cone = make_cone(&ray, 1.0f);
+  const SlabRay slab_ray = make_slab_ray(&ray, 1.0f);
   const uint first = (uint)get_global_id(0) * LANES;
   Hit mine = no_hit();
   for (uint i = 0u; i < LANES; ++i) {
     Hit hit = no_hit();
-    hit_triangle(triangles + (first + i), first + i, &ray, &frame, &cone, &hit);
+    hit_triangle(triangles + (first + i), first + i, &ray, &frame, &slab_ray, &hit);
     const lane_int own = lane_mask(LANE_INDEX == (lane_uint)i);
     mine.t = lane_select(own, hit.t, mine.t);
     mine.u = lane_select(own, hit.u, mine.u);
