@@ -37,7 +37,7 @@ class DeviceTeam {
   /// slowest device took.
   int await_programs(const std::function<void(double)>& waiting, double& seconds);
 
-  /// Settles pixels of the film, whose rows lie where `queue` says, between passes.
+  /// Marks converged pixels of the film, whose rows lie where `queue` says, between passes.
   void mark_converged(const AeroConvergence& convergence, const RowQueue& queue);
 
   /// Renders the pass on all devices; returns early, with work under way, when `stop` is requested.

@@ -7,7 +7,7 @@
 namespace aerostat::render {
 
 /// A picture is metered at so many of its pixels, or at all if it has fewer, by so many samples
-/// each, or by as many as a pixel takes. docs/decisions/0023-metering.md says how near that comes
+/// each, or by as many as a pixel takes. docs/decisions/0020-metering.md says how near that comes
 /// to all pixels and samples.
 inline constexpr double kMeteringPixels = 14400.0;
 inline constexpr std::uint32_t kMeteringSamples = 4;

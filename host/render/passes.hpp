@@ -25,7 +25,7 @@ class PassPlan {
   bool decides_before(int done) const;
   /// The pixels of that pass: the crop and what is left of the apron. None has more than the first.
   Crop area_from(int done) const;
-  /// Eye rays of all passes, if no pixel settles.
+  /// Eye rays of all passes, if no pixel converges early.
   std::uint64_t rays() const;
 
  private:

@@ -19,9 +19,9 @@ struct GroundNoise {
   float broad = 0.0f, fine = 0.0f, rough = 0.0f;
 };
 
-/// What kernels/device/material/ground_mix.clh says of the ground, on the host: plants grow where it paints
-/// them, so that woods of single trees go over into painted ones. Positions lie in the world, in
-/// metres; `slope_cos` is the y of the ground's interpolated unit normal.
+/// What kernels/device/material/ground_mix.clh says of the ground, on the host: plants grow where
+/// it paints them, so that woods of single trees go over into painted ones. Positions lie in the
+/// world, in metres; `slope_cos` is the y of the ground's interpolated unit normal.
 class GroundRule {
  public:
   /// Detail finer than `footprint_m` is left out.

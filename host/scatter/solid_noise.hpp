@@ -25,10 +25,10 @@ struct Spots {
   }
 };
 
-/// fBm of the noise in space that kernels/device/noise/solid_noise.clh defines, as filtered_solid_fbm
-/// there and the same within rounding: octaves of half the wavelength and `gain` times the
-/// amplitude each, those finer than two to four times `footprint` (metres) faded out. `ridges`
-/// folds each octave at zero.
+/// fBm of the noise in space that kernels/device/noise/solid_noise.clh defines, as
+/// filtered_solid_fbm there and the same within rounding: octaves of half the wavelength and `gain`
+/// times the amplitude each, those finer than two to four times `footprint` (metres) faded out.
+/// `ridges` folds each octave at zero.
 struct SolidFbm {
   std::uint32_t seed = 0;
   float wavelength_m = 1.0f;

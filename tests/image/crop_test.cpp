@@ -107,7 +107,7 @@ INSTANTIATE_TEST_SUITE_P(Qualities, CropAt,
                          name_of);
 
 TEST(CropAtFinal, HoldsPixelsThatTheirNeighboursDecide) {
-  // What the tests above are about: there are pixels that settle and others that do not.
+  // What the tests above are about: there are pixels that converge and others that do not.
   const image::Film film = shared_session().render(scene_of(scene::Quality::final));
   EXPECT_TRUE(std::count(film.samples.begin(), film.samples.end(), 16u) > 100);
   EXPECT_TRUE(std::count(film.samples.begin(), film.samples.end(), 80u) > 100);
