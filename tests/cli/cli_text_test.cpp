@@ -82,7 +82,7 @@ TEST(HelpLayout, BreaksAtWords) {
   EXPECT_EQ(wrapped("  -o  one two three\n", 14), "  -o  one two\n      three\n");
   EXPECT_EQ(wrapped("toolongaword two\n", 5), "toolongaword\ntwo\n");
   EXPECT_EQ(wrapped("Examples:\n  run a b c d e f\n\nOther: a b\n", 12),
-            "Examples:\n  run a b c \\\n      d e f\n\nOther: a b\n");
+            "Examples:\n  run a b \\\n      c d \\\n      e f\n\nOther: a b\n");
   const std::string fits = "  --a N     short\n\nend\n";
   EXPECT_EQ(wrapped(fits, 40), fits);
 }

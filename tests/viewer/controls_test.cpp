@@ -369,7 +369,7 @@ void ControlsTest::files() {
   broken.close();
   QSignalSpy failed(document_.get(), &Document::failed);
   QVERIFY(!document_->open(broken.fileName()));
-  QVERIFY(failed.at(0).at(0).toString().contains("broken.json:1:15: /terain"));
+  QVERIFY(failed.at(0).at(0).toString().contains("broken.json:1:16: /terain"));
   QVERIFY(!failed.at(0).at(0).toString().contains("Further"));
   QVERIFY(broken.open(QIODevice::WriteOnly));
   broken.write("{\"version\": 1, \"terain\": {}, \"ski\": {}, \"image\": 1}");
