@@ -52,24 +52,28 @@ double reference_height(const scene::Scene& scene, const Surface& surface,
   return 0.0;
 }
 
+// Of the schema. A camera may be a little farther away than a balloon, so that the view from a
+// basket at the limit is a scene, too.
+constexpr double kMostBalloonM = 1e6;
+constexpr double kMostCameraM = 1.1e6;
+
 /// Throws Error{bad_data} for a place above the sea that no scene file could give.
-void check_place(const std::string& pointer, const dvec3& place) {
-  constexpr double kMostM = 1e6;  // of the schema
+void check_place(const std::string& pointer, const dvec3& place, double most_m) {
   for (int axis = 0; axis < 3; ++axis) {
-    if (std::abs(place[axis]) <= kMostM) continue;
+    if (std::abs(place[axis]) <= most_m) continue;
     throw Error(ErrorKind::bad_data,
                 fmt::format("{}/{}: found {} m, with all heights above the sea, expected {} to {}",
-                            pointer, axis, place[axis], -kMostM, kMostM));
+                            pointer, axis, place[axis], -most_m, most_m));
   }
 }
 
 void check_places(const scene::Scene& scene) {
-  check_place("/balloon/position", scene.balloon.position);
+  check_place("/balloon/position", scene.balloon.position, kMostBalloonM);
   for (std::size_t i = 0; i < scene.balloons.size(); ++i) {
-    check_place(fmt::format("/balloons/{}/position", i), scene.balloons[i].position);
+    check_place(fmt::format("/balloons/{}/position", i), scene.balloons[i].position, kMostBalloonM);
   }
-  check_place("/camera/position", scene.camera.position);
-  check_place("/camera/target", scene.camera.target);
+  check_place("/camera/position", scene.camera.position, kMostCameraM);
+  check_place("/camera/target", scene.camera.target, kMostCameraM);
 }
 
 void settle_height(const Surface& surface, scene::Balloon& balloon) {

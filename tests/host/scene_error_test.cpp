@@ -62,7 +62,7 @@ INSTANTIATE_TEST_SUITE_P(
         Case{R"("camera": {"up": [0, 1]})",
              "/camera/up: found [0,1], expected an array of 3 numbers from -1000 to 1000"},
         Case{R"("camera": {"target": [0, "a", 1]})",
-             "/camera/target/1: found \"a\", expected a number from -1000000 to 1000000"},
+             "/camera/target/1: found \"a\", expected a number from -1100000 to 1100000"},
         Case{R"("biome": "snwo")",
              "/biome/kind: found \"snwo\", expected one of \"snow\", \"tropical\", \"sand\"; did "
              "you mean \"snow\"?"},
