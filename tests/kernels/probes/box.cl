@@ -44,6 +44,7 @@ __kernel void probe_frustum(__global const AeroBvhNode* nodes, __global const fl
   ray.t_max = LOAD(reaches);
   TracedPacket packet;
   start_packet(&packet, &ray);
+  make_slab_rays(&packet, 1, 1.0f);
   Frustum frustum;
   frustums[i] = packet.reach >= 0.0f && make_frustum(&packet, 1, 1.0f, &frustum) ? 1u : 0u;
   if (frustums[i] == 0u) return;
