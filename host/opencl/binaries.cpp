@@ -21,8 +21,8 @@ namespace fs = std::filesystem;
 constexpr const char* kVariable = "AEROSTAT_KERNEL_BINARIES";
 constexpr const char* kExtension = ".clbin";
 
-/// A file is the head, the binary and the checksum of both. The head's length is that of the key
-/// and a constant.
+/// Returns the first part of a file, in front of the binary and the checksum of both. Its length
+/// depends only on the length of the key.
 std::string head_of(const std::string& key, std::size_t bytes) {
   return fmt::format("aerostat binary 1\n{:020}\n{}\n", bytes, key);
 }

@@ -8,34 +8,36 @@
 
 #include "opencl/device.hpp"
 
-/// Compiled programs that are kept for the next run, for drivers that keep none themselves.
+/// Keeps compiled programs for the next run. It serves drivers that keep none themselves.
 namespace aerostat::opencl {
 
-/// Whether programs for this platform are kept: AEROSTAT_KERNEL_BINARIES=on or off says so; else
-/// all are but those of drivers known to keep what they compile (PoCL, NVIDIA, Mesa's rusticl).
-/// Throws Error{usage} if the variable says something else.
+/// Returns whether programs for this platform are kept. AEROSTAT_KERNEL_BINARIES=on or off decides.
+/// If the variable is unset or empty, programs are kept for every platform except those whose
+/// drivers are known to keep what they compile (PoCL, NVIDIA, Mesa's rusticl). Throws Error{usage}
+/// if the variable has another value.
 bool keeps_binaries(const std::string& platform);
 
-/// All that a program's machine code depends on, as a text.
+/// Returns a text of everything that a program's machine code depends on.
 std::string binary_key(const Device& device, std::string_view text, std::string_view options);
 
-/// A private folder of compiled programs, one a file with its key and a checksum, that several
-/// processes may use at once.
+/// A private folder of compiled programs. Each program is one file with its key and a checksum.
+/// Several processes may use the folder at once.
 class BinaryStore {
  public:
-  /// Makes the folder if it is not there. A store whose folder cannot be used, or that has none,
-  /// finds nothing and keeps nothing: programs are compiled for each run then.
+  /// Makes the folder if it does not exist. A store without a usable folder finds nothing and keeps
+  /// nothing, so programs are compiled in each run.
   explicit BinaryStore(std::optional<std::filesystem::path> folder,
                        std::uint64_t most_bytes = 256ull << 20);
 
-  /// The folder "aerostat/binaries" in the user's cache folder.
+  /// Returns the store in the folder "aerostat/binaries" of the user's cache folder.
   static BinaryStore of_user();
 
-  /// The binary that was kept under `key`; a damaged file is removed and counts as none.
+  /// Returns the binary that was kept under `key`, or nothing. A damaged file is removed and counts
+  /// as missing.
   std::optional<std::string> find(const std::string& key) const;
 
-  /// Keeps `binary`, then removes files that were not used for the longest time while all take more
-  /// than `most_bytes`.
+  /// Keeps `binary` under `key`. Then removes the files that were not used for the longest time
+  /// until the rest take at most `most_bytes`.
   void keep(const std::string& key, std::string_view binary) const;
 
   void drop(const std::string& key) const;

@@ -74,7 +74,7 @@ RawBuffer::RawBuffer(const Context& context, MemoryBudget budget, std::shared_pt
   budget_.reserve(bytes, what_);
   try {
     guarded(fmt::format("lending {:.1f} MiB for {}", mebibytes(bytes), what_).c_str(), [&] {
-      // The flags promise that no kernel writes there.
+      // CL_MEM_READ_ONLY promises that no kernel writes to this memory.
       handle_ = cl::Buffer(context.handle(), CL_MEM_READ_ONLY | CL_MEM_USE_HOST_PTR, bytes,
                            const_cast<void*>(data));
     });

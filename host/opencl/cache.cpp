@@ -31,21 +31,22 @@ std::optional<std::string> variable(const char* name) {
   return value;
 }
 
-/// Creates `path` and the folders above it, all with mode 0700 as XDG asks for.
+/// Creates `path` and the folders above it, all with mode 0700 as the XDG Base Directory
+/// Specification asks. Returns why it cannot, or nothing.
 std::optional<std::string> make_folders(const fs::path& path) {
   fs::path so_far;
   for (const auto& part : path) {
     so_far /= part;
     if (mkdir(so_far.c_str(), kPrivate) == 0 || errno == EEXIST) continue;
     const int error = errno;
-    // Folders above may be closed or read-only and yet exist.
+    // The folders above may be closed or read-only although they exist.
     struct stat status = {};
     if (stat(so_far.c_str(), &status) != 0) return reason_of(error);
   }
   return std::nullopt;
 }
 
-/// Why nothing can be written into `path`, or nothing.
+/// Returns why nothing can be written into `path`, or nothing if it can be written.
 std::optional<std::string> write_obstacle(const fs::path& path, std::uint64_t min_free_bytes) {
   struct statvfs space = {};
   if (statvfs(path.c_str(), &space) != 0) return reason_of(errno);
@@ -64,7 +65,8 @@ std::optional<std::string> write_obstacle(const fs::path& path, std::uint64_t mi
   return written ? std::nullopt : std::optional(reason_of(error));
 }
 
-/// Others could plant code in a folder that they own or may write to.
+/// Makes a folder private, because others could plant code in a folder that they own or may write
+/// to. Returns why it cannot, or nothing.
 std::optional<std::string> make_private(const fs::path& path) {
   struct stat status = {};
   if (stat(path.c_str(), &status) != 0) return reason_of(errno);
@@ -76,7 +78,8 @@ std::optional<std::string> make_private(const fs::path& path) {
   return std::nullopt;
 }
 
-/// Removes what PoCL would stumble over, and says so in `folder`; or says why it cannot.
+/// Removes damaged programs, at which PoCL would fail, and sets the warning of `folder` if there
+/// were any. Returns why it cannot, or nothing.
 std::optional<std::string> mend(CacheFolder& folder) {
   try {
     const auto removed = remove_damaged_programs(folder.path);

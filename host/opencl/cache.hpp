@@ -5,11 +5,12 @@
 #include <optional>
 #include <string>
 
-/// PoCL keeps compiled kernels in a folder and loads code from it: it must be private. Where it
-/// cannot write there, it says 'device not found'; where the disk is full, it ends the process.
+/// Prepares the folder of PoCL's cache. PoCL keeps compiled kernels in this folder and loads code
+/// from it, so the folder must be private. If PoCL cannot write there, it reports 'device not
+/// found'. If the disk is full, it ends the process.
 namespace aerostat::opencl {
 
-/// The variables that decide where the folder is; unset and empty ones are nullopt.
+/// The variables that decide where the cache folder is. Unset and empty variables are nullopt.
 struct CacheEnvironment {
   std::optional<std::string> pocl_cache_dir;
   std::optional<std::string> xdg_cache_home;
@@ -21,35 +22,38 @@ struct CacheEnvironment {
 
 struct CacheFolder {
   std::filesystem::path path;
-  bool temporary = false;  // to be removed at exit
-  std::string warning;     // a sentence for the user if it is not as it should be
+  /// Tells whether the folder is removed at exit.
+  bool temporary = false;
+  /// A sentence that warns the user, or an empty string if the folder is as it should be.
+  std::string warning;
 };
 
-/// Free space below which a kernel build may fail for lack of it.
+/// A kernel build may fail if less space than this is free on the disk.
 inline constexpr std::uint64_t kMinCacheBytes = 32ull << 20;
 
-/// Where the folder should be: $XDG_CACHE_HOME/aerostat/pocl, else $HOME/.cache/aerostat/pocl, else
-/// nowhere. Relative values do not count.
+/// Returns the path where the cache folder should be: $XDG_CACHE_HOME/aerostat/pocl, or else
+/// $HOME/.cache/aerostat/pocl. Returns nothing if neither variable has an absolute path.
 std::optional<std::filesystem::path> preferred_cache_path(const CacheEnvironment& environment);
 
-/// Makes the folder and proves that it can be written: the user's POCL_CACHE_DIR as it is, else the
-/// preferred one with mode 0700, else a new private one under the temporary directory. Removes
-/// damaged kernels (see cache_check.hpp), with a warning. Throws Error{io} that names
-/// POCL_CACHE_DIR if no folder has `min_free_bytes`, can be written and is rid of damaged kernels.
+/// Makes the cache folder and checks that it can be written. Uses POCL_CACHE_DIR as it is if the
+/// user set it, else the preferred path with mode 0700, else a new private folder under the
+/// temporary directory. Removes damaged kernels with a warning (see cache_check.hpp). Throws
+/// Error{io} that names POCL_CACHE_DIR if no folder has `min_free_bytes` of free space, can be
+/// written and can be cleared of damaged kernels.
 CacheFolder prepare_cache(const CacheEnvironment& environment,
                           std::uint64_t min_free_bytes = kMinCacheBytes);
 
-/// Makes a folder, and those above it, that no other user can write to or read. Returns why it
+/// Makes a folder that no other user can read or write, and the folders above it. Returns why it
 /// cannot, or nothing.
 std::optional<std::string> make_private_folder(const std::filesystem::path& path);
 
-/// Prepares the folder once per process, sets POCL_CACHE_DIR, warns where needed, and removes a
+/// Prepares the cache folder once per process, sets POCL_CACHE_DIR, warns if needed, and removes a
 /// temporary folder at exit. Call it before the first call of OpenCL and before other threads run.
-/// Returns what is wrong, or an empty string.
+/// Returns a description of the problem, or an empty string.
 std::string ensure_pocl_cache();
 
-/// Notes what the kernels in PoCL's folder are like, now that PoCL has loaded them, so that a later
-/// run sees whether they were damaged since. Call it when kernels were compiled and launched.
+/// Seals the kernels in PoCL's cache, so that a later run sees whether they were damaged since.
+/// Call it after kernels were compiled and launched, because PoCL has loaded them then.
 void keep_compiled_kernels();
 
 }  // namespace aerostat::opencl

@@ -41,7 +41,8 @@ T value_at(std::string_view bytes, std::size_t offset) {
   return value;
 }
 
-/// A linker writes the section headers last: where they are, the file is not cut off.
+/// Returns whether a shared library is not cut off. A linker writes the section headers last, so a
+/// file that contains them is whole.
 bool is_whole_library(std::string_view bytes) {
   if (bytes.size() < sizeof(Elf64_Ehdr) || !bytes.starts_with(ELFMAG)) return false;
   const auto head = value_at<Elf64_Ehdr>(bytes, 0);
@@ -53,7 +54,8 @@ bool is_whole_library(std::string_view bytes) {
          holds(head.e_phoff, head.e_phnum, head.e_phentsize);
 }
 
-/// Bitcode is a sequence of blocks that tell their lengths. Source: LLVM Bitcode File Format.
+/// Returns whether a file of LLVM bitcode is not cut off. Bitcode is a sequence of blocks that
+/// state their lengths. Source: LLVM Bitcode File Format.
 bool is_whole_bitcode(std::string_view bytes) {
   if (!bytes.starts_with("BC\xC0\xDE")) return false;
   std::size_t at = 4;
@@ -66,7 +68,7 @@ bool is_whole_bitcode(std::string_view bytes) {
   return at > 4 && at == bytes.size();
 }
 
-/// Whether PoCL loads files of this name as code.
+/// Returns whether PoCL loads files of this name as code.
 bool is_code(const fs::path& path) {
   return path.extension() == ".so" || path.extension() == ".bc";
 }
@@ -93,7 +95,8 @@ bool is_usable_folder(const fs::path& path) {
          access(path.c_str(), R_OK | W_OK | X_OK) == 0;
 }
 
-/// Calls `visit` with every entry of the folder itself; nothing if it cannot be read.
+/// Calls `visit` with every entry of the folder, but not with those of its subfolders. Does nothing
+/// if the folder cannot be read.
 template <typename F>
 void for_entries(const fs::path& folder, F&& visit) {
   std::error_code error;
@@ -103,7 +106,8 @@ void for_entries(const fs::path& folder, F&& visit) {
   }
 }
 
-/// Programs, kernels and sizes have folders whose names have no dot.
+/// Returns whether a path is named as a folder of a program, a kernel or a size. The names of these
+/// folders contain no dot.
 bool is_named_as_folder(const fs::path& path) {
   return !path.has_extension() && path.filename() != "last_accessed";
 }
@@ -129,7 +133,8 @@ bool is_sound_program(const fs::path& program) {
   return read_seal(program, seal) != SealState::damaged && is_sound_folder(program, program, seal);
 }
 
-/// PoCL names folders by two of the letters A to P, and programs in them by 37.
+/// Returns whether PoCL names a folder of programs so. Such a name is two of the letters A to P. A
+/// program's name is 37 of these letters.
 bool is_named_as_group(const fs::path& path) {
   const std::string name = path.filename().string();
   return name.size() == 2 && name.find_first_not_of("ABCDEFGHIJKLMNOP") == std::string::npos;
@@ -156,7 +161,7 @@ void remove_or_throw(const fs::path& path) {
                   path.string()));
 }
 
-/// Adds to the seal what is not in it as it is now. Returns whether there was any.
+/// Adds to the seal every file of code that is new or has changed. Returns whether there was one.
 bool add_to_seal(const fs::path& program, Seal& seal) {
   bool is_new = false;
   std::error_code error;
@@ -177,7 +182,8 @@ bool add_to_seal(const fs::path& program, Seal& seal) {
   return is_new;
 }
 
-/// A seal must not outlast its files when the power fails.
+/// Writes the sealed files to the disk, because a seal must not outlast its files when the power
+/// fails.
 void put_on_disk(const fs::path& program, const Seal& seal) {
   for (const auto& [name, file] : seal) {
     const int descriptor = open((program / name).c_str(), O_RDONLY | O_CLOEXEC);

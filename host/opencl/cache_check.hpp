@@ -3,23 +3,23 @@
 #include <cstddef>
 #include <filesystem>
 
-/// PoCL ends the process when a file of its cache is damaged, in every run anew. So the cache is
-/// looked through before PoCL is loaded. What PoCL keeps of a program lies in a folder "XX/HASH":
-/// program.bc (LLVM bitcode), and a shared library for each kernel and size of work-groups. After
-/// libraries were loaded, a seal beside them notes what they were like.
+/// Removes damaged files from PoCL's cache before PoCL is loaded. PoCL ends the process in every
+/// run in which it finds a damaged file there. PoCL keeps each program in a folder "XX/HASH", which
+/// contains program.bc (LLVM bitcode) and a shared library for each kernel and size of work-groups.
+/// After libraries were loaded, a seal beside them records their sizes, times and checksums.
 namespace aerostat::opencl {
 
-/// Removes from the cache every program of which a file differs from its seal, has none and is not
-/// whole (cut off, empty, not of its kind), cannot be opened, or is in a folder's place or the
-/// other way round. Returns how many were removed. Throws Error{io} that names what cannot be
-/// removed.
-/// If the cache is marked as suspect, all are removed, and the mark with them.
+/// Removes damaged programs from the cache and returns how many it removed. A program is damaged if
+/// one of its files differs from its seal or cannot be opened, if a file without a seal is not
+/// whole (cut off, empty or of another kind), or if a file stands in the place of a folder or a
+/// folder in the place of a file. If the cache is marked as suspect, all programs and the mark are
+/// removed. Throws Error{io} that names the path that cannot be removed.
 std::size_t remove_damaged_programs(const std::filesystem::path& cache);
 
-/// The file that marks the cache as suspect.
+/// Returns the path of the file that marks the cache as suspect.
 std::filesystem::path suspect_mark(const std::filesystem::path& cache);
 
-/// Seals the programs in the cache. Those that cannot be sealed stay as they are.
+/// Seals the programs in the cache. Programs that cannot be sealed stay as they are.
 void seal_programs(const std::filesystem::path& cache);
 
 }  // namespace aerostat::opencl

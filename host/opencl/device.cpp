@@ -19,7 +19,7 @@ namespace {
 
 constexpr int kNoIcd = -1001;
 
-/// Runs `f`; if it throws, notes why `subject` cannot be used.
+/// Runs `f` and returns whether it did not throw. If it throws, notes why `subject` cannot be used.
 template <typename F>
 bool tolerate(DeviceList& list, const std::string& subject, F&& f) {
   try {
@@ -35,7 +35,7 @@ bool tolerate(DeviceList& list, const std::string& subject, F&& f) {
   return false;
 }
 
-/// Drivers pad names with blanks and zero bytes.
+/// Removes the blanks and zero bytes with which drivers pad names.
 std::string trimmed(std::string text) {
   if (const auto zero = text.find('\0'); zero != std::string::npos) text.resize(zero);
   const auto first = text.find_first_not_of(" \t\n");
@@ -52,7 +52,7 @@ bool is_older_than_1_2(const std::string& version) {
   return version.starts_with("OpenCL 1.0") || version.starts_with("OpenCL 1.1");
 }
 
-/// Why a device cannot run the kernels, or nothing.
+/// Returns why a device cannot run the kernels, or nothing if it can.
 std::optional<std::string> obstacle(const cl::Device& handle) {
   if (!handle.getInfo<CL_DEVICE_AVAILABLE>()) return "the driver says it is not available";
   if (!handle.getInfo<CL_DEVICE_COMPILER_AVAILABLE>()) return "its driver has no compiler";
@@ -97,7 +97,7 @@ std::vector<cl::Platform> platforms(DeviceList& list) {
   return found;
 }
 
-/// What the loader passed over in silence.
+/// Adds the problems of registered drivers, which the loader passes over in silence.
 void add_registered(DeviceList& list, bool has_platforms) {
   const auto drivers = registered_drivers(VendorEnvironment::of_process());
   list.has_drivers = !drivers.empty();
@@ -154,7 +154,7 @@ int lanes_for(DeviceType type, unsigned native_width, unsigned preferred_width) 
 
 DeviceList list_devices() {
   DeviceList list;
-  // A driver that finds too little memory ends the process, or is killed with it.
+  // A driver that finds too little memory ends the process or is killed together with it.
   if (auto obstacle = memory_obstacle(); !obstacle.empty()) {
     list.lacks_memory = true;
     list.problems.push_back(std::move(obstacle));

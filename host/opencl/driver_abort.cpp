@@ -16,17 +16,19 @@
 namespace aerostat::opencl {
 namespace {
 
-/// What the handler needs: it may neither allocate nor lock.
+/// The data of the signal handler, which may neither allocate nor lock.
 struct LastWords {
   std::string message;
-  std::string suspect_path;  // empty: the cache is not the cause
+  /// The path of the mark that makes the cache suspect. It is empty if the cache is not the cause.
+  std::string suspect_path;
   int exit_code = 0;
 };
 
 std::mutex mutex;
 int guards = 0;
 struct sigaction former = {};
-LastWords& last_words = *new LastWords;  // kept: a driver may abort after main
+/// The data of the signal handler. It is never deleted, because a driver may abort after main.
+LastWords& last_words = *new LastWords;
 
 extern "C" void tell_and_exit(int) {
   if (!last_words.suspect_path.empty()) {

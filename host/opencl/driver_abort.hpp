@@ -2,11 +2,12 @@
 
 namespace aerostat::opencl {
 
-/// A driver's compiler ends the process by abort() where it lacks memory or stumbles over its own
-/// files, and no exception tells of it. While one of these lives, an abort is told in words that
-/// name PoCL's cache, and exits with the code of `internal`, or of `exhausted` if the address space
-/// is limited. The cache is marked as suspect then: the next run begins with an empty one. For the
-/// time in which kernels are compiled and first launched; several may live at once.
+/// Reports an abort of the driver while an object of this type exists. A driver's compiler calls
+/// abort() when it lacks memory or finds its own files damaged, and throws no exception. The guard
+/// then prints a message that names PoCL's cache, and exits with the code of `internal`, or with
+/// that of `exhausted` if the address space is limited. It also marks the cache as suspect, so that
+/// the next run begins with an empty cache. Use a guard while kernels are compiled and launched for
+/// the first time. Several guards may exist at once.
 class DriverAbortGuard {
  public:
   DriverAbortGuard();

@@ -21,7 +21,7 @@ bool is_one_of(char c, std::string_view characters) {
   return characters.find(c) != std::string_view::npos;
 }
 
-/// The text after `#name` if `line` is that directive.
+/// Returns the text after `#name` if `line` is that directive, or nothing.
 std::optional<std::string_view> directive(std::string_view line, std::string_view name) {
   line = without_leading_space(line);
   if (line.empty() || line.front() != '#') return std::nullopt;
@@ -32,7 +32,7 @@ std::optional<std::string_view> directive(std::string_view line, std::string_vie
   return whole_word ? std::optional(without_leading_space(line)) : std::nullopt;
 }
 
-/// The file of an `#include "file"`; system includes are none of ours.
+/// Returns the file of an `#include "file"`, or nothing. System includes are not followed.
 std::optional<std::string> included_name(std::string_view line) {
   const auto rest = directive(line, "include");
   if (!rest || rest->empty() || rest->front() != '"') return std::nullopt;
@@ -41,7 +41,7 @@ std::optional<std::string> included_name(std::string_view line) {
   return std::string(rest->substr(1, end - 1));
 }
 
-/// Whether a line begins inside a block comment, where a directive is only text.
+/// Tracks whether a line begins inside a block comment, in which a directive is only text.
 class CommentTracker {
  public:
   bool inside() const { return inside_; }
@@ -72,7 +72,7 @@ class CommentTracker {
   bool inside_ = false;
 };
 
-/// How deep a line stands in `#if`s, not counting the guard that wraps a whole header.
+/// Counts the `#if`s around a line. The guard around a whole header does not count.
 class ConditionTracker {
  public:
   bool conditional() const { return depth_ > (guarded_ ? 1 : 0); }
@@ -146,7 +146,8 @@ class Flattener {
       add(*path, conditional);
       mark(line, from);
     } else if (former->second && !conditional) {
-      // Its text stands where the preprocessor may skip it: here it would be missing.
+      // The text of the file stands where the preprocessor may skip it, so it could be missing
+      // here.
       throw Error(ErrorKind::internal,
                   fmt::format("{}:{}: \"{}\" was first included inside an #if: include it before",
                               from, line, name));
@@ -164,7 +165,8 @@ class Flattener {
   }
 
   const SourceTree& sources_;
-  std::map<std::string, bool> seen_;  // and whether it stands under a condition
+  /// The included files, and whether each of them stands under a condition.
+  std::map<std::string, bool> seen_;
   std::string result_;
 };
 

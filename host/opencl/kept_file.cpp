@@ -33,7 +33,7 @@ bool write_all(int descriptor, std::string_view bytes) {
 }  // namespace
 
 std::optional<std::string> read_kept_file(const fs::path& path) {
-  // A pipe in a file's place would wait for a writer.
+  // O_NONBLOCK is needed because opening a pipe in the place of the file would wait for a writer.
   const File file{open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK | O_NOFOLLOW)};
   struct stat status = {};
   if (file.descriptor < 0 || fstat(file.descriptor, &status) != 0 || !S_ISREG(status.st_mode)) {

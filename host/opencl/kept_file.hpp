@@ -5,18 +5,19 @@
 #include <string>
 #include <string_view>
 
-/// Small files that outlive a run, in folders that several processes use at once.
+/// Reads and writes small files that outlive a run, in folders that several processes use at once.
 namespace aerostat::opencl {
 
-/// The bytes of a regular file, or nothing if it cannot be read as one.
+/// Returns the bytes of a regular file, or nothing if there is no readable regular file.
 std::optional<std::string> read_kept_file(const std::filesystem::path& path);
 
-/// Writes the file whole or not at all: a temporary file beside it, on the disk before it is
-/// renamed. Other processes see the old file or the new one. Returns whether it was written.
+/// Writes the file completely or not at all. Writes a temporary file beside it to the disk and then
+/// renames it, so that other processes see either the old file or the new one. Returns whether the
+/// file was written.
 bool write_kept_file(const std::filesystem::path& path, std::string_view bytes);
 
-/// Takes a file or a folder with all that is in it away from its path at once, then removes it.
-/// Returns whether nothing is left at the path.
+/// Renames a file or a folder with all its contents and then removes it, so that it leaves its path
+/// at once. Returns whether nothing is left at the path.
 bool remove_kept(const std::filesystem::path& path);
 
 }  // namespace aerostat::opencl

@@ -15,7 +15,8 @@ std::string name_of(const cl::Kernel& kernel) {
   }
 }
 
-/// A driver says only that something failed; the command itself tells what.
+/// Waits for `event`. A driver reports only that something failed, so this throws the status of the
+/// command itself if it has one.
 void wait_for(const cl::Event& event) {
   try {
     event.wait();

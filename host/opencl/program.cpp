@@ -11,7 +11,8 @@
 namespace aerostat::opencl {
 namespace {
 
-// A broken header can produce megabytes of messages; the first ones tell the cause.
+// The most bytes of a build log that a message contains. A broken header can produce megabytes of
+// messages, and the first ones tell the cause.
 constexpr std::size_t kMaxLogBytes = 16384;
 
 std::string shortened(std::string log) {
@@ -62,7 +63,8 @@ std::string build_options(int lanes) {
   if (lanes != 1 && lanes != 4 && lanes != 8 && lanes != 16) {
     throw Error(ErrorKind::usage, fmt::format("{} lanes: expected 1, 4, 8 or 16", lanes));
   }
-  // Warnings are for `scripts/lint kernels`: a driver would print its own on the user's terminal.
+  // -w turns warnings off, because a driver would print its own on the user's terminal.
+  // `scripts/lint kernels` shows the warnings.
   return fmt::format("-cl-std=CL1.2 -w -DLANES={}", lanes);
 }
 
@@ -98,7 +100,8 @@ void Program::build(const Context& context, const std::string& text, const std::
   });
 }
 
-/// Whether the driver accepts it. A refusal is no error: the text is there.
+/// Returns whether the driver accepts the binary. A refusal is not an error, because the program
+/// can be built from its text.
 bool Program::take_binary(const Context& context, const std::string& binary,
                           const std::string& options) {
   try {
@@ -112,7 +115,7 @@ bool Program::take_binary(const Context& context, const std::string& binary,
   }
 }
 
-/// Empty if the driver gives none.
+/// Returns the machine code of the program, or an empty string if the driver provides none.
 std::string Program::binary() const {
   try {
     const auto binaries = program_.getInfo<CL_PROGRAM_BINARIES>();

@@ -16,7 +16,8 @@ namespace fs = std::filesystem;
 
 constexpr std::string_view kKind = "aerostat seal ";
 constexpr std::string_view kHead = "aerostat seal 1\n";
-constexpr std::size_t kSumBytes = 17;  // the last line: 16 hexadecimal digits and a line end
+/// The length of the last line, which has 16 hexadecimal digits and a line end.
+constexpr std::size_t kSumBytes = 17;
 
 std::string sum_line(std::string_view text) {
   return fmt::format("{:016x}\n", checksum(text));

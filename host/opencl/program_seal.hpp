@@ -7,7 +7,8 @@
 
 namespace aerostat::opencl {
 
-/// What a file was like when it was sealed. As long as its numbers stay, so do its bytes.
+/// The state of a file when it was sealed. As long as its numbers do not change, its bytes have not
+/// changed.
 struct SealedFile {
   std::uint64_t bytes = 0;
   std::uint64_t inode = 0;
@@ -17,17 +18,17 @@ struct SealedFile {
   bool operator==(const SealedFile&) const = default;
 };
 
-/// The sealed files of a program by their paths relative to its folder.
+/// The sealed files of a program by their paths relative to the program's folder.
 using Seal = std::map<std::string, SealedFile>;
 
 inline constexpr const char* kSealName = "aerostat.seal";
 
 enum class SealState { none, whole, damaged };
 
-/// Reads the seal in `folder`. One of another version counts as none.
+/// Reads the seal in `folder`. A seal of another version counts as missing.
 SealState read_seal(const std::filesystem::path& folder, Seal& seal);
 
-/// Whether it was written.
+/// Writes the seal into `folder` and returns whether it was written.
 bool write_seal(const std::filesystem::path& folder, const Seal& seal);
 
 }  // namespace aerostat::opencl

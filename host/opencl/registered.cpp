@@ -45,7 +45,8 @@ std::vector<RegisteredDriver> drivers_in(const fs::path& folder) {
   return drivers;
 }
 
-/// Why it cannot be used, or nothing. The loader leaves libraries loaded, also those without use.
+/// Returns why a driver cannot be used, or nothing if it can. The loader keeps libraries loaded
+/// even if they are useless, so a loaded library need not be a usable driver.
 std::optional<std::string> obstacle(const RegisteredDriver& driver, bool some_are_usable) {
   std::error_code ignored;
   if (driver.library.empty()) {

@@ -5,11 +5,12 @@
 #include <string>
 #include <vector>
 
-/// OpenCL's loader passes over drivers that it cannot load and does not say so. Here its search is
-/// repeated, to tell why. Source: libOpenCL(7) of ocl-icd.
+/// Explains why registered drivers cannot be used. OpenCL's loader silently passes over drivers
+/// that it cannot load, so its search is repeated here. Source: libOpenCL(7) of ocl-icd.
 namespace aerostat::opencl {
 
-/// What decides where drivers are registered; unset and empty variables are nullopt.
+/// The variables and the folder that decide where drivers are registered. Unset and empty variables
+/// are nullopt.
 struct VendorEnvironment {
   std::optional<std::string> ocl_icd_vendors;
   std::optional<std::string> opencl_vendor_path;
@@ -19,24 +20,28 @@ struct VendorEnvironment {
 };
 
 struct RegisteredDriver {
-  std::string library;              // as dlopen takes it; empty if the file names none
-  std::filesystem::path file = {};  // that names it; empty: OCL_ICD_VENDORS itself does
+  /// The library as dlopen takes it, or an empty string if the file names none.
+  std::string library;
+  /// The file that names the library. It is empty if OCL_ICD_VENDORS itself names it.
+  std::filesystem::path file = {};
 };
 
-/// The drivers that the loader would try to load.
+/// Returns the drivers that the loader would try to load.
 std::vector<RegisteredDriver> registered_drivers(const VendorEnvironment& environment);
 
-/// What keeps registered drivers from being used, in words.
+/// Descriptions of why registered drivers cannot be used.
 struct DriverProblems {
   std::vector<std::string> texts;
-  bool lack_memory = false;  // one of them could not be loaded for want of memory
+  /// Tells whether one of the drivers could not be loaded because memory was short.
+  bool lack_memory = false;
 };
 
-/// Loads what is not loaded yet, and lets it go again. `some_are_usable`: there are platforms,
-/// which are taken to be those of the drivers that are loaded.
+/// Returns the problems of `drivers`. Loads each library that is not loaded yet, and closes it
+/// again. `some_are_usable` tells whether there are platforms. These are taken to belong to the
+/// drivers that are loaded.
 DriverProblems problems_of(const std::vector<RegisteredDriver>& drivers, bool some_are_usable);
 
-/// Whether words of dlopen or of an exception speak of too little memory.
+/// Returns whether a message of dlopen or of an exception reports too little memory.
 bool speaks_of_memory(const std::string& reason);
 
 }  // namespace aerostat::opencl

@@ -38,7 +38,7 @@ Rule of_type(DeviceType type) {
   return [type](const Device& device) { return device.type == type; };
 }
 
-/// What to look for, the most wanted first.
+/// Returns the rules by which a device is searched, the most wanted first.
 std::vector<Rule> rules_of(const std::string& wanted) {
   if (wanted.empty() || wanted == "auto") {
     return {of_type(DeviceType::gpu), of_type(DeviceType::cpu), of_type(DeviceType::other)};
@@ -69,10 +69,11 @@ std::vector<Rule> rules_of(const std::string& wanted) {
   throw Error(list.lacks_memory ? ErrorKind::exhausted : ErrorKind::no_device, message);
 }
 
-/// One name of a selector, taken apart.
+/// One name of a selector, split into its parts.
 struct Name {
   std::string device;
-  unsigned parts = 0;  // 0: the whole
+  /// The number of parts that the device is cut into, or 0 for the whole device.
+  unsigned parts = 0;
   std::optional<unsigned> part;
 };
 
@@ -87,7 +88,8 @@ std::optional<unsigned> number(std::string_view digits) {
   throw Error(ErrorKind::usage, fmt::format("device \"{}\": {}", selector, why));
 }
 
-/// Names of devices may hold slashes of their own: only numbers behind one make it a cut.
+/// Splits a name of a selector. Names of devices may contain slashes of their own, so only a slash
+/// with numbers behind it cuts the device.
 Name parse_name(const std::string& text) {
   Name name;
   name.device = text;

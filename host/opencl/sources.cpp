@@ -28,7 +28,7 @@ std::string read_text(const fs::path& path) {
   return text;
 }
 
-/// `name` is the folder's in messages.
+/// Reads all kernel files in a folder. Messages call the folder `name`.
 SourceTree read_folder(const fs::path& root, const std::string& name) {
   SourceTree tree;
   try {

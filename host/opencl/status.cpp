@@ -9,8 +9,10 @@
 namespace aerostat::opencl {
 namespace {
 
-constexpr int kNoIcd = -1001;          // cl_khr_icd: no driver is registered
-constexpr int kIllegalAccess = -9999;  // NVIDIA: a kernel read or wrote where it may not
+/// The status of the extension cl_khr_icd that says that no driver is registered.
+constexpr int kNoIcd = -1001;
+/// NVIDIA's status for a kernel that accessed memory outside its buffers.
+constexpr int kIllegalAccess = -9999;
 
 #define AEROSTAT_STATUS(name)   \
   std::pair<int, const char*> { \
@@ -78,7 +80,7 @@ constexpr std::array kStatusNames{
 };
 #undef AEROSTAT_STATUS
 
-/// In words, why the device cannot go on; null if the fault is in the program.
+/// Returns a message on why the device cannot go on, or null if the fault is in the program.
 const char* exhaustion(int status) {
   switch (status) {
     case CL_MEM_OBJECT_ALLOCATION_FAILURE:
