@@ -8,8 +8,9 @@
 
 namespace aerostat {
 
-/// Allocates for arrays of many megabytes that all cores are about to fill: elements start without
-/// a value, so that each page is first touched by who fills it, and memory begins at a page.
+/// Allocates memory for arrays of many megabytes that all cores are about to fill. The memory
+/// begins at a page of 4096 bytes. Elements start without a value, so that the thread that fills
+/// a page is the first to touch it.
 template <typename T>
 class ArrayAllocator {
  public:

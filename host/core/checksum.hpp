@@ -5,8 +5,9 @@
 
 namespace aerostat {
 
-/// FNV-1a of 64 bits: tells damaged bytes from whole ones and names files by their contents; no
-/// protection against someone who wants a collision. Source: draft-eastlake-fnv.
+/// Returns the 64-bit FNV-1a hash of `bytes`. It tells damaged bytes from whole ones and names
+/// files by their contents. It does not protect against someone who wants a collision. Source:
+/// draft-eastlake-fnv.
 constexpr std::uint64_t checksum(std::string_view bytes) {
   std::uint64_t hash = 0xcbf29ce484222325u;
   for (const char c : bytes) {

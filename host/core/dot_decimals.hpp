@@ -6,9 +6,8 @@
 
 namespace aerostat {
 
-/// While it lives, the C library reads and writes the numbers of this thread with a dot, in
-/// whatever locale the process is: a window toolkit or a driver may have set one whose decimal mark
-/// is another.
+/// Makes the C library read and write the numbers of this thread with a decimal point while the
+/// object lives. A window toolkit or a driver may have set a locale with another decimal mark.
 class DotDecimals {
  public:
   DotDecimals()

@@ -1,4 +1,4 @@
 #pragma once
 
-// The program's one exception is the library's, which users of the library catch.
+// The program has one exception type, and it is the one that users of the library catch.
 #include "aerostat/error.hpp"

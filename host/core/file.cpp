@@ -32,7 +32,8 @@ std::string reason(int code) {
   throw Error(ErrorKind::io, fmt::format("cannot write '{}': {}", path.string(), why));
 }
 
-/// An open file; what it names is removed unless it is kept.
+/// An open file. The temporary file that it names is removed by the destructor unless keep() was
+/// called.
 class Descriptor {
  public:
   explicit Descriptor(int fd, fs::path temporary = {})
@@ -51,7 +52,7 @@ class Descriptor {
   void set_temporary(fs::path path) { temporary_ = std::move(path); }
   void keep() { temporary_.clear(); }
 
-  /// The system's error code, 0 if the data arrived.
+  /// Closes the file. Returns 0 if all data were written, else the system's error code.
   int close() { return ::close(std::exchange(fd_, -1)) == 0 ? 0 : errno; }
 
  private:
@@ -71,7 +72,8 @@ fs::path temporary_name(const fs::path& folder) {
   return folder / fmt::format("{}{}-{}.tmp", kTemporary, ::getpid(), counter++);
 }
 
-/// The process that a temporary file belongs to; nothing for another file.
+/// Returns the id of the process that wrote the temporary file `name`, or nothing if `name` is
+/// not the name of a temporary file.
 std::optional<pid_t> owner_of(const std::string& name) {
   if (!name.starts_with(kTemporary) || !name.ends_with(".tmp")) return std::nullopt;
   pid_t process = 0;
@@ -81,8 +83,8 @@ std::optional<pid_t> owner_of(const std::string& name) {
   return process;
 }
 
-// Of runs that were killed while they wrote. Another container or host may have processes that are
-// not seen here, so that a file must be old, too.
+// Removes the temporary files of runs that were killed while they wrote. A file must also be an
+// hour old, because processes of another container or host cannot be seen from here.
 void remove_leftovers(const fs::path& folder) {
   std::error_code error;
   const auto old = fs::file_time_type::clock::now() - std::chrono::hours(1);
@@ -95,7 +97,7 @@ void remove_leftovers(const fs::path& folder) {
   }
 }
 
-constexpr mode_t kMode = 0666;  // less the umask
+constexpr mode_t kMode = 0666;  // the process's umask takes bits away
 
 Descriptor create_named(const fs::path& path) {
   remove_leftovers(folder_of(path));
@@ -112,8 +114,9 @@ std::string handle_of(const Descriptor& file) {
   return fmt::format("/proc/self/fd/{}", file.fd());
 }
 
-// A file without a name vanishes with the process, even if it is killed. Not every file system has
-// them, and to be named later they need /proc.
+// Opens a file without a name, which vanishes with the process even if that is killed. Opens a
+// named file where the file system has no unnamed ones, or where /proc is missing, which is
+// needed to name the file later.
 Descriptor create_temporary(const fs::path& path) {
   const int fd = ::open(folder_of(path).c_str(), O_WRONLY | O_TMPFILE | O_CLOEXEC, kMode);
   if (fd < 0) return create_named(path);
@@ -138,8 +141,9 @@ std::optional<struct stat> status_of(const fs::path& path) {
   return std::nullopt;
 }
 
-/// The number of an open file that is asked for by a name such as "/dev/stdout" or "/dev/fd/3".
-/// Opening it anew would truncate a file that it stands for.
+/// Returns the number of the open file that a name such as "/dev/stdout" or "/dev/fd/3" stands
+/// for. Such a file must not be opened anew, because that would truncate a regular file behind
+/// it.
 std::optional<int> open_file_of(const fs::path& path) {
   if (path == "/dev/stdout") return STDOUT_FILENO;
   if (path == "/dev/stderr") return STDERR_FILENO;
@@ -152,9 +156,10 @@ std::optional<int> open_file_of(const fs::path& path) {
   return number;
 }
 
-constexpr int kMostLinks = 40;  // as the kernel's own limit
+constexpr int kMostLinks = 40;  // the kernel's own limit
 
-// Through links the file they point to is replaced, not the links; it need not exist yet.
+// Returns the file that a chain of symbolic links ends at, so that this file is replaced and not
+// a link. The file need not exist yet.
 fs::path behind_links(const fs::path& path) {
   fs::path target = path;
   std::error_code error;
@@ -175,7 +180,7 @@ void write_special(const fs::path& path, std::span<const std::uint8_t> bytes) {
   if (const int code = file.close()) fail(path, reason(code));
 }
 
-// Gives the unnamed file `name`; false if that name is taken.
+// Gives the unnamed file the name `name`. Returns false if that name is taken.
 bool link_as(const Descriptor& file, const fs::path& name, const fs::path& path) {
   const int result =
       ::linkat(AT_FDCWD, handle_of(file).c_str(), AT_FDCWD, name.c_str(), AT_SYMLINK_FOLLOW);
@@ -192,7 +197,8 @@ void name_temporary(Descriptor& file, const fs::path& path) {
   file.set_temporary(std::move(name));
 }
 
-// As far as the user may give files away; the mode last, for a change of owner takes bits from it.
+// Gives the new file the owner, group and mode of the older one, as far as the user may give
+// files away. The mode is set last, because a change of owner takes bits from it.
 void keep_rights(int fd, const struct stat& older) {
   if (::fchown(fd, older.st_uid, older.st_gid) != 0) {
     [[maybe_unused]] const int result = ::fchown(fd, static_cast<uid_t>(-1), older.st_gid);
@@ -217,11 +223,11 @@ void write_beside(const fs::path& path, std::span<const std::uint8_t> bytes,
   file.keep();
 }
 
-/// What an output's name stands for.
+/// The file that the name of an output stands for, after all links are followed.
 struct Place {
-  fs::path path;                      // behind all links
-  std::optional<struct stat> status;  // nothing if it is not there yet
-  bool is_special;                    // to be written to as it is
+  fs::path path;                      // the end of all links
+  std::optional<struct stat> status;  // empty if the file does not exist yet
+  bool is_special;                    // the file is written to directly, not replaced
 };
 
 void refuse_folder(const fs::path& path, const std::optional<struct stat>& status) {
@@ -233,7 +239,7 @@ void refuse_folder(const fs::path& path, const std::optional<struct stat>& statu
 }
 
 void refuse_read_only(const fs::path& path, const struct stat& status) {
-  // Root may write all; that nobody may is said on purpose.
+  // Root may write every file. Therefore a file that nobody may write is checked by its mode.
   const bool is_locked = S_ISREG(status.st_mode) && (status.st_mode & 0222) == 0;
   if (is_locked || ::access(path.c_str(), W_OK) != 0) {
     fail(path, is_locked ? "it is read-only; allow writing (chmod u+w) or take another name"
@@ -241,7 +247,7 @@ void refuse_read_only(const fs::path& path, const struct stat& status) {
   }
 }
 
-/// Refuses what cannot be an output.
+/// Finds the file that `path` stands for. Throws an Error if it cannot be an output.
 Place place_of(const fs::path& path) {
   if (path.empty()) throw Error(ErrorKind::usage, "the name of the output file is empty");
   const fs::path target = behind_links(path);
@@ -270,14 +276,15 @@ void write_file(const fs::path& path, std::span<const std::uint8_t> bytes) {
     }
   } catch (const Error& error) {
     if (place.path == path) throw;
-    // The user knows the link by its name.
+    // The message names the link, too, because that is the name that the user gave.
     throw Error(error.kind(), fmt::format("{}; '{}' is a link to it", error.what(), path.string()));
   }
 }
 
 void require_writable(const fs::path& path) {
   const Place place = place_of(path);
-  // Only a try tells: permissions lie to root, on read-only and on full file systems.
+  // Only creating a file tells. Permissions do not hold for root, nor on read-only and full file
+  // systems.
   if (!place.is_special) create_named(place.path);
 }
 

@@ -24,12 +24,13 @@ constexpr float degrees_from_radians(float radians) {
   return radians * (180.0f / kPi);
 }
 
-/// True if no component is NaN or infinite.
+/// Returns whether no component is NaN or infinite.
 inline bool is_finite(const vec3& v) {
   return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
 }
 
-/// Unit vector towards a point of the sky. Azimuth 0 is -z ("north"), 90 degrees is +x ("east").
+/// Returns the unit vector towards a point of the sky. Azimuth 0 is -z ("north"), 90 degrees is
+/// +x ("east").
 inline vec3 direction_from_angles(float azimuth_rad, float elevation_rad) {
   return {std::cos(elevation_rad) * std::sin(azimuth_rad), std::sin(elevation_rad),
           -std::cos(elevation_rad) * std::cos(azimuth_rad)};

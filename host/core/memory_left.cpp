@@ -15,9 +15,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The address space that drivers reserve is many times what they use: with 2 cores, PoCL compiles
-/// in 700 to 800 MiB and does not in 600. Each core has threads with stacks of their own.
+/// The least address space for a driver. Drivers reserve many times the address space that they
+/// use. With 2 cores, PoCL compiles in 700 to 800 MiB and fails to compile in 600 MiB.
 constexpr std::uint64_t kLeastAddressSpace = 768ull << 20;
+/// The address space added for each core, whose threads have stacks of their own.
 constexpr std::uint64_t kAddressSpacePerCore = 24ull << 20;
 
 std::optional<std::uint64_t> limit_of(__rlimit_resource resource) {
@@ -26,7 +27,8 @@ std::optional<std::uint64_t> limit_of(__rlimit_resource resource) {
   return limit.rlim_cur;
 }
 
-/// The number at the beginning of a file; nothing for "max" or a missing file.
+/// Returns the number at the beginning of a file. Returns nothing for the word "max" or a missing
+/// file.
 std::optional<std::uint64_t> number_in(const fs::path& file) {
   std::ifstream stream(file);
   std::uint64_t value = 0;
@@ -34,7 +36,7 @@ std::optional<std::uint64_t> number_in(const fs::path& file) {
   return std::nullopt;
 }
 
-/// The number behind a word in a file of words and numbers.
+/// Returns the number behind a word in a file of words and numbers, or 0 if the word is missing.
 std::uint64_t number_behind(const fs::path& file, const std::string& word) {
   std::ifstream stream(file);
   std::string found;
@@ -53,10 +55,10 @@ void lower(MemoryLeft& left, std::uint64_t bytes, const char* bound) {
   if (bytes < left.bytes) left = {bytes, bound};
 }
 
-/// What one version of control groups calls its files.
+/// The names of the files of one version of control groups.
 struct GroupFiles {
   const char* usage;
-  const char* cache;  // in memory.stat: pages of files that can be dropped
+  const char* cache;  // key in memory.stat: file pages that can be dropped
   std::vector<const char*> limits;
 };
 GroupFiles version_1() {
@@ -78,8 +80,9 @@ void lower_by_group(MemoryLeft& left, const fs::path& group, const GroupFiles& f
   }
 }
 
-/// A group and all above it. Inside a container its own group may be mounted as the root, while its
-/// path is told as from outside: then only the root is found.
+/// Lowers `left` to what a group and all groups above it allow. A container may mount its own
+/// group as the root while the path is the one seen from outside. In that case only the root is
+/// found.
 void lower_by_groups(MemoryLeft& left, const fs::path& root, const fs::path& path,
                      const GroupFiles& files) {
   for (fs::path at = path.relative_path();; at = at.parent_path()) {
@@ -88,7 +91,8 @@ void lower_by_groups(MemoryLeft& left, const fs::path& root, const fs::path& pat
   }
 }
 
-/// Lines are "ID:CONTROLLERS:PATH"; version 2 names no controllers.
+/// Lowers `left` to what the control groups of the process allow. Lines of the file are
+/// "ID:CONTROLLERS:PATH". Version 2 names no controllers.
 void lower_by_cgroups(MemoryLeft& left, const MemorySources& sources) {
   std::ifstream lines(sources.proc / "self" / "cgroup");
   for (std::string line; std::getline(lines, line);) {

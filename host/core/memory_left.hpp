@@ -7,34 +7,36 @@
 
 namespace aerostat {
 
-/// Where the system tells about memory; tests have folders of their own.
+/// The places where the system tells about memory. Tests replace them with folders of their own.
 struct MemorySources {
   std::filesystem::path proc = "/proc";
   std::filesystem::path cgroups = "/sys/fs/cgroup";
-  /// In bytes, of RLIMIT_AS and RLIMIT_DATA; nullopt: no limit.
+  /// The limits RLIMIT_AS and RLIMIT_DATA in bytes, or nothing if there is no limit.
   std::optional<std::uint64_t> address_space, data;
 
   static MemorySources of_process();
 };
 
-/// How many bytes more the process can have before the system refuses them or kills it, and what
-/// sets that bound, such as "the free memory of the machine" or "the limit of its control group
-/// (container)".
+/// The number of bytes that the process can still have before the system refuses memory or kills
+/// it. `bound` names what sets that number, such as "the free memory of the machine" or "the
+/// limit of its control group (container)".
 struct MemoryLeft {
   std::uint64_t bytes = 0;
   std::string bound;
 };
 
-/// The least of what the machine has free, what the control groups of the process allow (versions 1
-/// and 2, with all groups above them; file caches count as free), and what its limits (ulimit -v
-/// and -d) leave. What cannot be read sets no bound.
+/// Returns the least of three figures. The first is the memory that the machine has free. The
+/// second is what the control groups of the process and all groups above them allow, in versions
+/// 1 and 2, with file caches counted as free. The third is what the process's limits (ulimit -v
+/// and -d) leave. A figure that cannot be read sets no bound.
 MemoryLeft memory_left(const MemorySources& sources = MemorySources::of_process());
 
-/// The memory that a small render needs with PoCL, compiling its kernels: 291 MiB were measured.
+/// The memory that a small render with PoCL needs while it compiles its kernels. 291 MiB were
+/// measured.
 inline constexpr std::uint64_t kLeastMemoryBytes = 320ull << 20;
 
-/// Why a driver that compiles kernels had better not be loaded into so little memory, with figures
-/// and what to do; empty if there is enough.
+/// Returns why there is too little memory for a driver that compiles kernels, with the figures
+/// that were found and needed. Returns an empty text if there is enough memory.
 std::string memory_obstacle(const MemorySources& sources = MemorySources::of_process());
 
 }  // namespace aerostat

@@ -1,9 +1,10 @@
 #pragma once
 
-/// One loop compiled for several widths of vectors, chosen at run time: a loop marked
-/// AEROSTAT_INLINE is called by three functions, a plain one and two marked AEROSTAT_FOR_AVX2 and
-/// AEROSTAT_FOR_AVX512. The compiler may not contract multiplications and additions, so that all
-/// give the same bits. On other processors than x86-64 all three are plain.
+/// These macros compile one loop for several vector widths, one of which is chosen at run time. A
+/// loop marked AEROSTAT_INLINE is called by three functions: a plain one and two marked
+/// AEROSTAT_FOR_AVX2 and AEROSTAT_FOR_AVX512. The compiler may not contract multiplications and
+/// additions, so that all three give the same bits. All three are plain on processors other than
+/// x86-64.
 #if defined(__GNUC__)
 #define AEROSTAT_INLINE inline __attribute__((always_inline))
 #define AEROSTAT_INLINE_LAMBDA __attribute__((always_inline))
@@ -14,7 +15,7 @@
 
 #if defined(__x86_64__) && defined(__GNUC__)
 #define AEROSTAT_FOR_AVX2 __attribute__((target("avx2")))
-#if defined(__clang__)  // drops the whole attribute for a word that it does not know
+#if defined(__clang__)  // Clang drops the attribute for an unknown word
 #define AEROSTAT_FOR_AVX512 __attribute__((target("avx512f,avx512dq,avx512vl")))
 #else
 #define AEROSTAT_FOR_AVX512 \
@@ -27,7 +28,8 @@
 
 namespace aerostat {
 
-/// Of three that do the same, the one for the widest vectors that this processor has.
+/// Returns the loop for the widest vectors that this processor has, out of three that do the
+/// same.
 template <typename Loop>
 Loop widest([[maybe_unused]] Loop plain, [[maybe_unused]] Loop avx2, [[maybe_unused]] Loop avx512) {
 #if defined(__x86_64__) && defined(__GNUC__)
@@ -56,8 +58,9 @@ AEROSTAT_FOR_AVX512 void run_avx512(const Work& work) {
 
 }  // namespace simd
 
-/// Runs `work()`, compiled for the widest vectors that this processor has. It is a lambda marked
-/// AEROSTAT_INLINE_LAMBDA: `in_vectors([&]() AEROSTAT_INLINE_LAMBDA { ... })`.
+/// Runs `work()`, compiled for the widest vectors that this processor has. `work` is a lambda
+/// marked AEROSTAT_INLINE_LAMBDA:
+///   in_vectors([&]() AEROSTAT_INLINE_LAMBDA { ... })
 template <typename Work>
 void in_vectors(const Work& work) {
   static void (*const run)(const Work&) =

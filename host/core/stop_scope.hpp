@@ -4,9 +4,9 @@
 
 namespace aerostat {
 
-/// While it lives, long work on its thread may be given up by this token. Work asks `current_stop`
-/// once and `stop_if_asked` from time to time; it hands the token to what it begins on other
-/// threads itself.
+/// Lets a token stop the long work of its thread while the object lives. The work asks
+/// `current_stop` once and `stop_if_asked` from time to time. Work that starts other threads
+/// hands them the token itself.
 class StopScope {
  public:
   explicit StopScope(std::stop_token stop);
@@ -18,7 +18,8 @@ class StopScope {
   std::stop_token former_;
 };
 
-/// The token of the innermost scope of this thread; one that never stops without any.
+/// Returns the token of the innermost scope of this thread. Without any scope, it is a token that
+/// never stops.
 std::stop_token current_stop();
 
 /// Throws Error{interrupted} if a stop was requested.

@@ -4,14 +4,14 @@
 
 namespace aerostat {
 
-/// Seconds since it was made or last restarted, by the steady clock.
+/// Measures the seconds since it was made or last restarted, by the steady clock.
 class Stopwatch {
  public:
   double seconds() const {
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
   }
 
-  /// Seconds so far; starts anew.
+  /// Returns the seconds so far and starts anew.
   double restart() {
     const double elapsed = seconds();
     start_ = std::chrono::steady_clock::now();
