@@ -10,24 +10,25 @@ namespace aerostat::scene {
 
 /// One thing that is wrong with a scene.
 struct Fault {
-  std::vector<std::string> pointer;  // reference tokens of a JSON pointer, unescaped
+  std::vector<std::string> pointer;  // unescaped reference tokens of a JSON pointer
   std::string found;
   std::string expected;
-  int line = 0;    // in the scene's text, from 1; 0: it is not in there ("--set", an edit)
+  int line = 0;    // line of the scene's text, from 1; 0 for "--set" or an edit
   int column = 0;  // in characters, from 1
 };
 
-/// Error{bad_data} of a scene, with all that is wrong with it as far as one fault does not hide
-/// others. what() tells the first of them, without its line.
+/// The Error{bad_data} of a scene, with all its faults. A fault that another one hides is
+/// missing. what() tells the first fault, without its line.
 class BadScene : public Error {
  public:
-  /// `name` stands for the file in messages. At least one fault.
+  /// Takes at least one fault. `name` stands for the file in messages.
   BadScene(const std::string& name, std::vector<Fault> faults);
 
   const std::vector<Fault>& faults() const { return faults_; }
 
-  /// A line for each fault, such as "a.json:3:8: /image/width: found 0, expected an integer from 1
-  /// to 32768", in the order of the text; of very many the first, and how many there are more.
+  /// Returns a line for each fault, in the order of the text. An example is "a.json:3:8:
+  /// /image/width: found 0, expected an integer from 1 to 32768". After 50 faults, a last line
+  /// says how many more there are.
   std::vector<std::string> lines() const;
 
  private:

@@ -9,7 +9,8 @@ namespace aerostat::scene {
 
 namespace {
 
-/// High mountains in winter: rock and snow over dark conifers, a low clear morning sun.
+/// Makes high mountains in winter: rock and snow over dark conifers, under a low, clear morning
+/// sun.
 void make_snow(Scene& scene) {
   Terrain& terrain = scene.terrain;
   terrain.warp_m = 2000.0;
@@ -45,7 +46,7 @@ void make_snow(Scene& scene) {
   scene.sky.cumulus = {0.05, 2900.0, 380.0, 600.0, 1};
 }
 
-/// A green island in a warm sea: steep ridges under forest, pale beaches, moist air.
+/// Makes a green island in a warm sea: steep ridges under forest, pale beaches and moist air.
 void make_tropical(Scene& scene) {
   Terrain& terrain = scene.terrain;
   terrain.kind = TerrainKind::island;
@@ -82,7 +83,7 @@ void make_tropical(Scene& scene) {
   scene.sky.cumulus = {0.18, 1250.0, 480.0, 480.0, 8};
 }
 
-/// A sea of dunes before reddish rock: dust in the air, a low golden sun.
+/// Makes a sea of dunes before reddish rock, with dust in the air and a low golden sun.
 void make_sand(Scene& scene) {
   Terrain& terrain = scene.terrain;
   terrain.kind = TerrainKind::dunes;
@@ -115,8 +116,9 @@ void make_sand(Scene& scene) {
   scene.sky.cumulus = {0.0, 2400.0, 300.0, 500.0, 1};
 }
 
-/// Across the gap from the balloon, which fills a third of the height. The camera stands at
-/// `stand` and aims at `look`, both counted from the basket's floor.
+/// Puts the camera across the gap from the balloon, which fills a third of the picture's height.
+/// The camera stands at `stand` and aims at `look`. Both are in metres from the floor of the
+/// basket.
 void make_outside(Scene& scene, const dvec3& stand, const dvec3& look) {
   const dvec3 below(scene.balloon.position.x, 0.0, scene.balloon.position.z);
   scene.camera.height_above = HeightReference::balloon;

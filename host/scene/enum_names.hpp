@@ -6,7 +6,7 @@
 
 namespace aerostat::scene::detail {
 
-/// The words of an enum in scene files, in the order of its values.
+/// Returns the words that scene files use for the values of an enum, in the order of the values.
 template <class Enum>
 std::span<const char* const> enum_names();
 

@@ -39,7 +39,8 @@ std::vector<std::string> keys_of(const Json& rule) {
   return keys;
 }
 
-/// Edits (insert, delete, change, swap of neighbours) that turn one word into the other.
+/// Returns the number of edits (insert, delete, change, swap of neighbours) that turn one word
+/// into the other.
 std::size_t edit_distance(const std::string& a, const std::string& b) {
   std::vector<std::size_t> before, last(b.size() + 1), now(b.size() + 1);
   std::iota(last.begin(), last.end(), std::size_t{0});

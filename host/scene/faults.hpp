@@ -10,11 +10,11 @@
 
 namespace aerostat::scene::detail {
 
-/// Collects what is wrong with one scene while it is read, so that all of it can be told.
+/// Collects all faults of one scene while it is read, so that all of them can be told.
 class Faults {
  public:
-  /// `name` stands for the file in messages; `text` is the scene's, for lines and columns, or
-  /// empty. It must live as long as this does.
+  /// Takes the `name` that stands for the file in messages, and the `text` of the scene, which
+  /// gives lines and columns. `text` may be empty. It must live as long as this object.
   explicit Faults(std::string name, std::string_view text = {})
       : name_(std::move(name)), text_(text) {}
 
@@ -23,7 +23,7 @@ class Faults {
 
   void add(Pointer pointer, std::string found, std::string expected);
 
-  /// Runs a check that may throw a BadScene, whose faults are kept.
+  /// Runs a check that may throw a BadScene, and keeps the faults of that error.
   template <typename Check>
   void gather(const Check& check) {
     try {
@@ -33,10 +33,11 @@ class Faults {
     }
   }
 
-  /// What stands at this pointer is not from the text.
+  /// Notes that the value at this pointer does not come from the text.
   void set_overridden(Pointer pointer) { overridden_.push_back(std::move(pointer)); }
 
-  /// Forgets faults at or below these pointers that were added after the first `count`.
+  /// Forgets the faults at or below these pointers that were added after the first `count`
+  /// faults.
   void forget_after(std::size_t count, const std::vector<Pointer>& pointers);
   std::size_t count() const { return faults_.size(); }
   const Pointer& pointer(std::size_t i) const { return faults_[i].pointer; }
@@ -53,7 +54,7 @@ class Faults {
   std::vector<Pointer> overridden_;
 };
 
-/// Whether `pointer` is `ancestor` or a part of it.
+/// Returns whether `pointer` is `ancestor` or leads to a part of it.
 bool is_within(const Pointer& pointer, const Pointer& ancestor);
 
 }  // namespace aerostat::scene::detail

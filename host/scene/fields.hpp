@@ -4,8 +4,8 @@
 
 #include "scene/scene.hpp"
 
-/// The fields of the scene's structs and their JSON keys, said once for reading and writing: an
-/// archive is called as `archive("key", field)` in the order of the file.
+/// These functions list the fields of the scene's structs with their JSON keys, once for reading
+/// and writing. An archive is called as `archive("key", field)`, in the order of the file.
 namespace aerostat::scene::detail {
 
 template <class Archive>
@@ -197,7 +197,7 @@ void fields(Archive& archive, Material& material) {
   archive("emission", material.emission);
 }
 
-/// Every object but the sky, which is no surface.
+/// Passes the materials of all objects but the sky, which is no surface.
 template <class Archive>
 void fields(Archive& archive, std::array<Material, kObjectCount>& materials) {
   for (std::size_t i = 1; i < kObjectCount; ++i) {

@@ -9,7 +9,7 @@ namespace aerostat::scene::detail {
 
 namespace {
 
-/// The shortest text; without an exponent where it stays readable.
+/// Returns the shortest text of a number. The text has no exponent for sizes from 1e-5 to 1e15.
 std::string number_text(double value) {
   if (value == 0.0) return "0";
   const double size = std::abs(value);

@@ -8,12 +8,12 @@ namespace aerostat::scene::detail {
 
 using OrderedJson = nlohmann::ordered_json;
 
-/// The double whose shortest text is the shortest text of `value`: 0.35f gives 0.35. A negative
-/// zero becomes zero.
+/// Returns the double whose shortest text is the shortest text of `value`, such as 0.35 for
+/// 0.35f. A negative zero becomes zero.
 double shortest(float value);
 
-/// JSON text with two-space indent; arrays of plain values stay on one line, numbers are the
-/// shortest that read back the same.
+/// Returns JSON text that is indented by two spaces. Arrays of plain values stay on one line.
+/// Numbers have the shortest text that reads back as the same value.
 std::string print_json(const OrderedJson& value);
 
 }  // namespace aerostat::scene::detail

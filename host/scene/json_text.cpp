@@ -20,7 +20,7 @@ std::string quoted(const std::string& text) {
   return Json(text).dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 
-/// At most kShownLength bytes, cut between characters.
+/// Returns at most kShownLength bytes of `text`, cut between characters.
 std::string shortened(std::string text) {
   if (text.size() <= kShownLength) return text;
   std::size_t end = kShownLength;
@@ -28,7 +28,8 @@ std::string shortened(std::string text) {
   return text.substr(0, end) + "...";
 }
 
-/// Follows the parser to know where it is, and stops it where a guard is hurt.
+/// Follows the parser, so that it knows the pointer of the current value. Throws where a limit is
+/// passed.
 class Watcher {
  public:
   explicit Watcher(const std::string& name) : name_(name) {}
@@ -49,10 +50,10 @@ class Watcher {
     return true;
   }
 
-  /// Keys that are there twice.
+  /// Returns the pointers of the keys that an object has twice.
   const std::vector<Pointer>& twice() const { return twice_; }
 
-  /// Of the value that is being read.
+  /// Returns the pointer of the value that is being read.
   Pointer pointer() const {
     Pointer result;
     for (const Frame& frame : frames_) {
@@ -92,14 +93,15 @@ class Watcher {
   std::size_t values_ = 0;
 };
 
-/// Of the last character that the parser had read.
+/// Returns the line and column of the last character that the parser has read.
 std::string position(std::string_view text, std::size_t bytes_read) {
   const std::size_t read = std::min(bytes_read, text.size());
   const TextPlace place = place_of(text, read == 0 ? 0 : read - 1);
   return fmt::format("line {}, column {}", place.line, place.column);
 }
 
-/// The parser's sentence without its own prefix and without what it last read, which may be long.
+/// Returns the parser's message without its prefix and without the last text read, which may be
+/// long.
 std::string syntax_complaint(const std::string& what) {
   const std::size_t start = what.find("syntax error");
   std::string complaint = start == std::string::npos ? what : what.substr(start);

@@ -7,36 +7,38 @@
 
 #include <nlohmann/json.hpp>
 
-/// JSON as text: guarded parsing, pointers, and how values look in messages.
+/// These functions parse JSON with limits, write JSON pointers and show values in messages.
 namespace aerostat::scene::detail {
 
 using Json = nlohmann::json;
 
 inline constexpr std::size_t kMaxFileBytes = std::size_t{16} << 20;
-inline constexpr std::size_t kMaxDepth = 64;        // of arrays and objects in each other
-inline constexpr std::size_t kMaxValues = 100'000;  // in one file
+inline constexpr std::size_t kMaxDepth = 64;        // levels of arrays and objects in each other
+inline constexpr std::size_t kMaxValues = 100'000;  // values in one file
 
-/// Reference tokens of a JSON pointer (RFC 6901), unescaped.
+/// The unescaped reference tokens of a JSON pointer (RFC 6901).
 using Pointer = std::vector<std::string>;
 
-/// "/a/b" with '~' and '/' escaped and control characters made visible; "/" alone means the whole.
+/// Returns a pointer as text, such as "/a/b". '~' and '/' are escaped, and control characters are
+/// made visible. The text "/" stands for the whole document.
 std::string to_string(const Pointer& pointer);
 
-/// Throws BadScene: "name: /pointer: found X, expected Y".
+/// Throws a BadScene with one fault, whose message is "name: /pointer: found X, expected Y".
 [[noreturn]] void fail(const std::string& name, const Pointer& pointer, const std::string& found,
                        const std::string& expected);
 
-/// A value as a message shows it: short, on one line, without control characters.
+/// Returns a value as messages show it: short, on one line and without control characters.
 std::string describe(const Json& value);
 
-/// Parses JSON with comments. Throws Error{bad_data}, with line and column, on a syntax error; with
-/// the pointer on a key that is there twice, a number beyond double, more than kMaxDepth levels or
-/// kMaxValues values.
+/// Parses JSON with comments. Throws Error{bad_data} with line and column on a syntax error.
+/// Throws BadScene with the pointer on a key that an object has twice, a number beyond the range
+/// of double, more than kMaxDepth levels or more than kMaxValues values.
 Json parse_json(std::string_view text, const std::string& name);
 
 class Faults;
 
-/// The same, but keys that are there twice are added to `faults`; of each the last counts.
+/// Parses JSON with comments. Keys that an object has twice are added to `faults` and their last
+/// value counts. All other errors are thrown as by the function with a name.
 Json parse_json(std::string_view text, Faults& faults);
 
 }  // namespace aerostat::scene::detail

@@ -7,7 +7,7 @@
 namespace aerostat::scene {
 namespace {
 
-/// Up to here coordinates are exact to half a millimetre.
+/// Coordinates below 8192 m are exact to half a millimetre in single precision.
 constexpr double kNear_m = 8192.0;
 constexpr double kStep_m = 4096.0;
 

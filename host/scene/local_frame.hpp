@@ -2,31 +2,33 @@
 
 #include "scene/scene.hpp"
 
-/// Meshes and kernels count positions in single precision, which is fine only near the point that
-/// they count from: Scene::origin, a point near the eye. Patterns of the ground, plants, waves and
-/// clouds go by the place over the terrain instead, so that they lie the same from every origin.
+/// These functions choose the origin that positions are counted from. Meshes and kernels hold
+/// positions in single precision, which is exact enough only near their origin. That origin is
+/// Scene::origin, a point near the eye. Patterns of the ground, plants, waves and clouds use the
+/// place over the terrain instead, so that they stay in place when the origin moves.
 namespace aerostat::scene {
 
-/// The origin for what is near a position: the terrain's centre at sea level, or, for every axis
-/// along which the position is 8192 m or more away from it, the nearest whole multiple of 4096 m
-/// from there. It moves in few, long steps because all meshes are built anew when it does.
+/// Returns the origin for objects near a position. It is the terrain's centre at sea level if the
+/// position is less than 8192 m away along every axis. Along an axis on which it is farther away,
+/// the origin moves by the nearest whole multiple of 4096 m. These steps are few and long because
+/// all meshes are built anew when the origin moves.
 dvec3 origin_near(const Scene& scene, const dvec3& position);
 
-/// That of a picture, near the eye (of parallel rays: the target). All heights of the scene must
-/// count from the sea.
+/// Returns the origin of a picture, near the eye. For parallel rays, it is near the target. All
+/// heights of the scene must count from the sea.
 dvec3 origin_for(const Scene& scene);
 
-/// That of exported meshes, near the balloon, or the terrain's centre if there is none: it does not
-/// depend on the camera.
+/// Returns the origin of exported meshes. It is near the balloon, or near the terrain's centre if
+/// there is no balloon, and does not depend on the camera.
 dvec3 origin_for_export(const Scene& scene);
 
-/// The place over the terrain of a position: as seen from the terrain's centre at sea level. That
-/// of the origin which origin_for chooses is exact in single precision.
+/// Returns the place of a position over the terrain, counted from the terrain's centre at sea
+/// level. The place of an origin that origin_for chooses is exact in single precision.
 dvec3 place_of(const Scene& scene, const dvec3& position);
 
-/// The scene as meshes are built from it: positions, the terrain's centre and base and the sea's
-/// level count from the origin. Heights in rules (of snow, beaches, clouds, fog) are left as they
-/// are.
+/// Returns the scene that meshes are built from. Positions, the terrain's centre and base, and
+/// the sea's level count from the origin. Heights in rules (of snow, beaches, clouds, fog) stay
+/// as they are.
 Scene counted_from_origin(Scene scene);
 
 }  // namespace aerostat::scene

@@ -8,7 +8,7 @@ namespace aerostat::scene::detail {
 
 namespace {
 
-/// Walks over JSON that is known to be right, comments included.
+/// Moves over JSON text that is known to be valid and may contain comments.
 class Walk {
  public:
   explicit Walk(std::string_view text) : text_(text) {
@@ -20,13 +20,13 @@ class Walk {
   void go_to(std::size_t at) { at_ = at; }
   bool is_at(char c) const { return at_ < text_.size() && text_[at_] == c; }
 
-  /// Past one character and what is blank behind it.
+  /// Moves past one character and the blanks and comments after it.
   void step() {
     ++at_;
     skip_blank();
   }
 
-  /// Past a string, whose value is returned.
+  /// Moves past a string and returns its value.
   std::string read_string() {
     const std::size_t start = at_;
     skip_string();
@@ -35,7 +35,7 @@ class Walk {
     return value.is_string() ? value.get<std::string>() : std::string();
   }
 
-  /// Past a value and what is blank behind it.
+  /// Moves past a value and the blanks and comments after it.
   void skip_value() {
     int depth = 0;
     do {
@@ -81,8 +81,8 @@ class Walk {
   std::size_t at_ = 0;
 };
 
-/// Where the member `key` of the object that `walk` stands at begins, and leaves the walk at its
-/// value; nothing if there is none.
+/// Returns the place where the member `key` of the current object begins, and moves to its value.
+/// Returns nothing if there is no such member.
 std::optional<std::size_t> enter_member(Walk& walk, const std::string& key) {
   std::optional<std::size_t> found;
   std::size_t value = 0;
@@ -90,7 +90,7 @@ std::optional<std::size_t> enter_member(Walk& walk, const std::string& key) {
   while (walk.is_at('"')) {
     const std::size_t start = walk.at();
     const bool is_it = walk.read_string() == key;
-    walk.step();  // over the colon
+    walk.step();  // moves past the colon
     if (is_it) {
       found = start;
       value = walk.at();

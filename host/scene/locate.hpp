@@ -6,18 +6,19 @@
 
 namespace aerostat::scene::detail {
 
-/// A character of a text: line and column, both from 1.
+/// The line and column of a character in a text, both counted from 1.
 struct TextPlace {
   int line = 1;
   int column = 1;
 };
 
-/// Of the character before which `bytes` bytes stand. Columns count characters of UTF-8.
+/// Returns the line and column of the character after the first `bytes` bytes. Columns count
+/// UTF-8 characters.
 TextPlace place_of(std::string_view text, std::size_t bytes);
 
-/// Where a pointer leads in a text that parse_json has taken: the key of a member, the first
-/// character of an element; of what is not there, the nearest parent that is. Of a key that is
-/// there twice, the last.
+/// Returns the place that a pointer leads to in a text that parse_json has accepted. It is the
+/// key of a member or the first character of an element. If that does not exist, it is the place
+/// of the nearest parent that exists. Of a key that an object has twice, it is the last.
 TextPlace locate(std::string_view text, const Pointer& pointer);
 
 }  // namespace aerostat::scene::detail

@@ -13,7 +13,8 @@ Material surface(vec3 albedo, double specular, double shininess, double transluc
   return material;
 }
 
-/// Snow glitters a little, wet leaves and sand hardly at all.
+/// Returns the terrain's material. Snow glitters a little, and wet leaves and sand hardly at all.
+/// Chosen by eye.
 Material terrain(BiomeKind biome) {
   switch (biome) {
     case BiomeKind::snow:
@@ -26,7 +27,7 @@ Material terrain(BiomeKind biome) {
   return surface(vec3(1.0f), 0.015, 10.0);
 }
 
-/// A propane flame gives light and takes none.
+/// Returns the material of a propane flame, which gives light but takes none.
 Material flame() {
   Material material;
   material.ambient = 0.0;
@@ -45,8 +46,8 @@ std::array<Material, kObjectCount> default_materials(BiomeKind biome) {
   at(ObjectId::terrain) = terrain(biome);
   at(ObjectId::water) = surface(vec3(1.0f), 0.6, 220.0);
   at(ObjectId::envelope) = surface(vec3(1.0f), 0.10, 28.0, 0.3);  // coated ripstop nylon
-  at(ObjectId::envelope).diffuse = 0.85;  // what shines through is not thrown back
-  at(ObjectId::skirt) = surface(vec3(1.0f), 0.03, 14.0, 0.15);  // Nomex, duller
+  at(ObjectId::envelope).diffuse = 0.85;  // transmitted light is not reflected
+  at(ObjectId::skirt) = surface(vec3(1.0f), 0.03, 14.0, 0.15);  // Nomex, which is duller
   at(ObjectId::basket) = surface(vec3(1.0f), 0.05, 18.0);       // willow
   at(ObjectId::rim) = surface(vec3(1.0f), 0.03, 9.0);           // padded suede
   at(ObjectId::frame) = surface(vec3(1.0f), 0.55, 90.0);        // steel

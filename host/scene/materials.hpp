@@ -6,7 +6,7 @@
 
 namespace aerostat::scene::detail {
 
-/// Phong coefficients of everything in a scene of that biome.
+/// Returns the Phong coefficients of all objects in a scene of that biome.
 std::array<Material, kObjectCount> default_materials(BiomeKind biome);
 
 }  // namespace aerostat::scene::detail

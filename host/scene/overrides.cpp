@@ -19,7 +19,7 @@ namespace detail {
 
 namespace {
 
-const Json kNothing;  // stands for what the defaults do not have
+const Json kNothing;  // stands for values that the defaults do not have
 
 [[noreturn]] void bad_pointer(const std::string& text, const std::string& expected) {
   throw Error(ErrorKind::usage,
@@ -50,7 +50,7 @@ Enum enum_of(const Json& node, const char* key, Enum otherwise) {
   return otherwise;
 }
 
-/// The element that `token` names; an index one past the end, or "-", appends.
+/// Returns the element that `token` names. An index one past the end, or "-", appends an element.
 Json& element(Json& array, const std::string& token, const std::string& name,
               const Pointer& pointer) {
   std::size_t index = array.size();
@@ -66,7 +66,7 @@ Json& element(Json& array, const std::string& token, const std::string& name,
   return array[index];
 }
 
-/// What a further balloon is that says nothing of itself.
+/// Returns the JSON of a further balloon for which a file gives no values.
 const Json& usual_balloon() {
   static const Json usual = [] {
     Scene scene;
@@ -76,7 +76,7 @@ const Json& usual_balloon() {
   return usual;
 }
 
-/// The node that `pointer` names, created if need be.
+/// Returns the node that `pointer` names, and creates it if it does not exist.
 Json& reach(Json& document, const Json& defaults, const Pointer& pointer, const std::string& name) {
   Json* node = &document;
   const Json* fallback = &defaults;
@@ -101,7 +101,8 @@ Json override_value(const Override& change) {
   return parse_json(change.value, "--set " + change.pointer);
 }
 
-/// Makes room for one way of giving the sun's direction, keeping what the other said.
+/// Removes the other ways of giving the sun's direction. Their values are kept as angles where
+/// `pointer` sets one angle of two.
 void settle_sun(Json& document, const Pointer& pointer) {
   if (pointer.size() < 2 || pointer[0] != "sun" || !document.contains("sun")) return;
   Json& sun = document["sun"];
@@ -131,7 +132,7 @@ void settle_sun(Json& document, const Pointer& pointer) {
   }
 }
 
-/// Another palette takes the place of colours.
+/// Removes the colours of a balloon when its palette is set.
 void settle_colors(Json& document, const Pointer& pointer) {
   if (pointer.size() < 2 || pointer.back() != "palette") return;
   Pointer balloon = pointer;

@@ -6,13 +6,14 @@
 
 namespace aerostat::scene {
 
-/// The fabrics of a palette: albedo, linear Rec. 709, in the order in which a pattern repeats them.
+/// Returns the albedos of a palette's fabrics, in linear Rec. 709, in the order in which a
+/// pattern repeats them.
 std::vector<vec3> palette_colors(Palette palette);
 
-/// One for the i-th of several balloons, so that neighbours differ.
+/// Returns a palette for the i-th of several balloons, so that neighbours differ.
 Palette palette_of_place(std::size_t i);
 
-/// Chooses what the balloons wear: `palette`, and its colours.
+/// Sets the palette of the balloon and the colours of that palette.
 void dress(Balloon& balloon, Palette palette);
 
 }  // namespace aerostat::scene

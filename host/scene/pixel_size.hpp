@@ -4,8 +4,8 @@
 
 namespace aerostat::scene {
 
-/// How much a pixel in the middle of the picture covers at a distance from the eye: angle_rad of it
-/// and width_m beside. One of them is 0.
+/// The size that a pixel in the middle of the picture covers at a distance from the eye. It is
+/// angle_rad times the distance plus width_m. One of the two is 0.
 struct PixelSize {
   double angle_rad = 0.0;
   double width_m = 0.0;
@@ -16,8 +16,8 @@ struct PixelSize {
 
 PixelSize pixel_size(const Scene& scene);
 
-/// Around which point the world is to be rich and precise: the eye, or an orthographic camera's
-/// target.
+/// Returns the point around which the world has most detail and precision. It is the eye, or the
+/// target of an orthographic camera.
 dvec3 point_of_view(const Camera& camera);
 
 }  // namespace aerostat::scene

@@ -30,8 +30,8 @@ namespace {
 using detail::fields;
 using detail::Json;
 
-/// The archive of fields.hpp that reads: keys that are missing leave their field as it is. The
-/// document has passed the schema.
+/// The archive of fields.hpp that reads. A missing key leaves its field as it is. The document
+/// must have passed the schema.
 class Reader {
  public:
   explicit Reader(const Json& object) : object_(object) {}
@@ -82,7 +82,8 @@ class Reader {
   const Json& object_;
 };
 
-/// JSON Schema counts 4.0 as an integer; the parser does not. A negative zero becomes zero.
+/// Turns whole numbers such as 4.0 into integers. JSON Schema counts them as integers, but the
+/// parser does not. A negative zero becomes zero.
 void normalize_numbers(Json& node) {
   constexpr double kExact = 9007199254740992.0;  // 2^53
   if (node.is_structured()) {
@@ -95,7 +96,8 @@ void normalize_numbers(Json& node) {
   }
 }
 
-/// A length within rounding of 1 stays as it is, so that reading what was written changes nothing.
+/// Returns the unit vector of `v`. A length within rounding of 1 stays as it is, so that reading
+/// a written scene changes nothing.
 dvec3 kept_or_unit(const dvec3& v) {
   return std::abs(glm::dot(v, v) - 1.0) < 1e-12 ? v : unit(v);
 }
@@ -116,7 +118,7 @@ void settle_sun(const Json& document, Sun& sun, const Sun& usual) {
   sun.direction = kept_or_unit(sun.direction);
 }
 
-/// Colours follow from the palette where they are not given.
+/// Sets colours from the palette where the document gives no colours.
 void settle_colors(const Json& document, Scene& scene) {
   const Json given = document.value("balloon", Json::object());
   if (given.contains("palette") && !given.contains("colors")) {
@@ -130,7 +132,8 @@ void settle_colors(const Json& document, Scene& scene) {
   }
 }
 
-/// Ahead of the schema, since another version has another one.
+/// Checks the version. This happens before the schema is checked, because another version has
+/// another schema.
 void check_version(const Json& document, const std::string& name) {
   if (!document.is_object()) detail::fail(name, {}, detail::describe(document), "an object");
   const auto version = document.find("version");
@@ -138,8 +141,9 @@ void check_version(const Json& document, const std::string& name) {
     detail::fail(name, {"version"}, detail::describe(*version), "1");
 }
 
-/// The document without what these pointers name; elements of an array go with all of it. Of a key
-/// that is missing there is nothing to take but from within an array.
+/// Returns the document without the values that these pointers name. For an element of an array,
+/// the whole array is removed. For a key that an object lacks, nothing is removed, unless the
+/// object is in an array.
 Json without(Json document, const std::vector<detail::Pointer>& pointers) {
   for (const detail::Pointer& pointer : pointers) {
     Json* node = &document;
@@ -159,10 +163,10 @@ Json without(Json document, const std::vector<detail::Pointer>& pointers) {
 
 struct Read {
   Scene scene;
-  Scene usual;  // what counts where the document says nothing
+  Scene usual;  // values that hold where the document gives none
 };
 
-/// Of a document that keeps to the schema.
+/// Reads the scene from a document that has passed the schema.
 Read read_fields(const Json& document) {
   Scene usual = defaults(detail::biome_of(document), detail::view_of(document));
   set_quality(usual, detail::quality_of(document));
@@ -175,7 +179,7 @@ Read read_fields(const Json& document) {
   return {std::move(scene), std::move(usual)};
 }
 
-/// What makes no sense in the part of a document that keeps to the schema.
+/// Adds the semantic faults in the part of a document that has passed the schema.
 void tell_nonsense(const Json& document, const std::vector<detail::Pointer>& faulty,
                    detail::Faults& faults) {
   const Json rest = without(document, faulty);

@@ -9,15 +9,17 @@
 
 namespace aerostat::scene::detail {
 
-/// The bytes of a scene file, at most a little more than kMaxFileBytes. Throws Error{io}.
+/// Returns the bytes of a scene file, at most a little more than kMaxFileBytes. Throws Error{io}
+/// if the file cannot be read.
 std::string read_bytes(const std::filesystem::path& path);
 
-/// Text as JSON, short forms expanded. Throws Error{bad_data} if it is none; what else is wrong
-/// with it is added to `faults`.
+/// Returns a text as JSON with short forms expanded. Throws Error{bad_data} if the text is not
+/// JSON or is too long. All keys that an object has twice are added to `faults`.
 Json parse_document(const std::string& text, Faults& faults);
 
-/// The scene that a document describes, whose numbers are normalised on the way. Throws BadScene if
-/// there are faults, now or already: it is against the schema or makes no sense.
+/// Returns the scene that a document describes, and normalises the numbers of the document.
+/// Throws BadScene if `faults` is not empty, or if the document breaks the schema or makes no
+/// sense.
 Scene read_document(Json& document, Faults& faults);
 
 }  // namespace aerostat::scene::detail

@@ -7,30 +7,31 @@
 
 #include "core/math.hpp"
 
-/// The scene description: what a scene file says, with every default filled in. Names, units and
-/// nesting are those of the JSON (lengths in metres, angles in degrees with `_deg` in the name,
-/// colours linear Rec. 709), so that reading and writing lose nothing.
+/// The scene description holds all values of a scene file, with every default filled in. Names,
+/// units and nesting are those of the JSON, so that reading and writing lose nothing. Lengths are
+/// in metres, angles in degrees with `_deg` in the name, and colours in linear Rec. 709.
 namespace aerostat::scene {
 
 enum class BiomeKind { snow, tropical, sand };
 enum class TerrainKind { mountains, island, dunes };
 enum class FractalKind { fbm, ridged };
-/// What the y of a position counts from: the sea (absolute), the ground under it, or (cameras only)
-/// the floor of the balloon's basket.
+/// The level that the y of a position counts from: the sea (absolute), the ground under it, or,
+/// for cameras only, the floor of the balloon's basket.
 enum class HeightReference { sea, ground, balloon };
 enum class View { outside, basket };
-/// How points of the picture become rays. A panorama shows all directions, 360 degrees of azimuth
-/// across and 180 degrees of height down the picture.
+/// The projection that turns points of the picture into rays. A panorama shows all directions:
+/// 360 degrees of azimuth across the picture and 180 degrees of height down it.
 enum class Lens { pinhole, thin_lens, panorama, orthographic };
 enum class Shading { flat, gouraud, phong };
 enum class Filter { box, tent, gaussian };
-/// How much work a picture may be: sets samples, soft shadows and ambient occlusion together.
+/// The amount of work for a picture. It sets samples, the adaptive threshold, soft shadows and
+/// ambient occlusion together.
 enum class Quality { draft, standard, final };
 enum class Pattern { stripes, chevrons, spiral, rainbow, checker };
-/// Fabrics that go together; palettes.hpp has their colours.
+/// Sets of fabrics that go together. palettes.hpp gives their colours.
 enum class Palette { ember, lagoon, spectrum, glacier, orchard, plum, regatta, meadow };
 
-/// Octaves of Perlin noise. The first octave has wavelength Terrain::feature_m.
+/// Several octaves of Perlin noise. The first octave has the wavelength Terrain::feature_m.
 struct Fractal {
   FractalKind kind = FractalKind::ridged;
   int octaves = 12;
@@ -41,28 +42,28 @@ struct Fractal {
   bool operator==(const Fractal&) const = default;
 };
 
-/// Wind-blown sand; used by TerrainKind::dunes.
+/// Wind-blown sand, used by TerrainKind::dunes.
 struct Dunes {
-  double wind_deg = 250.0;      // azimuth the wind blows towards
-  double wavelength_m = 400.0;  // crest to crest, along the wind
-  double height_m = 45.0;       // trough to crest of the largest
+  double wind_deg = 250.0;      // azimuth that the wind blows towards
+  double wavelength_m = 400.0;  // from crest to crest, along the wind
+  double height_m = 45.0;       // from trough to crest of the largest dunes
 
   bool operator==(const Dunes&) const = default;
 };
 
-/// The ground: a square of cells x cells quads around `center`, whose spacing grows outwards.
+/// The ground, a square of cells x cells quads around `center`, whose spacing grows outwards.
 struct Terrain {
   TerrainKind kind = TerrainKind::mountains;
   std::uint32_t seed = 1;
-  int cells = 1024;                // per side
+  int cells = 1024;                // cells along a side
   double size_m = 40000.0;         // side of the square
-  dvec2 center{0.0, 0.0};          // x, z of the finest cells
-  double grading = 6.0;            // cell size at the rim / at the centre, >= 1
-  double height_m = 2400.0;        // from the lowest valleys to the highest peaks, roughly
+  dvec2 center{0.0, 0.0};          // x and z of the finest cells, in metres
+  double grading = 6.0;            // cell size at the rim divided by that at the centre, >= 1
+  double height_m = 2400.0;        // rough height from the lowest valleys to the highest peaks
   double base_m = 0.0;             // added to every height
   double feature_m = 9000.0;       // wavelength of the first octave
   double warp_m = 900.0;           // amplitude of the domain distortion
-  double warp_feature_m = 7000.0;  // its wavelength
+  double warp_feature_m = 7000.0;  // wavelength of the domain distortion
   double sharpness = 1.0;          // > 1 widens valleys, < 1 widens heights
   double erosion = 0.7;            // strength of gullies, channels and scree, 0 (none) to 1
   Fractal fractal;
@@ -71,40 +72,40 @@ struct Terrain {
   bool operator==(const Terrain&) const = default;
 };
 
-/// How the ground is coloured, by height, slope and noise. One rule set serves all biomes.
+/// The colours of the ground by height, slope and noise. One rule set serves all biomes.
 struct Ground {
   vec3 cover_a{0.1f}, cover_b{0.1f};        // two tones of what grows or lies on gentle ground
   vec3 rock_a{0.1f}, rock_b{0.1f};          // two tones of bare rock
-  double rock_slope_deg[2] = {30.0, 45.0};  // rock begins, rock is complete
+  double rock_slope_deg[2] = {30.0, 45.0};  // slopes where rock begins and where it is complete
   vec3 snow{0.85f};
   double snow_line_m = 1e6;                 // mean height above which snow lies
-  double snow_fuzz_m = 250.0;               // height of the zone in which it thins out
-  double snow_slope_deg[2] = {35.0, 52.0};  // full snow below, none above
+  double snow_fuzz_m = 250.0;               // height of the zone in which snow thins out
+  double snow_slope_deg[2] = {35.0, 52.0};  // full snow below the first, no snow above the second
   vec3 beach{0.35f};
-  double beach_top_m = -1e6;  // sand up to this height above the sea
+  double beach_top_m = -1e6;  // beach sand lies up to this height above the sea
   double pattern_m = 120.0;   // largest wavelength of colour and relief detail
   double relief = 0.9;        // strength of the detail in the normal, 0 = none
   double ripple_m = 0.0;      // wavelength of wind ripples, 0 = none
   double strata_m = 0.0;      // thickness of the largest beds of rock, 0 = none
-  double softness = 0.0;      // how evenly bright snow or sand is at every slope, 0 to 1
-  double sparkle = 0.0;       // strength of the glitter of its grains, 0 = none
+  double softness = 0.0;      // evenness of the brightness of snow or sand over slopes, 0 to 1
+  double sparkle = 0.0;       // strength of the glitter of grains, 0 = none
   vec3 forest{0.03f, 0.05f, 0.03f};
   double forest_top_m = 0.0;  // trees grow below this height
-  double forest_share = 0.0;  // of the ground that trees cover, 0 to 1
+  double forest_share = 0.0;  // share of the ground that trees cover, 0 to 1
   double canopy_m = 7.0;      // width of a tree's crown
 
   bool operator==(const Ground&) const = default;
 };
 
-/// The sea: a plane at `level_m`, present if enabled.
+/// The sea, a plane at `level_m` that exists if `enabled` is true.
 struct Water {
   bool enabled = false;
   double level_m = 0.0;
-  vec3 absorption_per_m{0.35f, 0.06f, 0.015f};  // Beer-Lambert
+  vec3 absorption_per_m{0.35f, 0.06f, 0.015f};  // absorption of the Beer-Lambert law
   vec3 scatter{0.01f, 0.09f, 0.12f};            // colour of deep water
-  vec3 bed{0.55f, 0.5f, 0.38f};                 // albedo of the sand under it
+  vec3 bed{0.55f, 0.5f, 0.38f};                 // albedo of the sand under the sea
   double wave_m = 14.0;                         // wavelength of the largest waves
-  double wave_slope = 0.06;                     // root mean square slope
+  double wave_slope = 0.06;                     // root mean square slope of the waves
 
   bool operator==(const Water&) const = default;
 };
@@ -120,9 +121,9 @@ struct Biome {
 /// Plants and stones that stand on the ground, placed by the biome's rules.
 struct Vegetation {
   bool enabled = true;
-  double density = 1.0;     // 1: woods as dense as the ground's painted ones, 0: none
+  double density = 1.0;     // 1: woods as dense as those painted on the ground, 0: none
   double size = 1.0;        // factor on all heights
-  double reach_m = 6000.0;  // single trees stand this far from the camera
+  double reach_m = 6000.0;  // distance from the camera within which single trees stand
   std::uint32_t seed = 1;
 
   bool operator==(const Vegetation&) const = default;
@@ -135,10 +136,10 @@ struct Balloon {
   double diameter_m = 18.8;
   double heading_deg = 0.0;
   int gores = 24;
-  double burner = 1.0;  // how hard the burners fire, 0 = not at all
+  double burner = 1.0;  // strength of the burners, 0 (no flame) to 1
   Pattern pattern = Pattern::stripes;
   Palette palette = Palette::ember;
-  std::vector<vec3> colors;  // at least one; the pattern repeats them. The palette's unless given
+  std::vector<vec3> colors;  // at least one; the pattern repeats them; default: the palette's
 
   bool operator==(const Balloon&) const = default;
 };
@@ -149,85 +150,85 @@ struct Camera {
   dvec3 target{0.0, 0.0, -1.0};
   bool position_given = true;  // false: world::resolve puts the eye into the basket
   bool target_given = true;    // false: world::resolve looks straight ahead
-  HeightReference height_above = HeightReference::sea;  // of position and target
+  HeightReference height_above = HeightReference::sea;  // holds for position and target
   dvec3 up{0.0, 1.0, 0.0};
   Lens lens = Lens::pinhole;
-  double fov_y_deg = 45.0;      // pinhole and thin lens
-  double f_number = 2.8;        // thin lens, before a sensor 24 mm high
-  double aperture_m = 0.0;      // thin lens: diameter; counts if it is given, before f_number
-  bool aperture_given = false;  // false: it follows from f_number and fov_y_deg
-  double focus_m = 0.0;         // thin lens: depth of what is sharp; counts if it is given
-  bool focus_given = false;     // false: the target is sharp
-  double view_height_m = 60.0;  // orthographic: what the picture shows from its foot to its top
+  double fov_y_deg = 45.0;      // for pinhole and thin lens
+  double f_number = 2.8;        // for a thin lens before a sensor 24 mm high
+  double aperture_m = 0.0;      // diameter of a thin lens; replaces f_number if it is given
+  bool aperture_given = false;  // false: the aperture follows from f_number and fov_y_deg
+  double focus_m = 0.0;      // depth of the plane that a thin lens shows sharp; used if it is given
+  bool focus_given = false;  // false: the target is sharp
+  double view_height_m = 60.0;  // height that an orthographic picture shows
 };
 
-/// `direction` (unit, towards the sun) is what counts; files may give azimuth_deg and
-/// elevation_deg, or date, time, latitude_deg and longitude_deg in its place.
+/// The sun. `direction` is a unit vector towards the sun. In its place, files may give
+/// azimuth_deg and elevation_deg, or date, time, latitude_deg and longitude_deg.
 struct Sun {
   dvec3 direction{0.0, 1.0, 0.0};
-  vec3 color{1.0f};         // outside the air; largest component 1
-  double irradiance = 5.0;  // outside the air, on a plane that faces the sun
+  vec3 color{1.0f};         // colour outside the air; its largest component is 1
+  double irradiance = 5.0;  // irradiance outside the air, on a plane that faces the sun
   bool shadows = true;
-  bool soft_shadows = true;  // cast by its disc, not its centre
+  bool soft_shadows = true;  // shadows are cast by the sun's disc, not by its centre
 };
 
 struct PointLight {
   dvec3 position{0.0};
   vec3 color{1.0f};
-  double intensity = 100.0;  // irradiance times distance squared
+  double intensity = 100.0;  // irradiance times the square of the distance
   bool shadows = true;
 };
 
 /// Heaped fair-weather clouds over flat bases. Their shadows fall on the land.
 struct Cumulus {
-  double cover = 0.0;          // of the sky straight above, 0 to 1
-  double base_m = 1400.0;      // above the sea
+  double cover = 0.0;          // share of the sky straight above, 0 to 1
+  double base_m = 1400.0;      // height of the bases above the sea
   double thickness_m = 500.0;  // from the bases to high tops
-  double size_m = 700.0;       // across a cloud
+  double size_m = 700.0;       // width of a cloud
   std::uint32_t seed = 1;
 };
 
-/// What is in the sky beside sun and air.
+/// The clouds and the light of the sky, apart from sun and air.
 struct Sky {
-  double cloud_cover = 0.4;        // of the sky by thin high cloud, 0 to 1
-  double cloud_height_m = 7000.0;  // above the eye
-  bool ambient_occlusion = true;   // what is near keeps the sky's light off
-  double occlusion_m = 300.0;      // as far as this, ever less with distance
-  bool bounced_light = true;       // and is lit by the sun itself, if it counts
+  double cloud_cover = 0.4;        // share of the sky that thin high cloud covers, 0 to 1
+  double cloud_height_m = 7000.0;  // height of the thin cloud above the eye
+  bool ambient_occlusion = true;   // near surfaces block light of the sky
+  double occlusion_m = 300.0;      // reach of the occlusion, which falls with distance
+  bool bounced_light = true;  // near surfaces also send sunlight in place of the light they block
   Cumulus cumulus;
 };
 
-/// The gases of the air and the ground under it, as far as its light goes.
+/// The gases of the air, and the land below as far as it lights the air.
 struct Air {
-  double density = 1.0;      // of the molecules, relative to the Earth's; 0 = none
+  double density = 1.0;      // density of the molecules relative to the Earth's, 0 = none
   double ozone_du = 300.0;   // Dobson units
-  vec3 ground_albedo{0.2f};  // of the land around: its light goes up and comes back from the air
+  vec3 ground_albedo{0.2f};  // albedo of the land around, whose light the air sends back
 };
 
-/// Droplets and dust. With the molecules they dim contrast to 2 % over the visibility at sea level
-/// (extinction 3.912 / visibility); they thin out with height.
+/// Droplets and dust, which thin out with height. Haze and molecules together dim contrast to 2 %
+/// over the visibility at sea level (extinction = 3.912 / visibility).
 struct Haze {
   double visibility_m = 60000.0;
   double scale_height_m = 1500.0;
-  double angstrom = 1.2;    // extinction goes with wavelength to the power -angstrom: 0 = grey
-  double asymmetry = 0.76;  // mean cosine of the deflection: how far light goes on forwards
+  double angstrom = 1.2;    // extinction grows as wavelength to the power -angstrom; 0 is grey
+  double asymmetry = 0.76;  // mean cosine of the scattering angle
   vec3 albedo{0.96f};       // share of the extinction that is scattering
 };
 
-/// Fog that fills the valleys: even up to its top, then thinning out.
+/// Fog that fills the valleys. It is even up to its top and thins out above.
 struct Fog {
   bool enabled = false;
   double visibility_m = 500.0;
-  double top_m = 200.0;         // mean height above the sea
-  double softness_m = 30.0;     // over which it thins out
-  double billow_m = 60.0;       // how far its top goes up and down
-  double billow_width_m = 900;  // wavelength of that
+  double top_m = 200.0;         // mean height of the top above the sea
+  double softness_m = 30.0;     // height of the zone in which fog thins out
+  double billow_m = 60.0;       // amplitude of the waves of the top
+  double billow_width_m = 900;  // wavelength of the waves of the top
 
   bool operator==(const Fog&) const = default;
 };
 
-/// What the balloon's parts, the ground and the sea are made of. One object, one material; the
-/// value is the `id` channel of an EXR (0 is the sky); the manual lists them.
+/// The objects of a scene. Each object has one material. The value of the enum is the `id`
+/// channel of an EXR picture, in which 0 is the sky. The manual lists the values.
 enum class ObjectId : std::uint32_t {
   sky = 0,
   terrain,
@@ -246,8 +247,8 @@ enum class ObjectId : std::uint32_t {
 };
 inline constexpr std::size_t kObjectCount = static_cast<std::size_t>(ObjectId::count);
 
-/// Phong coefficients. Plain objects multiply their vertex colours by `albedo`; terrain and water
-/// get theirs from Ground and Water.
+/// Phong coefficients. Plain objects multiply their vertex colours by `albedo`. Terrain and water
+/// take their colours from Ground and Water.
 struct Material {
   vec3 albedo{1.0f};
   double ambient = 1.0;
@@ -255,7 +256,7 @@ struct Material {
   double specular = 0.0;
   double shininess = 32.0;
   double translucency = 0.0;  // share of the light on the far side that shines through
-  vec3 emission{0.0f};        // radiance, times the vertex colour
+  vec3 emission{0.0f};        // radiance, multiplied by the vertex colour
 };
 
 struct Image {
@@ -265,10 +266,10 @@ struct Image {
   std::uint32_t seed = 1;
   double adaptive_threshold = 0.0;  // noise at which a pixel has enough samples; 0: all get spp
   Filter filter = Filter::gaussian;
-  double exposure_ev = 0.0;          // stops; counts if it is given
+  double exposure_ev = 0.0;          // stops; used if it is given
   bool exposure_given = false;       // false: the exposure follows from the picture
-  double white_balance_k = 6504.0;   // light of this colour is white; counts if it is given
-  bool white_balance_given = false;  // false: half of the way to the daylight
+  double white_balance_k = 6504.0;   // colour temperature shown as white; used if it is given
+  bool white_balance_given = false;  // false: half of the way to the daylight's colour
   double vignette = 0.0;             // share of the light that is lost in the corners
 };
 
@@ -277,7 +278,7 @@ struct Scene {
   Terrain terrain;
   Vegetation vegetation;
   Balloon balloon;
-  std::vector<Balloon> balloons;  // further ones
+  std::vector<Balloon> balloons;  // further balloons
   Camera camera;
   Sun sun;
   std::vector<PointLight> lights;
@@ -289,14 +290,14 @@ struct Scene {
   Shading shading = Shading::phong;
   Quality quality = Quality::standard;
   Image image;
-  /// What meshes and kernels count positions from (local_frame.hpp); no field of the file.
-  /// world::resolve sets it.
+  /// The point that meshes and kernels count positions from (see local_frame.hpp). It is not a
+  /// field of the file. world::resolve sets it.
   dvec3 origin{0.0};
 
   const Material& material(ObjectId id) const { return materials[static_cast<std::size_t>(id)]; }
 };
 
-/// The JSON key of an object's material, such as "envelope".
+/// Returns the JSON key of an object's material, such as "envelope".
 std::string object_name(ObjectId id);
 
 }  // namespace aerostat::scene

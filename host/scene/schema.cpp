@@ -20,7 +20,7 @@ namespace {
 
 using Adapter = valijson::adapters::NlohmannJsonAdapter;
 
-/// The schema as a document, for messages, and as valijson's constraints.
+/// The schema as a document, which messages use, and as the constraints of valijson.
 struct SceneSchema {
   SceneSchema() : document(parse_json(kSchemaText, "the schema of scenes")) {
     valijson::SchemaParser(valijson::SchemaParser::kDraft7)
@@ -36,7 +36,8 @@ const SceneSchema& scene_schema() {
   return schema;
 }
 
-/// valijson's path: "<root>", then each token in brackets.
+/// Returns the JSON pointer of a path of valijson, which is "<root>" and then each token in
+/// brackets.
 Pointer pointer_of(const std::vector<std::string>& context) {
   Pointer pointer;
   for (std::size_t i = 1; i < context.size(); ++i) {
@@ -45,7 +46,8 @@ Pointer pointer_of(const std::vector<std::string>& context) {
   return pointer;
 }
 
-/// The pointers of all complaints. What is wrong with a value is also complained of at its parents.
+/// Returns the pointers of all complaints. A fault of a value is also reported at each of its
+/// parents.
 std::set<Pointer> pointers_of(const valijson::ValidationResults& results) {
   std::set<Pointer> pointers;
   for (const auto& error : results) pointers.insert(pointer_of(error.context));
@@ -71,7 +73,8 @@ std::vector<Pointer> check_schema(const Json& document, Faults& faults) {
   std::vector<Pointer> faulty;
   const std::set<Pointer> complaints = pointers_of(results);
   for (auto at = complaints.begin(); at != complaints.end(); ++at) {
-    // Sorted, so what is complained of within a value comes right behind it.
+    // The pointers are sorted, so that those of parts of a value come right after that of the
+    // value.
     const auto next = std::next(at);
     const bool is_parent = next != complaints.end() && is_within(*next, *at);
     const Json* value = &document;

@@ -10,11 +10,11 @@ namespace aerostat::scene::detail {
 /// The text of scenes/aerostat-scene.schema.json.
 extern const char* const kSchemaText;
 
-/// The same, parsed.
+/// Returns the schema of scenes as a document.
 const Json& schema_document();
 
-/// Tells every place where the document breaks the schema, and returns their pointers; of an
-/// unknown key it names those that there are, and the nearest.
+/// Adds every place where the document breaks the schema to `faults`, and returns the pointers of
+/// these places. For an unknown key, the fault names the known keys and the nearest one of them.
 std::vector<Pointer> check_schema(const Json& document, Faults& faults);
 
 }  // namespace aerostat::scene::detail

@@ -39,7 +39,8 @@ void check_day_and_time(const std::string& date, const std::string& time, Faults
   }
 }
 
-/// Date, time and place come together and alone.
+/// Checks that date, time and place are given together, and that no direction is given beside
+/// them.
 void check_date(const Json& sun, Faults& faults) {
   const bool dated = std::any_of(std::begin(kSunDateKeys), std::end(kSunDateKeys),
                                  [&sun](const char* key) { return sun.contains(key); });

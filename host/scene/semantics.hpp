@@ -6,9 +6,9 @@
 
 namespace aerostat::scene::detail {
 
-/// What a schema cannot say, of a document that keeps to the schema and the scene read from it: the
-/// sun given once and not as a null vector, a camera that can look, ranges in order. All that is
-/// wrong is told.
+/// Checks the rules that a schema cannot express, for a document that has passed the schema and
+/// the scene read from it. The sun is given in one way and not as a null vector. The camera has a
+/// view. Ranges are in order. All faults are added to `faults`.
 void check_semantics(const Json& document, const Scene& scene, Faults& faults);
 
 }  // namespace aerostat::scene::detail

@@ -19,12 +19,13 @@ namespace {
 
 constexpr const char* kName = "scene";
 
-/// Degrees to nine digits: angles of a direction show no rounding.
+/// Returns degrees rounded to nine decimals, so that the angles of a direction show no rounding
+/// errors.
 double rounded(double degrees) {
   return std::round(degrees * 1e9) / 1e9 + 0.0;
 }
 
-/// A scene as JSON, with the sun's angles beside its direction.
+/// Returns a scene as JSON, with the sun's angles beside its direction.
 Json shown(const Scene& scene) {
   Json json(detail::to_json(scene));
   const detail::SunAngles angles = detail::angles_of(scene.sun.direction);
@@ -34,7 +35,7 @@ Json shown(const Scene& scene) {
 }
 
 Json::json_pointer json_pointer(const std::string& text) {
-  detail::parse_pointer(text);  // its errors are ours
+  detail::parse_pointer(text);  // checks the text and throws our own errors
   return Json::json_pointer(text);
 }
 
@@ -42,7 +43,8 @@ const Json* found(const Json& in, const Json::json_pointer& pointer) {
   return in.contains(pointer) ? &in.at(pointer) : nullptr;
 }
 
-/// Leaves what `usual` says too out of an object, and objects that are empty then.
+/// Removes from an object all values that equal those of `usual`, and objects that are then
+/// empty.
 void prune(Json& object, const Json& usual) {
   for (auto at = object.begin(); at != object.end();) {
     const auto same = usual.find(at.key());
@@ -53,7 +55,7 @@ void prune(Json& object, const Json& usual) {
   }
 }
 
-/// Keys in the order of `model`, then the others.
+/// Returns the value with its keys in the order of `model`, followed by all other keys.
 OrderedJson ordered(const Json& value, const OrderedJson& model) {
   if (!value.is_object()) return OrderedJson(value);
   OrderedJson result = OrderedJson::object();
@@ -83,7 +85,7 @@ void erase(Json& document, const Pointer& pointer, std::size_t depth, const Json
   }
   if (!document.is_object() || !document.contains(token)) return;
   if (depth + 1 == pointer.size()) {
-    // A lamp must say where it is.
+    // A lamp must have a position.
     const bool required = pointer[0] == "lights" && token == "position";
     required ? void(document[token] = usual.at(token)) : void(document.erase(token));
     return;
@@ -93,7 +95,8 @@ void erase(Json& document, const Pointer& pointer, std::size_t depth, const Json
   if (document[token].is_object() && document[token].empty()) document.erase(token);
 }
 
-/// Appends what leads from `base` to `here`, members of one object. False if that cannot be said.
+/// Appends the changes that turn the members of `base` into those of `here`. Returns false if no
+/// list of changes can express them.
 bool collect_changes(const Json& base, const Json& here, const Json& shown_here,
                      const Json::json_pointer& at, std::vector<Override>& changes) {
   for (const auto& [key, value] : here.items()) {
@@ -138,7 +141,7 @@ struct SceneSource::State {
     }
     usual.lights.resize(scene.lights.size());
     usual_values = shown(usual);
-    // These choose what the other defaults are; their own are these.
+    // Biome, view and quality choose all other defaults. Their own defaults are these words.
     usual_values["biome"]["kind"] = "snow";
     usual_values["camera"]["view"] = "outside";
     usual_values["quality"] = "standard";
@@ -199,13 +202,14 @@ bool SceneSource::differs(const std::string& pointer) const {
 std::string SceneSource::text() const {
   Json left = state_->document;
   Json usual = state_->usual_values;
-  // Always said: it makes the rest readable.
+  // The version is always written, because without it the file cannot be read.
   usual.erase("version");
-  // A list is what it says, element by element.
+  // Lists have no default elements, so that each element is written in full.
   usual["balloons"] = usual["lights"] = Json::array();
   usual["biome"].erase("kind");
   left["biome"]["kind"] = state_->values["biome"]["kind"];
-  // One angle of two stays: read back, it must not come from a direction.
+  // Angles are left out only if both equal their defaults. An angle that is left out alone would
+  // be worked out from the default direction when the text is read, with other rounding.
   const bool both = left.contains("sun") && left["sun"].contains("azimuth_deg") &&
                     left["sun"].contains("elevation_deg") &&
                     left["sun"]["azimuth_deg"] == usual["sun"]["azimuth_deg"] &&

@@ -11,42 +11,46 @@
 
 namespace aerostat::scene {
 
-/// What a scene file says, as something that can be edited. A value: it never changes, an edit
-/// gives another one. It always makes a scene that is right. Cheap to copy; safe from any thread.
+/// The contents of a scene file in a form that can be edited. A source is a value: it never
+/// changes, and an edit gives a new source. It always describes a valid scene. It is cheap to
+/// copy and can be used from any thread.
 class SceneSource {
  public:
-  /// A scene that says nothing: the first biome's defaults.
+  /// Makes a source without any values, so that the defaults of the first biome hold.
   SceneSource();
 
-  /// As read_file and read_text, with their errors.
+  /// These functions read a source as read_file and read_text read a scene, and throw the same
+  /// errors.
   static SceneSource from_file(const std::filesystem::path& path);
   static SceneSource from_text(const std::string& text, const std::string& name);
 
-  /// With every default filled in, not resolved.
+  /// Returns the scene with every default filled in. It is not resolved.
   const Scene& scene() const;
 
-  /// This source with the changes made, in their order, as "--set" makes them. Throws
-  /// Error{bad_data} with the JSON pointer if that is no scene, Error{usage} on a bad pointer.
+  /// Returns this source with the changes made in their order, as "--set" makes them. Throws
+  /// Error{bad_data} with the JSON pointer if the result is not a scene, and Error{usage} on a
+  /// bad pointer.
   SceneSource with(const std::vector<Override>& changes) const;
 
-  /// This source without what it says at these pointers, so that their defaults count again; an
-  /// array's element gets its default's; what an object of a list says goes, the object stays.
-  /// Errors as of `with`.
+  /// Returns this source without the values at these pointers, so that their defaults hold again.
+  /// An element of an array gets its default value. An object in a list loses the value but stays
+  /// in the list. Throws the errors that `with` throws.
   SceneSource without(const std::vector<std::string>& pointers) const;
 
-  /// The value that counts at a pointer, given or by default, as JSON text; empty if there is none.
-  /// The sun has its two angles whatever way it was given.
+  /// Returns the given or default value at a pointer as JSON text, or an empty text if there is
+  /// none. The two angles of the sun have values however its direction was given.
   std::string value(const std::string& pointer) const;
 
-  /// Whether that value is another one than the default of the biome, view and quality.
+  /// Returns whether the value at a pointer differs from the default of the biome, view and
+  /// quality.
   bool differs(const std::string& pointer) const;
 
-  /// The scene file: what differs from the defaults and nothing else, in the usual order, with a
-  /// line end. Reading it gives the same scene. Comments are lost.
+  /// Returns the text of a scene file that holds only what differs from the defaults, in the
+  /// usual order and with a line end. Reading the text gives the same scene. Comments are lost.
   std::string text() const;
 
-  /// The changes that make this of `base`; nothing if "--set" cannot make them, because a value
-  /// without default was taken away.
+  /// Returns the changes that turn `base` into this source. Returns nothing if "--set" cannot
+  /// make them, because a value without a default was removed.
   std::optional<std::vector<Override>> changes_from(const SceneSource& base) const;
 
  private:

@@ -4,16 +4,16 @@
 
 namespace aerostat::scene::detail {
 
-/// The two angles of a direction towards the sky, as aerostat::direction_from_angles reads them.
+/// The two angles of a direction towards the sky, as aerostat::direction_from_angles takes them.
 struct SunAngles {
   double azimuth_deg = 0.0;
   double elevation_deg = 0.0;
 };
 
-/// `direction` may have any length; (0, 0, 0) gives angles of 0.
+/// Returns the angles of a direction of any length. The vector (0, 0, 0) gives angles of 0.
 SunAngles angles_of(const dvec3& direction);
 
-/// A unit vector.
+/// Returns the unit vector of these angles.
 dvec3 direction_of(const SunAngles& angles);
 
 }  // namespace aerostat::scene::detail

@@ -14,10 +14,10 @@ namespace {
 
 constexpr double kDegree = std::numbers::pi / 180.0;
 constexpr double kDaysPerCentury = 36525.0;
-// Clocks lag behind the time of orbits: 64 to 69 s between 2000 and 2025.
+// Universal time lags behind the time used for orbits, by 64 to 69 s between 2000 and 2025.
 constexpr double kClockLagDays = 67.0 / 86400.0;
 
-/// Reads digits off the front of `text`; nothing if there are not just `count` of them.
+/// Reads `count` digits off the front of `text`. Returns nothing if there are fewer.
 std::optional<int> take_number(std::string_view& text, std::size_t count) {
   int value = 0;
   const char* const end = text.data() + std::min(count, text.size());
@@ -35,7 +35,7 @@ bool take(std::string_view& text, char sign) {
   return true;
 }
 
-/// Whole days from 1 January 2000.
+/// Returns the whole days from 1 January 2000 to a date.
 std::optional<int> days_of(std::string_view date) {
   const auto year = take_number(date, 4);
   if (!year || !take(date, '-')) return std::nullopt;
@@ -52,7 +52,7 @@ std::optional<int> days_of(std::string_view date) {
       (std::chrono::sys_days(given) - std::chrono::sys_days(2000y / 1 / 1)).count());
 }
 
-/// Minutes of a clock, hh:mm.
+/// Reads hours and minutes, written hh:mm, off the front of `text`. Returns them in minutes.
 std::optional<int> take_minutes(std::string_view& text) {
   const auto hours = take_number(text, 2);
   if (!hours || !take(text, ':')) return std::nullopt;
@@ -61,7 +61,7 @@ std::optional<int> take_minutes(std::string_view& text) {
   return 60 * *hours + *minutes;
 }
 
-/// Days from midnight, universal time.
+/// Returns the days from midnight, in universal time, to a time of day.
 std::optional<double> day_share_of(std::string_view time) {
   const auto clock = take_minutes(time);
   if (!clock) return std::nullopt;
@@ -84,7 +84,7 @@ struct Equatorial {
   double declination;
 };
 
-/// The sun's apparent place, in radians. `t` in Julian centuries from 2000.
+/// Returns the apparent place of the sun in radians. `t` is in Julian centuries from 2000.
 Equatorial apparent_place(double t) {
   const double mean_longitude = 280.46646 + t * (36000.76983 + t * 0.0003032);
   const double anomaly = (357.52911 + t * (35999.05029 - t * 0.0001537)) * kDegree;
@@ -92,7 +92,7 @@ Equatorial apparent_place(double t) {
                         (0.019993 - t * 0.000101) * std::sin(2.0 * anomaly) +
                         0.000289 * std::sin(3.0 * anomaly);
   const double node = (125.04 - 1934.136 * t) * kDegree;
-  // Aberration and the nutation of the longitude.
+  // The last two terms are the aberration and the nutation of the longitude.
   const double longitude = (mean_longitude + centre - 0.00569 - 0.00478 * std::sin(node)) * kDegree;
   const double obliquity =
       (23.0 + (26.0 + 21.448 / 60.0) / 60.0 -
@@ -102,7 +102,8 @@ Equatorial apparent_place(double t) {
           std::asin(std::sin(obliquity) * std::sin(longitude))};
 }
 
-/// What the air lifts a light at a true elevation by, in degrees; none far below the horizon.
+/// Returns the angle by which the air lifts a light at a true elevation, both in degrees. Returns
+/// 0 below -1 degree.
 double refraction_deg(double elevation_deg) {
   if (elevation_deg < -1.0) return 0.0;
   return 1.02 / 60.0 / std::tan((elevation_deg + 10.3 / (elevation_deg + 5.11)) * kDegree);

@@ -6,7 +6,7 @@
 namespace aerostat::scene {
 namespace {
 
-/// Sine of the angle between view and up vector below which they are taken as parallel.
+/// The sine of the angle between view and up vector below which they count as parallel.
 constexpr double kLeastSine = 1e-6;
 
 bool is_parallel(const dvec3& a, const dvec3& b) {
@@ -34,7 +34,7 @@ ViewAxes view_axes(const Camera& camera) {
   axes.right = glm::normalize(glm::cross(brought_to_one(view), brought_to_one(up)));
   axes.up = glm::cross(axes.right, axes.forward);
   if (camera.lens == Lens::panorama) {
-    // What is upright stays so all around.
+    // A panorama keeps the up vector, so that upright things stay upright all around.
     axes.up = unit(camera.up);
     axes.forward = glm::cross(axes.up, axes.right);
   }

@@ -5,8 +5,8 @@
 
 namespace aerostat::scene::detail {
 
-/// The scene with every field, keys in the order of the structs. A camera position or target that
-/// is not given is left out.
+/// Returns the scene as JSON with every field, with keys in the order of the structs. Optional
+/// values of the scene that are not given, such as a camera position, are left out.
 OrderedJson to_json(const Scene& scene);
 
 }  // namespace aerostat::scene::detail
