@@ -17,7 +17,7 @@ using scene::Override;
 
 constexpr double kSkyDistance_m = 2000.0;
 
-/// To the centimetre, which no one sees.
+/// Returns a value as text, rounded to a centimetre, which is too fine to be seen.
 std::string number(double value) {
   return QString::number(std::round(value * 100.0) / 100.0 + 0.0, 'g', 12).toStdString();
 }
@@ -28,7 +28,7 @@ std::string point(const dvec3& p) {
   return text.append("]");
 }
 
-/// A camera by where it stands and what it aims at, counted from the basket's floor.
+/// A camera given by its position and its target. Heights are counted from the basket's floor.
 struct Preset {
   const char* name;
   dvec3 stand, look;
@@ -88,7 +88,8 @@ std::optional<Pose> CameraControl::pose() const {
   if (!shown_) return std::nullopt;
   const scene::Camera& seen = shown_->look.scene.camera;
   Pose pose{seen.position, seen.target};
-  // Turned meanwhile: in the basket, heights count from its floor.
+  // The passenger was turned in the meantime. In the view from the basket, heights count from the
+  // basket's floor.
   if (camera.view == scene::View::basket && camera.target_given &&
       camera.height_above == HeightReference::balloon) {
     pose.target = camera.target;
@@ -103,7 +104,8 @@ std::optional<double> CameraControl::height_above_ground() const {
   return now->position.y - shown_->look.surface->height(now->position.x, now->position.z);
 }
 
-/// The passenger turns; all else makes the camera a free one.
+/// Moves the camera to `pose`. If `keep_basket` is true and the view is that from the basket, only
+/// the passenger turns; otherwise the camera becomes a free one.
 void CameraControl::move_to(const QString& what, Pose pose, bool keep_basket) {
   const scene::Camera& camera = document_.scene().camera;
   if (keep_basket && camera.view == scene::View::basket && !camera.position_given && shown_) {
@@ -123,7 +125,8 @@ void CameraControl::move_to(const QString& what, Pose pose, bool keep_basket) {
                           {"/camera/target", point(pose.target)}});
 }
 
-/// What is dragged stays under the mouse, where the view looks.
+/// Returns the angle of a drag by `share` of the picture's height. With this angle, what is dragged
+/// stays under the mouse.
 double CameraControl::radians_for(double share) const {
   return share * document_.scene().camera.fov_y_deg * (std::numbers::pi / 180.0);
 }
@@ -135,7 +138,7 @@ void CameraControl::orbit_by(double right, double down) {
   }
   const auto now = pose();
   if (!now) return;
-  // Half a turn across the picture's height.
+  // A drag across the picture's height is half a turn.
   move_to(tr("Orbit"), orbit(*now, right * std::numbers::pi, down * std::numbers::pi), false);
 }
 
@@ -147,7 +150,8 @@ void CameraControl::look_by(double right, double down) {
 void CameraControl::dolly_by(double factor) {
   const scene::Camera& camera = document_.scene().camera;
   if (camera.lens == scene::Lens::orthographic) {
-    // Parallel rays show the same from everywhere on their way.
+    // Parallel rays show the same picture from every point along the view, so the height of the
+    // view changes instead of the distance.
     const QString height = QString::number(std::clamp(camera.view_height_m * factor, 0.1, 1e5));
     document_.set(tr("Move Closer or Away"), QStringLiteral("/camera/view_height_m"), height);
     return;
@@ -206,7 +210,7 @@ void CameraControl::put_balloon(const QPointF& place, const QString& pointer) {
       {name + "/enabled", "true"},
       {name + "/height_above", "ground"},
       {name + "/position", point({at->x, std::max(height, 0.0), at->z})}};
-  // The view stays, though it was counted from the balloon.
+  // The view stays the same, although it was counted from the balloon.
   if (first && kind() != ViewKind::basket && !is_absolute()) {
     changes.push_back({"/camera/height_above", "sea"});
     changes.push_back({"/camera/position", point(now->position)});

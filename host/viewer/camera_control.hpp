@@ -14,14 +14,14 @@ namespace aerostat::viewer {
 
 enum class ViewKind { outside, basket, free };
 
-/// Moves the camera of the document, starting from where the last look saw it.
+/// Moves the camera of the document. Each movement starts from the camera of the last look.
 class CameraControl : public QObject {
   Q_OBJECT
 
  public:
   explicit CameraControl(Document& document, QObject* parent = nullptr);
 
-  /// What was rendered last: the camera above the sea, and the ground.
+  /// Remembers what was rendered last: the camera above the sea, and the ground.
   void note(std::shared_ptr<const Shown> shown) { shown_ = std::move(shown); }
 
   ViewKind kind() const;
@@ -31,19 +31,19 @@ class CameraControl : public QObject {
   void look_by(double right, double down);
   void dolly_by(double factor);
   void fly_by(const Flight& flight, double seconds, bool fast);
-  /// Aims at what is seen at a place of the picture.
+  /// Aims the camera at what is seen at a place of the picture.
   void aim_at(const QPointF& place);
-  /// Puts a balloon above what is seen there, as high above the ground as it is now: the one at
-  /// `pointer`, by default the first.
+  /// Puts a balloon above what is seen at a place of the picture, at its present height above the
+  /// ground. `pointer` names the balloon and is that of the first one by default.
   void put_balloon(const QPointF& place, const QString& pointer = QStringLiteral("/balloon"));
-  /// Where the first balloon is, above the sea, as far as that is known yet.
+  /// Returns the place of the first balloon above the sea, as far as it is known yet.
   dvec3 balloon_place() const;
   void apply_preset(int index);
-  /// Takes the camera of another scene.
+  /// Takes over the camera of another scene.
   void take_camera_of(const QString& name, const scene::SceneSource& other);
   static QStringList preset_names();
 
-  /// Where the camera is, if that is known yet.
+  /// Returns the pose of the camera, or nothing if it is not known yet.
   std::optional<Pose> pose() const;
   std::optional<double> height_above_ground() const;
 

@@ -12,14 +12,14 @@ namespace {
 constexpr double kLeastDistance_m = 0.5;
 constexpr double kSteepest_rad = 89.0 * std::numbers::pi / 180.0;
 
-/// A vector by its length and two angles.
+/// A vector given by its length and two angles in radians.
 struct Polar {
   double length, azimuth, elevation;
 };
 
 Polar polar_of(const dvec3& v) {
   const double level = std::hypot(v.x, v.z);
-  // Straight up or down: north, as scene::view_axes has it.
+  // A vector straight up or down gets the azimuth of north, as in scene::view_axes.
   const double azimuth = level > 1e-6 * std::abs(v.y) ? std::atan2(v.x, -v.z) : 0.0;
   return {glm::length(v), azimuth, std::atan2(v.y, level)};
 }
@@ -30,7 +30,8 @@ dvec3 vector_of(const Polar& p) {
           -level * std::cos(p.azimuth)};
 }
 
-/// Where one looks after a turn by which what is seen moves right and down.
+/// Returns the direction of view after a turn that moves the content of the picture to the right
+/// and down.
 dvec3 turned(const dvec3& sight, double right_rad, double down_rad) {
   Polar polar = polar_of(sight);
   polar.azimuth -= right_rad;

@@ -26,7 +26,7 @@ QColor color_of(const QJsonArray& linear) {
 
 QString json_of(const QColor& color) {
   const auto linear = [](float encoded) {
-    // Four digits: less than a step of eight bits anywhere.
+    // Four decimals are finer than a step of eight bits at every value.
     return QString::number(std::round(image::linear_from_srgb(static_cast<double>(encoded)) * 1e4) /
                            1e4);
   };
@@ -48,8 +48,8 @@ QIcon swatch(const QColor& color, const QSize& size, const QWidget& on) {
   return QIcon(pixmap);
 }
 
-/// Qt's dialog for colours, in a frame that scrolls where the screen is smaller than it. An invalid
-/// colour if it was cancelled.
+/// Asks for a colour with Qt's dialog, in a frame that scrolls if the screen is smaller than the
+/// dialog. Returns an invalid colour if the dialog was cancelled.
 QColor ask_for_color(const QColor& before, const QString& title, QWidget* parent) {
   QDialog dialog(parent);
   dialog.setWindowTitle(title);
@@ -112,7 +112,7 @@ void ColorEditor::show_colors(const QString& json) {
 
 void ColorEditor::arrange() {
   while (buttons_.size() > colors_.size()) {
-    // Not at once: it may be what was clicked.
+    // The button is deleted later, because it may be the one that was clicked.
     buttons_.back()->hide();
     buttons_.back()->deleteLater();
     buttons_.pop_back();
@@ -126,7 +126,8 @@ void ColorEditor::arrange() {
     buttons_.push_back(button);
   }
   for (std::size_t i = 0; i < colors_.size(); ++i) {
-    // Alone, a white one must not look like an empty check box.
+    // A single white button must not look like an empty check box, so it is wider than one of
+    // several.
     const QSize size = most_ > 1 ? kSmall : kWide;
     buttons_[i]->setIconSize(size);
     buttons_[i]->setIcon(swatch(colors_[i], size, *this));

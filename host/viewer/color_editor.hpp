@@ -9,13 +9,13 @@ class QToolButton;
 
 namespace aerostat::viewer {
 
-/// A list of colours, each a button that opens the colour dialog. Values are linear Rec. 709 as
-/// JSON, [[r, g, b], ...].
+/// A list of colours, in which each colour is a button that opens the colour dialog. Values are
+/// linear Rec. 709 as JSON, [[r, g, b], ...].
 class ColorEditor : public QWidget {
   Q_OBJECT
 
  public:
-  /// `title` is that of the colour dialog.
+  /// Makes an editor for `least` to `most` colours. `title` is the title of the colour dialog.
   ColorEditor(int least, int most, const QString& title, QWidget* parent = nullptr);
 
   void show_colors(const QString& json);

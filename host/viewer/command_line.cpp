@@ -11,8 +11,8 @@
 namespace aerostat::viewer {
 namespace {
 
-// What QApplication and its platforms take for themselves, with one dash or two. The value is the
-// next word, or follows an equals sign.
+// The options with a value that QApplication and its platforms take for themselves, with one dash
+// or two. The value is the next word, or follows an equals sign.
 const QStringList kValuesOfQt = {"platform",      "platformpluginpath",
                                  "platformtheme", "plugin",
                                  "geometry",      "qwindowgeometry",
@@ -23,7 +23,7 @@ const QStringList kValuesOfQt = {"platform",      "platformpluginpath",
                                  "stylesheet"};
 const QStringList kFlagsOfQt = {"reverse", "widgetcount", "nograb", "dograb", "sync"};
 
-/// The option's name; empty for a word that is none.
+/// Returns the option's name, or an empty string for a word that is not an option.
 QString option_name(const QString& word) {
   if (!word.startsWith(QLatin1Char('-'))) return {};
   return word.mid(word.startsWith(QLatin1String("--")) ? 2 : 1).section(QLatin1Char('='), 0, 0);
@@ -68,7 +68,7 @@ void add_options(QCommandLineParser& parser) {
 void load_translations() {
   static QTranslator own, of_qt;
   const QLocale locale;
-  // English has forms of its own for one and for many.
+  // The English texts are loaded as well, because they have different forms for one and for many.
   if (own.load(locale, QStringLiteral("aerostat"), QStringLiteral("_"),
                QStringLiteral(":/translations")) ||
       own.load(QStringLiteral(":/translations/aerostat_en.qm"))) {
@@ -102,7 +102,7 @@ bool CommandLine::wants_window() const {
 }
 
 int CommandLine::answer() const {
-  // Qt's options are told by its application alone, which is content without a screen.
+  // Only an application of Qt prints Qt's options. The platform "offscreen" needs no screen.
   QByteArray words[] = {words_.value(0).toLocal8Bit(), "-platform", "offscreen"};
   char* arguments[] = {words[0].data(), words[1].data(), words[2].data(), nullptr};
   int count = 3;
@@ -110,7 +110,7 @@ int CommandLine::answer() const {
   load_translations();
   QCommandLineParser translated;
   add_options(translated);
-  // As Qt does, help comes before what is wrong.
+  // Help comes before errors, as it does in Qt.
   const bool is_parsed = translated.parse(words_);
   if (is_parsed &&
       (translated.isSet(QStringLiteral("help")) || translated.isSet(QStringLiteral("help-all")) ||

@@ -6,32 +6,33 @@
 
 namespace aerostat::viewer {
 
-/// The command line of the window, read before there is an application: what needs no window is
-/// answered without a display.
+/// The command line of the window, which is read before there is an application. Requests that need
+/// no window are answered without a display.
 class CommandLine {
  public:
   CommandLine(int argc, char** argv);
 
-  /// False if it asks for help or the version, or is wrong.
+  /// Returns false if the command line asks for help or the version, or if it is wrong.
   bool wants_window() const;
-  /// If it wants none: prints what is asked for to stdout, or what is wrong to stderr. Returns the
-  /// exit code, or exits with it.
+  /// Answers a command line that wants no window. Prints what it asks for to stdout, or what is
+  /// wrong with it to stderr. Returns the exit code or exits with it.
   int answer() const;
 
-  /// Empty without one.
+  /// Returns the file of the scene, or an empty string if none is given.
   QString scene() const;
   QString device() const;
 
  private:
   QString fault() const;
 
-  QStringList words_;  // without Qt's own options
+  /// The words without Qt's own options.
+  QStringList words_;
   QCommandLineParser parser_;
   bool is_parsed_;
 };
 
-/// Loads the window's texts, and Qt's own, in the desktop's language where they are translated.
-/// Needs an application.
+/// Loads the texts of the window and of Qt in the language of the desktop if there are
+/// translations. Needs an application.
 void load_translations();
 
 }  // namespace aerostat::viewer

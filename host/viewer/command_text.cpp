@@ -10,7 +10,7 @@ QString device_option(const QString& device) {
   return device.isEmpty() ? QString() : " --device " + shell_word(device);
 }
 
-/// The scene on one line.
+/// Returns the text of a scene on one line.
 QString packed(const std::string& text) {
   QString line = QString::fromStdString(text);
   static const QRegularExpression kBreaks(QStringLiteral("\\s*\\n\\s*"));

@@ -6,11 +6,12 @@
 
 namespace aerostat::viewer {
 
-/// A word as a POSIX shell takes it.
+/// Returns a word in the quotes that a POSIX shell needs for it.
 QString shell_word(const QString& word);
 
-/// The command that renders the document as it stands: of its file, with `--set` for what differs
-/// from it, or, where there is no file or that cannot be said, with the scene on standard input.
+/// Returns the command that renders the document as it is now. The command names the document's
+/// file and adds `--set` for every difference from it. If there is no file, or `--set` cannot
+/// express the difference, the command reads the scene from standard input.
 QString command_text(const Document& document, const QString& device);
 
 }  // namespace aerostat::viewer

@@ -7,7 +7,7 @@
 namespace aerostat::viewer {
 namespace {
 
-/// Words of enumerations, for the translators.
+/// Lists the words of enumerations for the translators.
 [[maybe_unused]] constexpr const char* kWords[] = {
     QT_TRANSLATE_NOOP("Words", "pinhole"),   QT_TRANSLATE_NOOP("Words", "thin_lens"),
     QT_TRANSLATE_NOOP("Words", "panorama"),  QT_TRANSLATE_NOOP("Words", "orthographic"),

@@ -11,7 +11,7 @@
 namespace aerostat::viewer {
 namespace {
 
-/// What Qt said while it looked for a display.
+/// Returns the lines that Qt printed while it looked for a display.
 QStringList& told() {
   static QStringList lines;
   return lines;
@@ -23,7 +23,7 @@ QStringList& told() {
   std::_Exit(static_cast<int>(ErrorKind::no_device));
 }
 
-/// "DISPLAY is ':9'", or "DISPLAY is not set".
+/// Returns "DISPLAY is ':9'" or "DISPLAY is not set" for the variable DISPLAY.
 QString state_of(const char* variable) {
   const QString name = QString::fromLatin1(variable);
   if (!qEnvironmentVariableIsSet(variable)) return name + " is not set";
@@ -44,7 +44,8 @@ void listen(QtMsgType type, const QMessageLogContext&, const QString& text) {
     told() << line;
     return;
   }
-  // Before that it says that aerostat may have to be installed again.
+  // The text before the list of plugins is left out, because it says that aerostat may have to be
+  // installed again.
   const qsizetype available = line.indexOf(QLatin1String("Available platform plugins"));
   told() << (available < 0 ? line : line.mid(available));
   end("cannot open a window: " + told().join(". ") + ". " + advice());
@@ -53,7 +54,7 @@ void listen(QtMsgType type, const QMessageLogContext&, const QString& text) {
 }  // namespace
 
 void begin_display_watch() {
-  // Of itself, Qt asks Wayland alone where the session says so.
+  // Without this setting, Qt tries Wayland only if the session says that it is one of Wayland.
   if (!qEnvironmentVariableIsSet("QT_QPA_PLATFORM") && qEnvironmentVariableIsEmpty("DISPLAY") &&
       !qEnvironmentVariableIsEmpty("WAYLAND_DISPLAY")) {
     qputenv("QT_QPA_PLATFORM", "wayland");
@@ -68,7 +69,7 @@ void end_display_watch() {
 }
 
 void require_fonts() {
-  // Qt names fonts where there is none, and draws boxes.
+  // If there is no font, Qt still names fonts and draws boxes.
   if (QFontMetrics(QApplication::font()).inFont(QLatin1Char('A'))) return;
   end("cannot write in the window: there is no font. Expected one at least that fontconfig knows "
       "('fc-list' lists them); on Debian, install the package fonts-dejavu-core.");

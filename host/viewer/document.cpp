@@ -13,7 +13,8 @@ constexpr std::chrono::milliseconds kSameStep(1000);
 
 }  // namespace
 
-/// Goes from one source to another; steps of one gesture at one key become one.
+/// A step that can be undone and that goes from one source to another. The steps of one gesture
+/// with the same key become one step.
 class SourceCommand : public QUndoCommand {
  public:
   SourceCommand(Document& document, scene::SceneSource after, const QString& what, QString key)
@@ -62,7 +63,7 @@ bool Document::guarded(Action action) {
   } catch (const std::exception& error) {
     Q_EMIT failed(QString::fromUtf8(error.what()));
   }
-  // Whoever shows what was wished goes back to what is.
+  // The signal lets every widget that shows the refused value return to the value of the document.
   Q_EMIT changed();
   return false;
 }
@@ -120,7 +121,9 @@ void Document::begin(const scene::SceneSource& source, const QString& path,
 
 bool Document::open(const QString& path) {
   return guarded([&] {
-    const FileStamp stamp = file_stamp(path.toStdString());  // of what is read, or older
+    // The stamp is taken before the file is read, so it belongs to what is read or to an older
+    // state.
+    const FileStamp stamp = file_stamp(path.toStdString());
     begin(scene::SceneSource::from_file(path.toStdString()), path, stamp);
   });
 }

@@ -10,7 +10,7 @@
 
 namespace aerostat::viewer {
 
-/// The scene that is being edited, the file it belongs to, and what was done to it. Errors are
+/// The scene that is being edited, with its file and the history of its changes. Errors are
 /// reported by `failed` and change nothing.
 class Document : public QObject {
   Q_OBJECT
@@ -21,36 +21,39 @@ class Document : public QObject {
   const scene::SceneSource& source() const { return source_; }
   const scene::Scene& scene() const { return source_.scene(); }
   QUndoStack& undo_stack() { return undo_; }
-  /// Empty for a scene that has no file yet.
+  /// Returns the path of the file, or an empty string for a scene that has no file yet.
   const QString& path() const { return path_; }
   bool is_modified() const { return !undo_.isClean(); }
-  /// As the file has it; the first defaults without one.
+  /// Returns the scene as it is in the file. If there is no file, it is the scene that the document
+  /// started with.
   const scene::SceneSource& saved() const { return saved_; }
 
-  /// The JSON text of the value that counts at a pointer.
+  /// Returns the JSON text of the value that is in effect at a pointer.
   QString value(const QString& pointer) const;
 
-  /// Makes changes, as one step that can be undone under the name `what`. Steps with the same
-  /// `what` and pointers in quick succession become one. False if that is no scene.
+  /// Makes changes as one step that can be undone under the name `what`. Steps with the same `what`
+  /// and the same pointers in quick succession become one step. Returns false if the result is not
+  /// a scene.
   bool change(const QString& what, const std::vector<scene::Override>& changes);
   bool set(const QString& what, const QString& pointer, const QString& json);
-  /// Gives values back to their defaults.
+  /// Resets values to their defaults.
   bool reset(const QString& what, const QStringList& pointers);
-  /// Several of the above as one: goes on from another source.
+  /// Replaces the source as one step that can be undone. It serves to make several changes at once.
   void replace(const QString& what, const scene::SceneSource& source, const QString& key = {});
-  /// The next change is a step of its own.
+  /// Ends the current gesture, so that the next change is a step of its own.
   void end_gesture() { ++gesture_; }
 
-  /// Begins anew. `path` may be empty.
+  /// Starts again with another scene. `path` may be empty.
   void start(const scene::SceneSource& source, const QString& path);
   bool open(const QString& path);
   bool save(const QString& path);
-  /// Of the file as it was opened or saved; another one now means that another program wrote it.
+  /// Returns the stamp of the file at the time when it was opened or saved. If the file has another
+  /// stamp now, another program wrote it.
   const FileStamp& stamp() const { return stamp_; }
 
  Q_SIGNALS:
   void changed();
-  /// Another file, or the same one saved.
+  /// Reports that the document has another file, or that its file was saved.
   void file_changed();
   void failed(const QString& message);
 

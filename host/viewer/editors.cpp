@@ -45,7 +45,7 @@ class NumberRow : public ControlRow {
   NumberEditor* number_;
 };
 
-/// A whole number, a dice that throws another, and the way back.
+/// A row with a whole number, a button that draws another number, and a button that resets it.
 class SeedRow : public ControlRow {
  public:
   SeedRow(const Control& control, Document& document, QObject* parent)
@@ -53,7 +53,7 @@ class SeedRow : public ControlRow {
     auto* box = new QWidget;
     auto* layout = new QHBoxLayout(box);
     layout->setContentsMargins(0, 0, 0, 0);
-    // Wider than a QSpinBox's int: seeds go to 2^32 - 1.
+    // Seeds go up to 2^32 - 1, which is beyond the int of a QSpinBox.
     number_ = new NumberBox;
     number_->setDecimals(0);
     number_->setRange(rule().minimum, rule().maximum);
@@ -237,7 +237,7 @@ void ControlRow::adopt(QWidget* editor) {
   editor_->installEventFilter(this);
   for (QWidget* child : editor_->findChildren<QWidget*>()) {
     child->installEventFilter(this);
-    // A wheel that scrolls the panel must not change what happens to lie under it.
+    // A wheel that scrolls the panel must not change a value that happens to be under the mouse.
     if (child->focusPolicy() == Qt::WheelFocus) child->setFocusPolicy(Qt::StrongFocus);
   }
   if (editor_->focusPolicy() == Qt::WheelFocus) editor_->setFocusPolicy(Qt::StrongFocus);

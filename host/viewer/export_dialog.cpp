@@ -84,7 +84,8 @@ void ExportDialog::build() {
   hint->setWordWrap(true);
   progress_->setRange(0, 1000);
   QSizePolicy place = progress_->sizePolicy();
-  place.setRetainSizeWhenHidden(true);  // or the rows above would be squeezed
+  // The bar keeps its place while it is hidden, so that the rows above are not squeezed.
+  place.setRetainSizeWhenHidden(true);
   progress_->setSizePolicy(place);
   progress_->setVisible(false);
   message_->setTextFormat(Qt::PlainText);
@@ -123,10 +124,12 @@ void ExportDialog::choose_path() {
   const QString path =
       QFileDialog::getSaveFileName(this, tr("Export Picture"), path_->text(),
                                    tr("Pictures (*.png)") + ";;" + tr("OpenEXR (*.exr)"));
-  if (!path.isEmpty()) set_path(path);  // the dialog asked
+  // The file dialog has already asked whether to replace the file.
+  if (!path.isEmpty()) set_path(path);
 }
 
-/// The quality's own samples and light, whatever the scene says of them.
+/// Returns the changes that give the scene the size of the dialog. Samples and light come from the
+/// quality, whatever the scene says about them.
 std::vector<scene::Override> ExportDialog::changes() const {
   return {{"/image/width", std::to_string(width_->value())},
           {"/image/height", std::to_string(height_->value())}};
@@ -138,12 +141,13 @@ void ExportDialog::begin() {
       message_->setText(tr("Size: %1").arg(box->expected()));
       return;
     }
-    box->interpretText();  // Alt+E leaves the focus where it is
+    // The shortcut Alt+E does not move the focus, so the text of a box may still have to be read.
+    box->interpretText();
   }
   QString path = path_->text().trimmed();
   if (path.isEmpty()) return;
   const QFileInfo file(path);
-  // "folder/" stays what it is, and is refused.
+  // A path such as "folder/" gets no suffix, so it is refused.
   if (file.suffix().isEmpty() && !file.fileName().isEmpty()) path += QStringLiteral(".png");
   if (!may_write(path)) return;
   scene::Scene scene;
@@ -176,7 +180,8 @@ void ExportDialog::begin() {
   job_->start(scene, path, device_);
 }
 
-/// Neither the scene itself, nor an older file without a question.
+/// Returns whether a file may be written. The scene file itself may not, and an older file only
+/// after a question.
 bool ExportDialog::may_write(const QString& path) {
   if (is_same_file(path.toStdString(), document_.path().toStdString())) {
     message_->setText(tr("This is the scene file itself; give the picture another name."));
@@ -191,7 +196,8 @@ bool ExportDialog::may_write(const QString& path) {
   return true;
 }
 
-/// The picture is made, and another program wrote its file meanwhile.
+/// Asks what to do with a finished picture if another program wrote its file while the picture was
+/// rendered.
 void ExportDialog::ask_about_file(QString path) {
   if (!job_) return;
   QMessageBox box(QMessageBox::Warning, tr("File Changed"),
@@ -230,7 +236,8 @@ void ExportDialog::end(bool written, const QString& error) {
 }
 
 void ExportDialog::set_busy(bool busy) {
-  if (busy) close_->setFocus();  // not whatever comes after what is disabled
+  // The focus would otherwise move to an arbitrary widget after the disabled one.
+  if (busy) close_->setFocus();
   for (QWidget* widget : {static_cast<QWidget*>(path_), static_cast<QWidget*>(quality_),
                           static_cast<QWidget*>(width_), static_cast<QWidget*>(height_),
                           static_cast<QWidget*>(browse_), static_cast<QWidget*>(export_)}) {

@@ -16,7 +16,8 @@ namespace aerostat::viewer {
 
 class ExportJob;
 
-/// Asks where to, how large and how good, renders, and can be cancelled meanwhile.
+/// A dialog that asks for the file, the size and the quality of a picture and renders it. The
+/// render can be cancelled.
 class ExportDialog : public QDialog {
   Q_OBJECT
 
@@ -25,14 +26,14 @@ class ExportDialog : public QDialog {
   ~ExportDialog() override;
 
   void set_path(const QString& path);
-  /// "draft", "standard" or "final".
+  /// Sets the quality, which is "draft", "standard" or "final".
   void set_quality(const QString& quality);
   void begin();
   bool is_busy() const { return job_ != nullptr; }
   QString message() const;
 
  public Q_SLOTS:
-  /// Cancels the export if there is one, else closes.
+  /// Cancels the export if one is running, else closes the dialog.
   void reject() override;
 
  Q_SIGNALS:
@@ -50,7 +51,8 @@ class ExportDialog : public QDialog {
 
   const Document& document_;
   QString device_;
-  QString agreed_path_;  // may be replaced without a question
+  /// The path of a file that may be replaced without a question.
+  QString agreed_path_;
   QLineEdit* path_;
   QComboBox* quality_;
   WholeBox* width_;

@@ -15,7 +15,8 @@
 namespace aerostat::viewer {
 namespace {
 
-/// Share of the whole that is done when a stage begins, roughly.
+/// Returns the share of the whole work that is done when a stage begins. The shares are rough and
+/// chosen by eye.
 double begin_of(render::Stage stage) {
   switch (stage) {
     case render::Stage::world:

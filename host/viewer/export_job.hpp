@@ -13,8 +13,9 @@
 
 namespace aerostat::viewer {
 
-/// Renders a scene in full and writes it, on a thread of its own. Ends when it is done, or soon
-/// after it is cancelled or destroyed; then nothing is written.
+/// Renders a whole scene and writes it, on a thread of its own. The job ends when the picture is
+/// written, or soon after it is cancelled or destroyed. A job that is cancelled or destroyed writes
+/// nothing.
 class ExportJob : public QObject {
   Q_OBJECT
 
@@ -22,27 +23,29 @@ class ExportJob : public QObject {
   using QObject::QObject;
   ~ExportJob() override;
 
-  /// Once, when its signals are connected: it may fail at once. `scene` is not resolved; the file's
-  /// suffix says PNG or EXR.
+  /// Starts the job. Call it once and after its signals are connected, because it may fail at once.
+  /// `scene` is not resolved. The suffix of the file selects PNG or EXR.
   void start(const scene::Scene& scene, const QString& path, const QString& device);
   void cancel();
-  /// Of the picture's file, once `obstructed` was sent.
+  /// Returns the bytes of the picture's file after `obstructed` was sent.
   const std::vector<std::uint8_t>& bytes() const { return bytes_; }
 
  Q_SIGNALS:
-  /// Of the whole, 0 to 1; `stage` is a word for it.
+  /// Reports the progress. `fraction` is the share of the whole work from 0 to 1, and `stage` is a
+  /// word for the present part of it.
   void progressed(double fraction, const QString& stage);
-  /// `error` is empty if the file was written, or if the job was cancelled.
+  /// Reports the end of the job. `error` is empty if the file was written or the job was cancelled.
   void finished(bool written, const QString& error);
-  /// Instead of `finished`: the picture is made, but another program wrote its file meanwhile,
-  /// which was left alone.
+  /// Reports, instead of `finished`, that the picture is made but another program wrote its file in
+  /// the meantime. The file is left unchanged.
   void obstructed();
 
  private:
   void run(const std::stop_token& stop, scene::Scene scene, const QString& path,
            const QString& device);
 
-  FileStamp before_;  // of the picture's file
+  /// The stamp of the picture's file before the render.
+  FileStamp before_;
   std::vector<std::uint8_t> bytes_;
   std::jthread thread_;
 };

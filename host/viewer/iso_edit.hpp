@@ -9,24 +9,26 @@
 
 namespace aerostat::viewer {
 
-/// A QDateEdit or QTimeEdit with the digits that scene files have, in any locale. Takes digits of
-/// any script.
+/// A QDateEdit or QTimeEdit that shows the digits of scene files in every locale and accepts digits
+/// of any script.
 template <typename Edit>
 class IsoEdit : public Edit {
  public:
   template <typename Value>
   explicit IsoEdit(const Value& value) : Edit(value) {
     this->setLocale(QLocale::c());
-    this->setKeyboardTracking(false);  // a year is one when its last digit is typed
+    // Without keyboard tracking, a year becomes the value only when its last digit is typed.
+    this->setKeyboardTracking(false);
   }
 
  protected:
   void keyPressEvent(QKeyEvent* event) override {
     const QString selected = this->lineEdit()->selectedText();
-    // What is typed over the whole begins with the first part, not with the last one used.
+    // Text that is typed over the whole value begins with its first part, not with the part that
+    // was used last.
     if (selected == this->text()) this->setSelectedSection(this->sectionAt(0));
-    // Edit goes on to the next part by itself once one is full; the mark between them, typed then,
-    // would make it go on once more and put the month's digits into the day.
+    // Edit moves to the next part by itself once a part is full. If the mark between the parts is
+    // typed then, it would move on once more and put the digits of the month into the day.
     const bool is_mark = event->text() == QLatin1String("-") || event->text() == QLatin1String(":");
     const bool is_there = selected == this->sectionText(this->currentSection());
     if (is_mark && is_there && this->currentSectionIndex() > 0) return;

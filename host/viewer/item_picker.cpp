@@ -97,7 +97,7 @@ void ItemPicker::add() {
     const dvec3 near = near_();
     place = {near.x + kApart_m * number, near.y + kLampAbove_m, near.z + kApart_m};
   } else {
-    // Beside one another, further ones behind.
+    // New balloons are placed beside one another, and further ones farther back.
     const dvec3 near = scene.balloon.position;
     place = {near.x + (number % 2 == 0 ? kApart_m : -kApart_m) * (1 + number / 2), near.y,
              near.z - kApart_m * number};
@@ -121,7 +121,7 @@ void ItemPicker::remove() {
   }
 }
 
-/// Follows what the document has: an undone addition takes its item along.
+/// Updates the list from the document. An addition that is undone removes its item as well.
 void ItemPicker::refresh() {
   if (kind_ != Kind::material) {
     const bool balloons = kind_ == Kind::balloon;

@@ -10,27 +10,29 @@ class QToolButton;
 
 namespace aerostat::viewer {
 
-/// Chooses which object of a list a panel's controls are about: a balloon, a lamp, a material.
+/// Chooses the object of a list that a panel's controls edit: a balloon, a lamp or a material.
 class ItemPicker : public QWidget {
   Q_OBJECT
 
  public:
   enum class Kind { balloon, lamp, material };
 
-  /// `near` is a place above the sea beside which a new one belongs.
+  /// Makes a picker for one kind of objects. `near` returns a place above the sea beside which a
+  /// new object is put.
   ItemPicker(Kind kind, Document& document, std::function<dvec3()> near = {},
              QWidget* parent = nullptr);
 
-  /// The pointer of the chosen object, such as "/balloons/1"; empty if there is none.
+  /// Returns the pointer of the chosen object, such as "/balloons/1", or an empty string if there
+  /// is none.
   QString chosen() const;
   void choose(const QString& pointer);
-  /// Appends one of the kind, near what there is, and chooses it.
+  /// Appends an object of the kind near those that exist, and chooses it.
   void add();
-  /// Takes the chosen one away, unless it is the balloon that is always there.
+  /// Removes the chosen object, unless it is the balloon that always exists.
   void remove();
 
-  /// The part of a control's pointer that `chosen` takes the place of; empty if it is not of this
-  /// kind.
+  /// Returns the part of a control's pointer that is replaced by `chosen`. Returns an empty string
+  /// if the control is not about an object of this kind.
   QString prefix_of(const QString& pointer) const;
 
  Q_SIGNALS:

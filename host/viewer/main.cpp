@@ -17,7 +17,8 @@ int main(int argc, char** argv) {
   if (!line.wants_window()) return line.answer();
   const QApplication application(argc, argv);
   viewer::end_display_watch();
-  // Qt took over the locale of the environment. Numbers in files and kernels have a dot in all.
+  // Qt has taken over the locale of the environment. Numbers in files and kernels have a dot in
+  // every locale.
   std::setlocale(LC_NUMERIC, "C");
   viewer::require_fonts();
   viewer::load_translations();

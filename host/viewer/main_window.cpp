@@ -117,7 +117,7 @@ void MainWindow::show_changed_file(const QString& message, bool can_reload) {
 
 void MainWindow::show_trouble(const Trouble& trouble) {
   if (trouble.request != 0 && trouble.request < request_ && trouble.kind == ErrorKind::bad_data) {
-    return;  // of a scene that was changed meanwhile
+    return;  // The trouble belongs to a scene that was changed in the meantime.
   }
   std::vector<MessageBar::Offer> offers;
   if (trouble.kind != ErrorKind::bad_data) {
@@ -177,7 +177,8 @@ void MainWindow::closeEvent(QCloseEvent* event) {
 void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
   const auto urls = event->mimeData()->urls();
   if (urls.size() != 1 || !urls.front().isLocalFile()) return;
-  // A pipe would be waited for. Of a folder it is told that it is none.
+  // A pipe is refused, because the window would wait for its writer. A folder is accepted, so that
+  // opening it can report that it is not a file.
   const QFileInfo file(urls.front().toLocalFile());
   if (file.isFile() || file.isDir()) event->acceptProposedAction();
 }

@@ -16,13 +16,14 @@ class Panels;
 class PictureView;
 class SceneFiles;
 
-/// The window: the picture, the panels beside it, menus, and a line that says how the picture is
-/// getting on.
+/// The main window with the picture, the panels beside it, the menus, and a line that shows the
+/// progress of the picture.
 class MainWindow : public QMainWindow {
   Q_OBJECT
 
  public:
-  /// `device` as of `--device`; empty for the one chosen last. `options` as of RenderThread.
+  /// Makes the window. `device` is a selector as that of `--device`, or empty for the device that
+  /// was chosen last. `options` are passed to RenderThread.
   explicit MainWindow(const QString& device = {}, render::Options options = {},
                       QWidget* parent = nullptr);
   ~MainWindow() override;
@@ -32,9 +33,9 @@ class MainWindow : public QMainWindow {
   Panels& panels() { return *panels_; }
   PictureView& view() { return *view_; }
   MessageBar& messages() { return *messages_; }
-  /// What is shown; null before the first look.
+  /// Returns the look that is shown, or null before the first one.
   const std::shared_ptr<const Shown>& shown() const { return shown_; }
-  /// The number of the render that shows the document as it is.
+  /// Returns the number of the render that shows the present document.
   std::uint64_t request() const { return request_; }
 
   bool open(const QString& path);
@@ -80,7 +81,8 @@ class MainWindow : public QMainWindow {
   PictureView* view_ = nullptr;
   MessageBar* messages_ = nullptr;
   SceneFiles* files_ = nullptr;
-  std::vector<QAction*> scene_cameras_;  // in the menu, when it was shown last
+  /// The cameras of the installed scenes in the menu when it was shown last.
+  std::vector<QAction*> scene_cameras_;
   QLabel* device_label_ = nullptr;
   QLabel* work_label_ = nullptr;
   QLabel* place_label_ = nullptr;
@@ -88,7 +90,8 @@ class MainWindow : public QMainWindow {
   std::vector<DeviceChoice> devices_;
   std::shared_ptr<const Shown> shown_;
   std::uint64_t request_ = 0;
-  std::unique_ptr<RenderThread> renderer_;  // last: it ends first
+  /// The thread that renders. It is the last field because it must end first.
+  std::unique_ptr<RenderThread> renderer_;
 };
 
 }  // namespace aerostat::viewer

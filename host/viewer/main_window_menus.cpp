@@ -24,7 +24,8 @@ QAction* MainWindow::add_action(QMenu* menu, const QString& text, const QKeySequ
   return action;
 }
 
-/// A shortcut leaves the focus where it is: a number that was typed there counts all the same.
+/// Reads a number that is still being typed. A shortcut does not move the focus, so the number
+/// would otherwise not count.
 void MainWindow::take_typed() {
   if (auto* box = qobject_cast<QAbstractSpinBox*>(focusWidget())) box->interpretText();
 }
@@ -123,7 +124,7 @@ void MainWindow::add_camera_menu() {
   });
 }
 
-/// Those of the scenes that came with the program, as far as they are of the biome.
+/// Lists the cameras of the installed scenes that have the document's biome.
 void MainWindow::list_scene_cameras(QMenu* menu, QAction* end) {
   qDeleteAll(scene_cameras_);
   scene_cameras_.clear();

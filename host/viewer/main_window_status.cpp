@@ -9,7 +9,8 @@
 namespace aerostat::viewer {
 namespace {
 
-/// Kernels of a former run are loaded sooner.
+/// The time of a compilation above which the window mentions it. Loading the kernels of a former
+/// run takes less. Chosen by eye.
 constexpr double kLeastCompileSeconds = 2.0;
 
 QString stage_text(const render::Progress& progress) {
@@ -41,7 +42,7 @@ void MainWindow::build_status() {
   work_label_ = new QLabel;
   place_label_ = new QLabel;
   for (QLabel* label : {place_label_, device_label_}) label->setContentsMargins(8, 0, 8, 0);
-  // A long text is cut; it does not widen the window beyond the screen.
+  // A long text is cut off, so that it does not widen the window beyond the screen.
   for (QLabel* label : {work_label_, place_label_, device_label_}) label->setMinimumWidth(1);
   statusBar()->addWidget(work_label_, 1);
   statusBar()->addPermanentWidget(place_label_);

@@ -10,13 +10,16 @@ namespace aerostat::viewer {
 namespace {
 
 constexpr qsizetype kLongest = 600, kLongestWord = 120;
-/// Where there is no room, the names of devices are cut.
+/// The least width of a button in pixels. If there is little room, the names of devices are cut
+/// off. Chosen by eye.
 constexpr int kNarrowestButton = 70;
-/// Of the message beside its buttons; below that they stand one above the other. By eye.
+/// The least width of the message beside its buttons, in pixels. If it would be narrower, the
+/// buttons stand below the message. Chosen by eye.
 constexpr int kNarrowestMessage = 300;
 
-/// A broken file may have a key of megabytes, and the message would name it: it loses its middle,
-/// and what words are wider than the window get places to break at.
+/// Shortens a message. It may name a key of a broken file, which can have megabytes. A long message
+/// loses its middle, and words that are wider than the window get places at which they can be
+/// broken.
 QString shortened(const QString& message) {
   QString text = message;
   if (text.size() > kLongest) {
@@ -43,7 +46,8 @@ MessageBar::MessageBar(QWidget* parent)
   text_->setForegroundRole(QPalette::ToolTipText);
   text_->setTextFormat(Qt::PlainText);
   text_->setWordWrap(true);
-  text_->setMinimumWidth(120);  // not that of its longest word
+  // The least width is set, because it would otherwise be that of the longest word.
+  text_->setMinimumWidth(120);
   text_->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
   auto* icon = new QLabel;
   const int size = style()->pixelMetric(QStyle::PM_SmallIconSize);
@@ -66,7 +70,8 @@ QString MessageBar::message() const {
 }
 
 void MessageBar::clear_offers() {
-  while (offers_->count() > 1) {  // the last one dismisses
+  // The last button dismisses the message and stays.
+  while (offers_->count() > 1) {
     QLayoutItem* item = offers_->takeAt(0);
     item->widget()->hide();
     item->widget()->deleteLater();

@@ -10,7 +10,7 @@ class QLabel;
 
 namespace aerostat::viewer {
 
-/// A bar above the picture that says what went wrong, and what can be done about it.
+/// A bar above the picture that says what went wrong and offers what can be done about it.
 class MessageBar : public QFrame {
   Q_OBJECT
 

@@ -14,13 +14,13 @@
 
 namespace aerostat::viewer {
 
-/// What is expected in a box, and what its value stays until then.
+/// Returns a text that says which numbers a box expects and which value it keeps until it gets one.
 QString expected_text(const QString& least, const QString& most, const QString& kept,
                       NumberKind kind);
 
-/// A spin box that reads numbers as read_number() does, in any locale. It shows them without
-/// groups, as the locale writes them. What it cannot read stays in it as it was typed, with a red
-/// frame, and its value stays what it was.
+/// A spin box that reads numbers as read_number() does, in every locale. It shows them without
+/// groups, as the locale writes them. A text that it cannot read stays in the box with a red frame,
+/// and the value does not change.
 template <typename Box>
 class ReadingBox : public Box {
  public:
@@ -28,14 +28,14 @@ class ReadingBox : public Box {
 
   ReadingBox() {
     this->setKeyboardTracking(false);
-    // Its frame follows what is typed.
+    // The frame is redrawn whenever the text changes.
     QObject::connect(this->lineEdit(), &QLineEdit::textChanged, this, [this] { this->update(); });
   }
 
-  /// Whether the text in it is a number that it can have.
+  /// Returns whether the text in the box is a number that the box accepts.
   bool is_readable() const { return number_in(this->text()).has_value(); }
 
-  /// What to tell who typed something else.
+  /// Returns the message for a user who typed a text that the box does not accept.
   QString expected() const {
     return expected_text(this->textFromValue(this->minimum()), this->textFromValue(this->maximum()),
                          this->textFromValue(this->value()), kind());
@@ -50,7 +50,7 @@ class ReadingBox : public Box {
     return number_in(text).value_or(this->value());
   }
 
-  /// Called when a text is to become the value and cannot.
+  /// Notes the refused text. Qt calls it when a text should become the value and cannot.
   void fixup(QString& text) const override { refused_ = text; }
 
   bool event(QEvent* event) override {
@@ -58,7 +58,7 @@ class ReadingBox : public Box {
       tell(static_cast<QHelpEvent*>(event)->globalPos());
       return true;
     }
-    // Events nest: while Box puts another text, input methods ask for it.
+    // Events nest: while Box sets another text, input methods ask for it.
     const QString outer = std::exchange(refused_, {});
     const bool taken = Box::event(event);
     const QString refused = std::exchange(refused_, outer);
@@ -86,7 +86,7 @@ class ReadingBox : public Box {
     const QString special = this->specialValueText();
     if (!special.isEmpty() && text == special) return this->minimum();
     if (text.startsWith(this->prefix())) text.remove(0, this->prefix().size());
-    // The box appends the unit to one that was typed in another way.
+    // If a unit was typed differently, the box appends its own unit to it.
     for (const QString& unit : {this->suffix(), this->suffix().trimmed()}) {
       if (text.endsWith(unit)) text.chop(unit.size());
     }
@@ -95,7 +95,7 @@ class ReadingBox : public Box {
     return rounded(*number);
   }
 
-  /// As the box shows it.
+  /// Returns the number with the decimals that the box shows.
   Value rounded(double number) const {
     if constexpr (std::is_integral_v<Value>)
       return static_cast<Value>(number);
@@ -103,7 +103,7 @@ class ReadingBox : public Box {
       return QString::number(number, 'f', this->decimals()).toDouble();
   }
 
-  /// Box has put its old value in the place of the text.
+  /// Shows the refused text again, because Box has replaced it with the old value.
   void show_refused(const QString& text) {
     const QSignalBlocker blocker(this->lineEdit());
     this->lineEdit()->setText(text);
@@ -116,11 +116,11 @@ class ReadingBox : public Box {
   mutable QString refused_;
 };
 
-/// For whole numbers.
+/// A box for whole numbers.
 using WholeBox = ReadingBox<QSpinBox>;
 
-/// For numbers with decimals, and for whole ones beyond an int. Shows no more digits than its value
-/// has.
+/// A box for numbers with decimals, and for whole numbers beyond an int. It shows no more digits
+/// than its value has.
 class NumberBox : public ReadingBox<QDoubleSpinBox> {
  public:
   QString textFromValue(double value) const override {

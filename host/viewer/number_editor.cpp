@@ -12,7 +12,8 @@ namespace {
 
 constexpr int kSteps = 1000;
 
-/// Two significant digits of a slider's step, so that it gives round numbers.
+/// Rounds `value` to a multiple of the highest power of ten that is at most `step`, so that a
+/// slider gives round numbers.
 double rounded_to(double value, double step) {
   if (step <= 0.0) return value;
   const double unit = std::pow(10.0, std::floor(std::log10(step)));
@@ -40,7 +41,7 @@ NumberEditor::NumberEditor(const Range& range, QWidget* parent)
   if (range.decimals > 0) box_->setSingleStep(std::pow(10.0, -range.decimals) * 5.0);
   if (!range.unit.isEmpty()) box_->setSuffix(" " + range.unit);
   setFocusProxy(box_);
-  // The same width for all, or the sliders' ends would not stand in a line.
+  // All boxes have the same width, so that the ends of the sliders are aligned.
   box_->setFixedWidth(box_->fontMetrics().horizontalAdvance(QStringLiteral("-000,000.0 px")) + 32);
   connect(box_, &QDoubleSpinBox::valueChanged, this, &NumberEditor::edited);
   connect(slider_, &QSlider::valueChanged, this,
@@ -53,7 +54,7 @@ double NumberEditor::value() const {
 }
 
 void NumberEditor::show_value(double value) {
-  // A wider value keeps its digits.
+  // A value outside the range widens the range, so that the value keeps its digits.
   box_->setRange(std::min(range_.least, value), std::max(range_.most, value));
   box_->setSpecialValueText(range_.none);
   box_->setValue(value);

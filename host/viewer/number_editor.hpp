@@ -8,29 +8,32 @@ class QSlider;
 
 namespace aerostat::viewer {
 
-/// A number as a slider over its usual range and a box for its whole one.
+/// An editor of a number with a slider over its usual range and a box over its whole range.
 class NumberEditor : public QWidget {
   Q_OBJECT
 
  public:
   struct Range {
-    double least, most;  // that can be typed
-    double from, to;     // of the slider
+    /// The range of the box.
+    double least, most;
+    /// The range of the slider.
+    double from, to;
     int decimals;
     bool logarithmic;
     QString unit;
-    QString none = {};  // shown instead of the least value
+    /// The text that is shown instead of the least value.
+    QString none = {};
   };
   explicit NumberEditor(const Range& range, QWidget* parent = nullptr);
 
   double value() const;
   void show_value(double value);
-  /// There is no value; one comes with the first edit.
+  /// Shows that there is no value yet. The first edit sets one.
   void show_automatic();
 
  Q_SIGNALS:
   void edited(double value);
-  /// The slider was let go.
+  /// Reports that the slider was released.
   void finished();
 
  private:

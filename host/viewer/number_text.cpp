@@ -16,7 +16,8 @@ bool is_direction_mark(QChar c) {
          (code >= 0x2066 && code <= 0x2069);
 }
 
-/// One character for all marks that mean the same; other characters stay.
+/// Returns one character for all characters with the same meaning. Other characters are returned
+/// unchanged.
 QChar plain(QChar c) {
   if (c.isSpace()) return u' ';
   if (c.decompositionTag() == QChar::Wide) return plain(c.decomposition().front());
@@ -45,7 +46,7 @@ bool is_digit(QChar c) {
   return c >= u'0' && c <= u'9';
 }
 
-/// Takes a sign from the front.
+/// Removes a sign from the front of the text and returns it.
 QString take_sign(QString& text) {
   if (text.isEmpty() || (text[0] != u'-' && text[0] != u'+')) return {};
   const QString sign = text.left(1);
@@ -57,7 +58,7 @@ bool are_digits(const QString& text) {
   return std::all_of(text.begin(), text.end(), is_digit);
 }
 
-/// All but its digits, in their order.
+/// Returns all characters of the text that are not digits, in their order.
 QString marks_of(const QString& text) {
   QString marks;
   for (const QChar c : text) {
@@ -66,7 +67,7 @@ QString marks_of(const QString& text) {
   return marks;
 }
 
-/// Where the decimal mark is, the text's length where there is none.
+/// Returns the position of the decimal mark, or the length of the text if there is none.
 qsizetype decimal_place(const QString& text) {
   const QString marks = marks_of(text);
   if (marks.isEmpty()) return text.size();
@@ -75,7 +76,8 @@ qsizetype decimal_place(const QString& text) {
   return may_be && marks.count(last) == 1 ? text.lastIndexOf(last) : text.size();
 }
 
-/// "1 234 567" or "12,34,567" without its marks; nothing if the groups are wrong.
+/// Returns a text such as "1 234 567" or "12,34,567" without its group marks, or nothing if the
+/// groups are wrong.
 std::optional<QString> without_groups(QString text) {
   const QString marks = marks_of(text);
   if (marks.isEmpty()) return text;

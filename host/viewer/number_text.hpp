@@ -7,17 +7,18 @@ namespace aerostat::viewer {
 
 enum class NumberKind { decimal, whole };
 
-/// The number that a text says to a reader of any country; nothing where it says none, or where it
-/// may mean two. The locale plays no part:
-/// - Digits of any script, a minus sign of any kind, an exponent after "e".
-/// - A single dot or comma is the decimal mark, so "1.234" and "1,234" are both 1.234. A whole
-///   number takes none: "1,920" may be meant as 1920 or by mistake.
-/// - Marks before groups of three digits, or of two before a last one of three as in India: spaces
-///   and apostrophes; dots or commas if they are repeated, or if the other mark follows, as in
-///   "1.234,5".
+/// Returns the number that a text means to a reader in any country. Returns nothing if the text is
+/// not a number or is ambiguous. The locale has no influence:
+/// - The digits may be of any script, the minus sign of any kind, and an exponent follows "e".
+/// - A single dot or comma is the decimal mark, so "1.234" and "1,234" are both 1.234.
+/// - A whole number accepts no single mark, because "1,920" may mean 1920 or be a mistake.
+/// - Marks may stand before groups of three digits, or as in India before groups of two.
+/// - Group marks are spaces and apostrophes, and dots or commas if they are repeated.
+/// - A dot or comma also marks groups if the other mark follows, as in "1.234,5".
 std::optional<double> read_number(const QString& text, NumberKind kind);
 
-/// The text with decimal digits of any script as those of ASCII; as long as before.
+/// Returns the text with the decimal digits of every script replaced by those of ASCII. The length
+/// stays the same.
 QString with_ascii_digits(QString text);
 
 }  // namespace aerostat::viewer

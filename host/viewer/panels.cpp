@@ -18,7 +18,9 @@
 namespace aerostat::viewer {
 namespace {
 
-constexpr int kAsInFile = -1, kOfScenes = 100;  // of a preset; the general ones count from 1
+/// The data of the two special presets in the list: the file's own camera, and the first camera of
+/// an installed scene. The general presets count from 1.
+constexpr int kAsInFile = -1, kOfScenes = 100;
 constexpr QSize kSizes[] = {{640, 360},   {1280, 720},  {1920, 1080},
                             {3840, 2160}, {1080, 1080}, {1080, 1350}};
 
@@ -28,7 +30,8 @@ QLabel* heading(const QString& text) {
   return label;
 }
 
-/// Rows of a list that is empty stay away: there is nothing that they could be about.
+/// Hides a row together with its fold. A row of a list that is empty is hidden too, because it
+/// would edit nothing.
 void hide_with(QToolButton& fold, QFormLayout& form, QWidget* field, ItemPicker* of = nullptr) {
   const auto show = [&fold, &form, field, of] {
     form.setRowVisible(field, fold.isChecked() && (of == nullptr || !of->chosen().isEmpty()));
@@ -38,7 +41,7 @@ void hide_with(QToolButton& fold, QFormLayout& form, QWidget* field, ItemPicker*
   if (of != nullptr) QObject::connect(of, &ItemPicker::chosen_changed, &form, show);
 }
 
-/// Does not change when the wheel scrolls over it.
+/// Returns a box whose value does not change when the wheel scrolls over it.
 QComboBox* steady_box() {
   auto* box = new QComboBox;
   box->setFocusPolicy(Qt::StrongFocus);
@@ -101,7 +104,7 @@ QFormLayout* Panels::add_panel(const QString& title) {
   return form;
 }
 
-/// No page is cut at its side, with its scroll bar or without.
+/// Makes the tabs wide enough that no page is cut at its side, with or without a scroll bar.
 void Panels::fit_width() {
   const int bar = style()->pixelMetric(QStyle::PM_ScrollBarExtent) + 2;
   for (auto* scroll : findChildren<QScrollArea*>()) {
@@ -124,7 +127,7 @@ void Panels::add_rows(QFormLayout* form, Panel panel) {
   }
 }
 
-/// Its heading, and what chooses the object that it is about.
+/// Adds the heading of a group and the picker of the object that the group edits.
 void Panels::begin_group(QFormLayout* form, const Control& control) {
   fold_ = control.folded ? add_fold(form, group_of(control)) : nullptr;
   if (fold_ == nullptr) form->addRow(heading(group_of(control)));
@@ -132,7 +135,8 @@ void Panels::begin_group(QFormLayout* form, const Control& control) {
       {balloons_, tr("Balloon")}, {lamps_, tr("Lamp")}, {materials_, tr("Material of")}};
   for (const auto& [picker, text] : pickers) {
     if (picker->prefix_of(QString::fromLatin1(control.pointer)).isEmpty()) continue;
-    if (picker->parentWidget() != nullptr) continue;  // it has its place
+    // The picker already has its place.
+    if (picker->parentWidget() != nullptr) continue;
     auto* label = new QLabel(text);
     label->setBuddy(picker);
     form->addRow(label, picker);
@@ -140,13 +144,13 @@ void Panels::begin_group(QFormLayout* form, const Control& control) {
   }
 }
 
-/// A heading that shows and hides the rows below.
+/// Adds a heading that shows and hides the rows below it.
 QToolButton* Panels::add_fold(QFormLayout* form, const QString& title) {
   auto* fold = new QToolButton;
   fold->setText(title);
   fold->setCheckable(true);
   fold->setAutoRaise(true);
-  // Open, it would look like a button that is held down.
+  // Without this style, an open fold would look like a button that is held down.
   fold->setStyleSheet(QStringLiteral("QToolButton { border: none; padding: 6px 0 2px 0; }"));
   fold->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
   fold->setArrowType(Qt::RightArrow);
@@ -159,7 +163,7 @@ QToolButton* Panels::add_fold(QFormLayout* form, const QString& title) {
   return fold;
 }
 
-/// The controls of the picker's kind are about the object that it chose.
+/// Binds the controls of the picker's kind to the object that is chosen in it.
 void Panels::bind_rows(const ItemPicker& picker) {
   for (ControlRow* row : rows_) {
     const QString own = QString::fromLatin1(row->control().pointer);
@@ -206,7 +210,8 @@ void Panels::add_view(QFormLayout* form) {
   form->addRow(place);
 }
 
-/// What suits the biome: the file's own, those of the scenes, then the general ones.
+/// Fills the list of presets that suit the biome: the camera of the file, then those of the scenes,
+/// then the general ones.
 void Panels::fill_presets() {
   const scene::BiomeKind biome = document_.scene().biome.kind;
   if (presets_of_ == biome) return;

@@ -17,7 +17,7 @@ namespace aerostat::viewer {
 class CameraControl;
 class SunPanel;
 
-/// All controls, in tabs.
+/// The tabs with all controls.
 class Panels : public QTabWidget {
   Q_OBJECT
 
@@ -32,7 +32,7 @@ class Panels : public QTabWidget {
 
   void show_devices(const std::vector<DeviceChoice>& devices);
   void show_device(const QString& selector);
-  /// Draws where the camera looks.
+  /// Draws the direction of the camera on the disc of the sun.
   void show_view();
 
  Q_SIGNALS:
@@ -59,7 +59,8 @@ class Panels : public QTabWidget {
   ItemPicker* balloons_;
   ItemPicker* lamps_;
   ItemPicker* materials_;
-  QToolButton* fold_ = nullptr;  // that hides the rows which are being added
+  /// The fold that hides the rows which are being added.
+  QToolButton* fold_ = nullptr;
   QComboBox* view_;
   QComboBox* presets_;
   std::optional<scene::BiomeKind> presets_of_;

@@ -7,10 +7,10 @@
 
 namespace aerostat::viewer {
 
-/// Developed pixels as Qt's image.
+/// Converts developed pixels to an image of Qt.
 QImage image_of(const image::Pixels& pixels);
 
-/// A look, developed as its scene says.
+/// Develops a look as its scene demands.
 QImage picture_of(const render::Look& look);
 
 }  // namespace aerostat::viewer

@@ -12,7 +12,8 @@ namespace aerostat::viewer {
 namespace {
 
 constexpr int kFlightTick_ms = 33;
-constexpr double kKeyTurn = 0.04;  // of the picture's height, for an arrow key
+/// The turn for one press of an arrow key, as a share of the picture's height. Chosen by eye.
+constexpr double kKeyTurn = 0.04;
 constexpr double kDollyPerNotch = 0.85;
 
 bool flies(int key) {
@@ -66,7 +67,8 @@ void PictureView::set_placing(bool placing) {
   Q_EMIT placing_changed(placing);
 }
 
-/// One pixel of the picture on one of the screen, whatever the desktop's scale.
+/// Returns the size at which one pixel of the picture is one pixel of the screen, whatever the
+/// scale of the desktop.
 QSizeF PictureView::logical_size() const {
   return QSizeF(size_) / devicePixelRatioF();
 }
@@ -105,7 +107,8 @@ void PictureView::paintEvent(QPaintEvent*) {
   if (image_.isNull()) return;
   QPainter painter(viewport());
   const QRectF rect = picture_rect();
-  // Pixels of a coarse look melt into each other; those of the picture at 1:1 stay as they are.
+  // The pixels of a coarse look are interpolated. Those of a whole picture at 1:1 are shown as they
+  // are.
   painter.setRenderHint(QPainter::SmoothPixmapTransform, fit_ || image_.size() != size_);
   painter.drawImage(rect, image_);
 }

@@ -11,40 +11,41 @@
 
 namespace aerostat::viewer {
 
-/// Shows the picture, whole or one of its pixels on one of the screen, and tells what mouse and
-/// keys ask of the camera.
+/// Shows the picture, either whole or with one of its pixels on one pixel of the screen. Reports
+/// how mouse and keys move the camera.
 class PictureView : public QAbstractScrollArea {
   Q_OBJECT
 
  public:
   explicit PictureView(QWidget* parent = nullptr);
 
-  /// `size` is that of the whole picture; the image may be coarser.
+  /// Shows an image. `size` is the size of the whole picture, and the image may be coarser.
   void show_image(const QImage& image, const QSize& size);
   const QImage& image() const { return image_; }
 
   bool is_fit() const { return fit_; }
   void set_fit(bool fit);
 
-  /// The next click places the balloon, until told otherwise.
+  /// Sets whether the next click places the balloon. The mode stays until it is set again.
   void set_placing(bool placing);
   bool is_placing() const { return placing_; }
 
-  /// The place of a point of the viewport in the picture, both 0 to 1; nothing outside it.
+  /// Returns the place of a point of the viewport in the picture, with both coordinates from 0 to
+  /// 1. Returns nothing for a point outside the picture.
   std::optional<QPointF> place_at(const QPointF& point) const;
 
   QSize sizeHint() const override { return {960, 600}; }
 
  Q_SIGNALS:
-  /// The mouse was dragged by shares of the picture's height.
+  /// Reports that the mouse was dragged, in shares of the picture's height.
   void orbited(double right, double down);
   void looked(double right, double down);
-  /// The distance to the target is to become so many times what it is.
+  /// Reports that the distance to the target is to be multiplied by `factor`.
   void dollied(double factor);
-  /// Keys are held that fly, and for so long since the last call.
+  /// Reports that keys of a flight are held. `seconds` is the time since the last report.
   void flown(const Flight& flight, double seconds, bool fast);
   void gesture_ended();
-  /// At shares of the picture.
+  /// Reports a click at a place of the picture, with both coordinates from 0 to 1.
   void aimed(const QPointF& place);
   void placed(const QPointF& place);
   void placing_changed(bool placing);

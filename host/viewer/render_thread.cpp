@@ -41,7 +41,7 @@ void RenderThread::use_device(const QString& selector) {
   ask({std::nullopt, 0, true});
 }
 
-/// The newest wish; one for another device is kept until it is served.
+/// Keeps the newest request. A change of the device is kept until it is served.
 void RenderThread::ask(Request request) {
   const std::lock_guard lock(mutex_);
   request.number = ++last_number_;
@@ -72,7 +72,7 @@ void RenderThread::run(const std::stop_token& end) {
   }
 }
 
-/// Tells what goes wrong. A device that failed is let go, since it may be lost.
+/// Runs `action` and reports its errors. A device that failed is released, because it may be lost.
 template <typename Action>
 void RenderThread::guarded(std::uint64_t request, Action action) {
   Trouble trouble{ErrorKind::internal, {}, request};

@@ -21,11 +21,12 @@ namespace aerostat::viewer {
 struct Shown {
   render::Look look;
   QImage image;
-  std::uint64_t request = 0;  // whose it is
+  /// The number of the request that the look belongs to.
+  std::uint64_t request = 0;
   QString device;
 };
 
-/// What hinders the picture.
+/// An error that prevents the picture.
 struct Trouble {
   ErrorKind kind = ErrorKind::internal;
   QString message;
@@ -37,8 +38,9 @@ struct DeviceChoice {
   QString selector, name;
 };
 
-/// Renders on a thread of its own whatever scene was asked for last. Everything it has to say
-/// arrives on the thread that made it, the newest look only, and nothing after its end.
+/// Renders the scene that was requested last, on a thread of its own. All reports arrive on the
+/// thread that made this object. Only the newest look is reported, and nothing is reported after
+/// the end of this object.
 class RenderThread {
  public:
   struct Listener {
@@ -48,18 +50,19 @@ class RenderThread {
     std::function<void(std::vector<DeviceChoice>)> devices_found;
   };
 
-  /// Renders by `options`, on devices of its own choice.
+  /// Starts the thread. It renders by `options`, on devices of its own choice.
   explicit RenderThread(Listener listener, render::Options options = {});
-  /// Stops what is under way and waits for it.
+  /// Stops the present render and waits for its end.
   ~RenderThread();
   RenderThread(const RenderThread&) = delete;
   RenderThread& operator=(const RenderThread&) = delete;
 
-  /// Renders this scene (not resolved) in the place of any other. Returns its number.
+  /// Renders this scene instead of any other. The scene is not resolved. Returns the number of the
+  /// request.
   std::uint64_t render(const scene::Scene& scene);
-  /// Gives up what is under way; the next `render` goes on.
+  /// Gives up the present render. The next `render` goes on.
   void pause();
-  /// Renders on another device from now on; "" is the automatic one.
+  /// Renders on another device from now on. The empty selector is the automatic one.
   void use_device(const QString& selector);
 
  private:
@@ -85,10 +88,12 @@ class RenderThread {
   std::mutex mutex_;
   std::condition_variable_any wake_;
   std::optional<Request> next_;
-  std::stop_source stop_;  // of what is under way
+  /// Stops the present render.
+  std::stop_source stop_;
   std::uint64_t last_number_ = 0;
   QString selector_;
-  std::shared_ptr<const Shown> newest_;  // not delivered yet
+  /// The newest look, which is not delivered yet.
+  std::shared_ptr<const Shown> newest_;
 
   std::unique_ptr<render::Progressive> progressive_;
   QString device_;

@@ -30,7 +30,8 @@ SceneFiles::SceneFiles(Document& document, QWidget* window)
   connect(&document, &Document::file_changed, this, &SceneFiles::watch);
 }
 
-/// The folder, too: a file that is replaced is another one for the watcher.
+/// Watches the file and its folder. The folder is needed because a replaced file is a new one for
+/// the watcher.
 void SceneFiles::watch() {
   known_ = document_.stamp();
   const QStringList watched = watcher_.files() + watcher_.directories();
@@ -45,7 +46,8 @@ void SceneFiles::look_at_file() {
   const FileStamp now = file_stamp(document_.path().toStdString());
   if (now == known_) return;
   known_ = now;
-  if (now == document_.stamp()) return;  // it came back
+  // The file has returned to the state that the document knows.
+  if (now == document_.stamp()) return;
   const QString name = QFileInfo(document_.path()).fileName();
   if (now.exists()) {
     watcher_.addPath(document_.path());
@@ -112,7 +114,7 @@ bool SceneFiles::save() {
   return false;
 }
 
-/// Asks about a file that the dialog did not ask about.
+/// Asks whether a file may be replaced if the file dialog did not ask.
 bool SceneFiles::may_replace(const QString& path) {
   if (!QFileInfo::exists(path)) return true;
   return QMessageBox::question(

@@ -12,7 +12,7 @@ class QWidget;
 
 namespace aerostat::viewer {
 
-/// Scene files as the user deals with them: dialogs, recent ones, and the question what becomes of
+/// Handles scene files for the user. It shows dialogs, lists recent files, and asks what to do with
 /// changes that are not saved.
 class SceneFiles : public QObject {
   Q_OBJECT
@@ -20,20 +20,20 @@ class SceneFiles : public QObject {
  public:
   SceneFiles(Document& document, QWidget* window);
 
-  /// Whether the document may be left; asks if it was changed.
+  /// Returns whether the document may be left. Asks the user if the document was changed.
   bool may_discard();
   void start(scene::BiomeKind biome);
   bool open(const QString& path);
   void ask_and_open();
-  /// Asks if another program wrote the file meanwhile.
+  /// Saves the document. Asks first if another program wrote the file in the meantime.
   bool save();
   bool save_as();
-  /// Opens the document's file again; its own changes are lost.
+  /// Opens the document's file again. Changes that are not saved are lost.
   void reload();
   void add_recent_menu(QMenu* menu);
 
  Q_SIGNALS:
-  /// Another program wrote the document's file or removed it.
+  /// Reports that another program wrote the document's file or removed it.
   void changed_elsewhere(const QString& message, bool can_reload);
 
  private:
@@ -47,8 +47,10 @@ class SceneFiles : public QObject {
   QWidget* window_;
   QMenu* recent_ = nullptr;
   QFileSystemWatcher watcher_;
-  QTimer settled_;   // a file is written in several steps
-  FileStamp known_;  // that the user was told of
+  /// Waits until a file is complete, because files are written in several steps.
+  QTimer settled_;
+  /// The stamp of the file that the user was last told about.
+  FileStamp known_;
 };
 
 }  // namespace aerostat::viewer

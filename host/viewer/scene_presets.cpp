@@ -7,7 +7,7 @@
 namespace aerostat::viewer {
 namespace {
 
-/// Every scene that came with the program; read once.
+/// Returns the cameras of all installed scenes. The files are read once.
 const std::vector<ScenePreset>& all_presets() {
   static const std::vector<ScenePreset> presets = [] {
     std::vector<ScenePreset> found;
@@ -16,7 +16,8 @@ const std::vector<ScenePreset>& all_presets() {
         found.push_back({QString::fromStdString(one.name),
                          scene::SceneSource::from_file(scene::find_scene(one.name))});
       } catch (const Error&) {
-        continue;  // opened by hand, it says what is wrong with it
+        // A broken file is skipped here. When it is opened by hand, its error is reported.
+        continue;
       }
     }
     return found;

@@ -7,18 +7,18 @@
 
 namespace aerostat::viewer {
 
-/// A camera that a scene file has.
+/// A camera of a scene file.
 struct ScenePreset {
   QString name;
   scene::SceneSource scene;
 };
 
-/// The cameras of the scenes that came with the program, of one biome. Files that cannot be read
-/// have none.
+/// Returns the cameras of the installed scenes of one biome. Files that cannot be read are left
+/// out.
 std::vector<ScenePreset> scene_presets(scene::BiomeKind biome);
 
-/// `source` with the camera of another scene, and in its basket view the way that the balloon
-/// turns.
+/// Returns `source` with the camera of another scene. For a view from the basket, the turn of the
+/// balloon is taken over as well.
 scene::SceneSource with_camera_of(const scene::SceneSource& source,
                                   const scene::SceneSource& other);
 

@@ -7,10 +7,11 @@
 namespace aerostat::viewer {
 namespace {
 
-/// Of the window's frame and title, which are not known before it is shown; chosen by eye.
+/// The sizes of the window's frame and title in pixels, which are not known before the window is
+/// shown. Chosen by eye.
 constexpr int kBorder = 4, kTitle = 32;
 
-/// Where the inside of a window may be.
+/// Returns the rectangle of the screen in which the inside of a window may be.
 QRect room_for(const QWidget& window) {
   const QScreen* screen = QGuiApplication::screenAt(window.geometry().center());
   if (screen == nullptr) screen = window.screen();

@@ -4,12 +4,12 @@
 
 namespace aerostat::viewer {
 
-/// Gives a window that is not shown yet the size `wanted`, or as much of it as its screen has room
-/// for beside panels and the window's frame.
+/// Resizes a window that is not shown yet to the size `wanted`, or to the part of it that fits the
+/// screen beside desktop panels and the window's frame.
 void resize_to_fit(QWidget& window, const QSize& wanted);
 
-/// Brings a window whose geometry was restored from another time, and maybe another screen, onto
-/// the screen as a whole.
+/// Moves a window wholly onto the screen after its geometry was restored, possibly from another
+/// screen.
 void move_onto_screen(QWidget& window);
 
 }  // namespace aerostat::viewer

@@ -6,7 +6,8 @@ class QMainWindow;
 
 namespace aerostat::viewer {
 
-/// All that mouse and keys do: the menus' shortcuts, and what works on the picture.
+/// A dialog that lists everything mouse and keys do: the shortcuts of the menus, and the actions on
+/// the picture.
 class ShortcutsDialog : public QDialog {
   Q_OBJECT
 

@@ -10,7 +10,8 @@
 namespace aerostat::viewer {
 namespace {
 
-constexpr double kMargin = 14.0;  // for the letters, and a sun that has set
+/// The margin for the letters and for a sun that has set, in pixels. Chosen by eye.
+constexpr double kMargin = 14.0;
 constexpr double kDeepest_deg = -10.0;
 
 }  // namespace

@@ -4,21 +4,22 @@
 
 namespace aerostat::viewer {
 
-/// The sky as a disc, seen from below as on a map: north up, the horizon at the rim, the zenith in
-/// the middle. The sun is dragged, or moved by the arrow keys; below the horizon it lies outside
-/// the rim.
+/// The sky as a disc. North is up as on a map, the horizon is at the rim and the zenith in the
+/// middle. The sun is moved by the mouse or the arrow keys. Below the horizon it lies outside the
+/// rim.
 class SunDisc : public QWidget {
   Q_OBJECT
 
  public:
   explicit SunDisc(QWidget* parent = nullptr);
 
-  /// Degrees; azimuth 0 is north, 90 east.
+  /// Shows the sun at two angles in degrees. Azimuth 0 is north, and 90 is east.
   void show_sun(double azimuth_deg, double elevation_deg);
-  /// Where the camera looks, drawn as a wedge.
+  /// Shows the direction of the camera as a wedge. Both angles are in degrees.
   void show_view(double azimuth_deg, double width_deg);
 
-  /// Where a sun is drawn, and what a point means; for the tests too.
+  /// Returns the point at which a sun is drawn. Together with `angles_at`, which is the inverse, it
+  /// is public for the tests.
   QPointF point_of(double azimuth_deg, double elevation_deg) const;
   void angles_at(const QPointF& point, double& azimuth_deg, double& elevation_deg) const;
 

@@ -35,7 +35,7 @@ QDoubleSpinBox* degrees_box(const char* pointer, double step, int decimals) {
   return box;
 }
 
-/// "+02:00" of 2.
+/// Returns the text of an offset in hours, such as "+02:00" for 2.
 QString offset_text(double hours) {
   const int minutes = static_cast<int>(std::lround(hours * 60.0));
   return QStringLiteral("%1%2:%3")
@@ -99,7 +99,8 @@ SunPanel::SunPanel(Document& document, QWidget* parent)
 void SunPanel::build() {
   date_->setDisplayFormat(QStringLiteral("yyyy-MM-dd"));
   date_->setCalendarPopup(true);
-  date_->calendarWidget()->setLocale(locale());  // its months have names
+  // The calendar has the locale of the window, because its months have names.
+  date_->calendarWidget()->setLocale(locale());
   date_->setDateRange(QDate(1900, 1, 1), QDate(2100, 12, 31));
   date_->setToolTip(tr("Day at which the sun stands where it stands"));
   time_->setDisplayFormat(QStringLiteral("HH:mm"));

@@ -13,7 +13,7 @@ namespace aerostat::viewer {
 
 class SunDisc;
 
-/// The sun: dragged on a disc of the sky, by its two angles, or by date, time and place.
+/// A panel that sets the sun on a disc of the sky, by its two angles, or by date, time and place.
 class SunPanel : public QWidget {
   Q_OBJECT
 
@@ -21,9 +21,9 @@ class SunPanel : public QWidget {
   explicit SunPanel(Document& document, QWidget* parent = nullptr);
 
   SunDisc& disc() { return *disc_; }
-  /// Puts the sun there, as the disc does.
+  /// Sets the angles of the sun as the disc does.
   void set_angles(double azimuth_deg, double elevation_deg);
-  /// Puts it where it stood, by what the editors of date and place say.
+  /// Sets the date, time and place that the editors show.
   void set_date();
   void reset();
 

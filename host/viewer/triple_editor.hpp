@@ -7,14 +7,16 @@ class QDoubleSpinBox;
 
 namespace aerostat::viewer {
 
-/// Three numbers side by side: a place, a direction, or an amount of red, green and blue.
+/// An editor of three numbers side by side. They are a place, a direction, or amounts of red, green
+/// and blue.
 class TripleEditor : public QWidget {
   Q_OBJECT
 
  public:
   TripleEditor(double least, double most, int decimals, QWidget* parent = nullptr);
 
-  /// [x, y, z] as JSON; empty where there is none, which the first edit makes of zeros.
+  /// Shows [x, y, z] given as JSON. An empty text shows no value, and the first edit then starts
+  /// from zeros.
   void show_values(const QString& json);
 
  Q_SIGNALS:
