@@ -14,14 +14,14 @@
 
 namespace aerostat::render {
 
-/// Runs long host work beside the caller, who can give up waiting for it: the work is asked to stop
-/// by its StopScope, and is left to itself until it does, or comes to its end unheard. What it
-/// refers to must be its own. New work waits while more than one piece of it is at work, so that it
-/// never piles up. The destructor waits for all of it.
+/// Runs long work of the host beside the caller, who can give up waiting for it. Work that is given
+/// up is asked to stop by its StopScope, and runs on until it stops or ends, without a result.
+/// Everything it refers to must belong to it. New work waits while more than one given-up work is
+/// still running, so that they never pile up. The destructor waits for all of them.
 class AbandonableWork {
  public:
-  /// The result of `work()`, or its exception. Throws Error{interrupted} soon after `stop` is
-  /// requested. `waiting()` is called every 20 ms meanwhile.
+  /// Returns the result of `work()` or throws its exception. Throws Error{interrupted} soon after
+  /// `stop` is requested. Calls `waiting()` every 20 ms until then.
   template <typename Work, typename Waiting>
   auto run(Work work, const std::stop_token& stop, Waiting waiting) -> decltype(work()) {
     while (given_up() > 1) {
@@ -54,7 +54,8 @@ class AbandonableWork {
     std::function<bool()> ended;
   };
 
-  /// Someone who drags a view about gives up work at every turn. How many are at work.
+  /// Returns how many given-up works are still running, and forgets those that have ended. A user
+  /// who drags the view gives up work at every movement.
   std::size_t given_up() {
     std::erase_if(abandoned_, [](const Abandoned& one) { return one.ended(); });
     return abandoned_.size();

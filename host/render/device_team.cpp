@@ -12,7 +12,7 @@ namespace {
 
 constexpr std::chrono::milliseconds kPatience(20);
 
-/// Ends a pass for all devices when one of them, or who watches them, gives up.
+/// Ends a pass for all devices when one of them, or the thread that waits for them, gives up.
 struct Closing {
   RowQueue& queue;
   ~Closing() { queue.close(); }
@@ -28,7 +28,7 @@ DeviceTeam::DeviceTeam(const Options& options) {
   }
 }
 
-/// Runs `f`; where it fails, says on which device, if there are several.
+/// Runs `f`. If it fails and there are several devices, the error names the device.
 template <typename F>
 auto DeviceTeam::on(DeviceWorker& worker, F&& f) -> decltype(f()) {
   try {
@@ -91,7 +91,8 @@ int DeviceTeam::await_programs(const std::function<void(double)>& waiting, doubl
 }
 
 void DeviceTeam::mark_converged(const AeroConvergence& convergence, const RowQueue& queue) {
-  // A pixel asks its neighbours, also those that another device holds.
+  // A pixel asks its neighbours, which another device may hold. So each device gets copies of the
+  // rows beside its own.
   const std::vector<RowRun> runs = queue.held();
   for (std::size_t i = 1; i < runs.size(); ++i) {
     const RowRun &above = runs[i - 1], &below = runs[i];
@@ -103,7 +104,7 @@ void DeviceTeam::mark_converged(const AeroConvergence& convergence, const RowQue
   on_each([&](DeviceWorker& worker) { worker.mark_converged(convergence); });
 }
 
-/// One thread a device; this one waits for them.
+/// Renders the pass on one thread for each device, while this thread waits for them.
 void DeviceTeam::trace(const Pass& pass, RowQueue& queue, const std::stop_token& stop,
                        const Waiting& waiting) {
   queue.begin_pass(pass.area.y0, pass.area.y1);

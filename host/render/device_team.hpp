@@ -10,20 +10,22 @@
 
 namespace aerostat::render {
 
-/// Several devices as one: what each of them needs for a frame, and the frame shared out to them by
-/// rows. What goes wrong on one of several comes out as an Error that names it.
+/// Several devices that work as one. The team has what each device needs for a frame, and shares
+/// out the rows of the frame. If there are several devices, an Error of one of them names it.
 class DeviceTeam {
  public:
-  /// Called every 20 ms while something takes its time; may give up by throwing.
+  /// A function that is called every 20 ms while something takes its time. It may give up by
+  /// throwing.
   using Waiting = std::function<void()>;
 
-  /// Of the devices in `options`. Throws Error{internal} if there are none.
+  /// Makes a team of the devices in `options`. Throws Error{internal} if there are none.
   explicit DeviceTeam(const Options& options);
 
-  /// Of the device with the widest packets.
+  /// Returns the lanes of the device with the widest packets.
   int lanes() const { return lanes_; }
 
-  /// As of DeviceWorker, for all of them.
+  /// Calls the function of the same name in DeviceWorker for all devices, as do the functions up to
+  /// begin_film.
   void begin_programs();
   void drop_geometry();
   void set_geometry(const std::shared_ptr<const bvh::Bvh>& tree,
@@ -32,22 +34,25 @@ class DeviceTeam {
   void begin_frame(const AeroScene& scene, std::size_t pixels);
   void begin_film(const Crop& window);
 
-  /// Waits for programs that were begun, and tells `waiting` how far those of all devices are, from
-  /// 0 to 1. Returns how many were built since the last call, and adds to `seconds` what the
-  /// slowest device took.
+  /// Waits for programs that are being built, and tells `waiting` the progress of all devices
+  /// together, from 0 to 1. Returns how many programs were built since the last call, and adds to
+  /// `seconds` the time of the slowest device.
   int await_programs(const std::function<void(double)>& waiting, double& seconds);
 
-  /// Marks converged pixels of the film, whose rows lie where `queue` says, between passes.
+  /// Marks the converged pixels of the film between passes. `queue` tells which device holds which
+  /// rows.
   void mark_converged(const AeroConvergence& convergence, const RowQueue& queue);
 
-  /// Renders the pass on all devices; returns early, with work under way, when `stop` is requested.
+  /// Renders the pass on all devices. Returns early when `stop` is requested, and launches may
+  /// still be running then.
   void trace(const Pass& pass, RowQueue& queue, const std::stop_token& stop,
              const Waiting& waiting);
 
-  /// Where the rows of `queue` lie after whole passes.
+  /// Returns the films that hold the rows of `queue` after whole passes.
   std::vector<FilmRows> film_rows(const RowQueue& queue) const;
 
-  /// Eye rays of the film whose light is in the films or that converged pixels had no need of.
+  /// Returns the number of eye rays that are done. It counts those whose light is in the films, and
+  /// those that converged pixels did not need.
   std::uint64_t rays_done() const;
 
   const DeviceGeometry& geometry() const { return workers_.front()->geometry(); }

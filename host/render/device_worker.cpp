@@ -5,7 +5,8 @@
 namespace aerostat::render {
 namespace {
 
-// Launches are short: a watchdog never fires, and an interrupt is answered in time.
+// The limits of one launch in eye rays, and of launches in flight. Launches are short, so that no
+// watchdog of a driver ends them and an interrupt is answered in time. Chosen by eye.
 constexpr std::uint64_t kFirstLaunchRays = 1u << 15;
 constexpr std::uint64_t kMostLaunchRays = 1u << 20;
 constexpr std::size_t kLaunchesInFlight = 2;
@@ -69,8 +70,8 @@ void DeviceWorker::mark_converged(const AeroConvergence& convergence) {
                  convergence);
 }
 
-/// Rows that keep the device busy for the time of a launch, in one launch or, where a packet holds
-/// fewer samples than the pass asks for, in several.
+/// Returns the number of rows that keep the device busy for the time of a launch. If a packet holds
+/// fewer samples than the pass asks for, the rows need several launches.
 int DeviceWorker::rows_at_once(const Pass& pass, const PacketShape& shape) const {
   const auto launches = static_cast<std::uint64_t>(pass.samples >> shape.log2_samples);
   std::uint64_t rays = kFirstLaunchRays * launches;
@@ -107,8 +108,8 @@ void DeviceWorker::trace(const Pass& pass, RowQueue& queue, int index,
   if (!stop.stop_requested()) retire(0);
 }
 
-/// Takes over what another device's film holds of these rows, so that the sums go on in their
-/// order.
+/// Copies these rows from the film of another device, so that their sums are continued in the same
+/// order of samples.
 void DeviceWorker::adopt(int y0, int y1, const FilmBuffer& from) {
   const auto width = static_cast<std::size_t>(window_.x1 - window_.x0);
   const std::size_t first = static_cast<std::size_t>(y0 - window_.y0) * width;
@@ -117,7 +118,7 @@ void DeviceWorker::adopt(int y0, int y1, const FilmBuffer& from) {
   film_.write(rows, first);
 }
 
-/// Room for what passes between the kernels.
+/// Allocates the buffers for the data that one kernel hands to the next.
 void DeviceWorker::reserve(std::uint64_t packets) {
   if (packets <= packets_capacity_) return;
   retire(0);
@@ -126,7 +127,8 @@ void DeviceWorker::reserve(std::uint64_t packets) {
   found_ = {};
   packets_capacity_ = 0;
   const std::uint64_t rays = packets * static_cast<std::uint64_t>(lanes_);
-  // A hit is five words per lane, the lights that reach it one, what keeps off the sky two.
+  // Each lane has five words for a hit, one for the lights that reach it and two for what hides the
+  // sky.
   hits_ = {context_, budget_, rays * 20, "the hits", CL_MEM_READ_WRITE};
   visible_ = {context_, budget_, rays * 4, "the shadows", CL_MEM_READ_WRITE};
   found_ = {context_, budget_, rays * 8, "what is around the hits", CL_MEM_READ_WRITE};
@@ -160,7 +162,7 @@ void DeviceWorker::launch_tile(const AeroLaunch& launch) {
   in_flight_.push_back(work);
 }
 
-/// Waits for the oldest launches and counts what they did.
+/// Waits for the oldest launches and counts their rays, until at most `most_in_flight` are left.
 void DeviceWorker::retire(std::size_t most_in_flight) {
   while (in_flight_.size() > most_in_flight) {
     const Launch work = in_flight_.front();
@@ -174,9 +176,10 @@ void DeviceWorker::retire(std::size_t most_in_flight) {
     stats_.primary_seconds += camera;
     stats_.shadow_seconds += shadow;
     rays_done_ += work.rays;
-    // By the device's clock: the host's tells nothing when several launches end while it sleeps.
+    // The time is taken from the clock of the device, because the clock of the host tells nothing
+    // when several launches end while the host sleeps.
     const double spent = camera + shadow + ambient + shade;
-    // Converged pixels are done at once: they say nothing of those that are not.
+    // Converged pixels take no time, so a rate with them would be wrong for the others.
     if (spent > 0.0 && !some_converged_) {
       const double now_rate = static_cast<double>(work.rays) / spent;
       rate_ = rate_ <= 0.0 ? now_rate : 0.7 * rate_ + 0.3 * now_rate;

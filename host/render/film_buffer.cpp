@@ -11,7 +11,7 @@ namespace {
 
 constexpr int kBandRows = 128;
 
-/// What reading counts.
+/// The counts of samples, hits and faulty pixels that reading a film yields.
 struct Counts {
   std::uint64_t samples = 0, hits = 0, nan_pixels = 0;
 
@@ -22,7 +22,7 @@ struct Counts {
   }
 };
 
-/// False if the pixel is no number and became black.
+/// Stores the mean radiance of a pixel. Returns false if it was NaN or infinite and became black.
 bool store_light(image::Film& film, std::size_t i, const AeroFilmPixel& pixel) {
   const float per_sample = 1.0f / static_cast<float>(std::max(pixel.samples, 1u));
   vec3 radiance = vec3(pixel.radiance[0], pixel.radiance[1], pixel.radiance[2]) * per_sample;
@@ -47,7 +47,8 @@ Counts store_row(image::Film& film, std::size_t first, std::span<const AeroFilmP
     const AeroFilmPixel& pixel = pixels[x];
     counts.nan_pixels += store_light(film, first + x, pixel) ? 0 : 1;
     counts.samples += pixel.samples;
-    counts.hits += static_cast<std::uint64_t>(pixel.coverage);  // a whole number
+    // The coverage is a sum of whole numbers.
+    counts.hits += static_cast<std::uint64_t>(pixel.coverage);
   }
   if (film.samples.empty()) return counts;
   for (std::size_t x = 0; x < pixels.size(); ++x) store_layers(film, first + x, pixels[x]);

@@ -19,15 +19,19 @@ struct FilmRows {
 
 struct ReadFilm {
   image::Film film;
-  std::uint64_t samples = 0;  // of all pixels
-  std::uint64_t hits = 0;     // samples that met something
+  /// The number of samples of all pixels.
+  std::uint64_t samples = 0;
+  /// The number of samples that hit something.
+  std::uint64_t hits = 0;
 };
 
-/// What films on devices hold, and what of it is wanted.
+/// The pixels of an image that films on devices hold, and those of them that are read.
 struct FilmArea {
   int image_width = 0, image_height = 0;
-  Crop window;  // of the image, that the films hold
-  Crop crop;    // inside the window
+  /// The pixels of the image that the films hold.
+  Crop window;
+  /// The pixels that are read. They lie inside the window.
+  Crop crop;
 };
 
 /// Reads the pixels of the crop, whose rows are among `parts`, and averages their samples. Pixels

@@ -6,7 +6,7 @@
 namespace aerostat::render {
 namespace {
 
-/// All steps with PoCL on two idle cores: 14 s were measured.
+/// The usual time of all steps. It was measured with PoCL on two idle cores.
 constexpr double kUsualSeconds = 14.0;
 
 }  // namespace
@@ -32,7 +32,8 @@ double KernelProgress::fraction() const {
   const std::lock_guard lock(mutex_);
   if (share_ <= 0.0) return done_;
   const double spent = std::max(0.0, clock_() - began_s_);
-  // Half of the step after its usual time, three quarters after thrice that time.
+  // The guessed share of a step is one half after its usual time and three quarters after three
+  // times that.
   const double guessed = share_ * spent / (spent + share_ * kUsualSeconds);
   return std::min(1.0, done_ + guessed);
 }

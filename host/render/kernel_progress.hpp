@@ -6,21 +6,23 @@
 
 namespace aerostat::render {
 
-/// How far the building of the kernels has come. A driver tells when a step is done, never how far
-/// it is: within a step the share is guessed from the time it takes, so that it always grows and
-/// reaches the step's end only when the step does. For one builder and any number of readers.
+/// Tracks how much of the kernels is built. A driver tells when a step is done, but not how far it
+/// is. Within a step the share is therefore guessed from the time, so that it always grows and
+/// reaches the end of the step only when the step is done. One builder and any number of readers
+/// may use it at the same time.
 class KernelProgress {
  public:
-  using Seconds = std::function<double()>;  // a clock that never goes back
+  /// A clock in seconds that never goes back.
+  using Seconds = std::function<double()>;
 
   explicit KernelProgress(Seconds clock = steady_seconds) : clock_(std::move(clock)) {}
 
-  /// A step that makes up `share` of the whole begins, and the one before it is done.
+  /// Ends the step before and begins one that makes up `share` of the whole.
   void begin(double share);
-  /// The last step is done.
+  /// Ends the last step.
   void finish();
 
-  /// From 0 to 1: 0 before the first step, 1 after the last.
+  /// Returns the progress from 0 before the first step to 1 after the last.
   double fraction() const;
 
  private:
@@ -28,8 +30,10 @@ class KernelProgress {
 
   mutable std::mutex mutex_;
   Seconds clock_;
-  double done_ = 0.0;   // share of the steps that are done
-  double share_ = 0.0;  // of the step under way
+  /// The share of the steps that are done.
+  double done_ = 0.0;
+  /// The share of the present step.
+  double share_ = 0.0;
   double began_s_ = 0.0;
 };
 

@@ -5,8 +5,8 @@
 
 namespace aerostat::render {
 
-/// How a scene wants its film developed; what it leaves open follows from what the film
-/// was metered to.
+/// Returns how a scene wants its film developed. Settings that the scene leaves open follow from
+/// the metering of the film.
 image::Look look_of(const scene::Image& image, const image::Film& film);
 
 }  // namespace aerostat::render

@@ -8,7 +8,8 @@
 namespace aerostat::render {
 namespace {
 
-/// The number of parts along a side of so many pixels.
+/// Returns the number of parts along a side of `pixels` pixels: `wanted`, but at least one and at
+/// most one for each pixel.
 std::uint32_t parts_of(double pixels, double wanted) {
   return static_cast<std::uint32_t>(std::clamp(wanted, 1.0, std::min(pixels, kMeteringPixels)));
 }

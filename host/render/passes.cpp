@@ -17,7 +17,8 @@ PassPlan::PassPlan(const scene::Image& image, const Crop& crop, int lanes)
 
 int PassPlan::samples_from(int done) const {
   const bool first_look = done == 0 && samples_ > lanes_;
-  // Whatever the width, pixels are converged after the same samples.
+  // Pixels are tested for convergence after the same numbers of samples, whatever the width of the
+  // packets.
   const int round = done / AERO_LEAST_SAMPLES + 1;
   const int until = adaptive_ ? std::min(samples_, round * AERO_LEAST_SAMPLES) : samples_;
   return 1 << packet_shape(lanes_, first_look ? 1 : until - done).log2_samples;

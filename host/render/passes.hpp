@@ -7,32 +7,36 @@
 
 namespace aerostat::render {
 
-/// In which passes the samples of a crop are taken, and of which pixels. Where samples are
-/// adaptive, whether a pixel takes more of them depends on its neighbours, and what those have
-/// taken on theirs: around the crop lies an apron of pixels that are rendered too, so that the crop
-/// is what the whole image would show there. It is one pixel wide for each decision that is still
-/// to come.
+/// Plans the passes that take the samples of a crop, and the pixels of each pass. If samples are
+/// adaptive, the number of samples of a pixel depends on its neighbours, and theirs on their
+/// neighbours. The crop is therefore surrounded by an apron of pixels that are rendered too, so
+/// that the crop is the same as in the whole image. The apron is one pixel wide for each decision
+/// that is still to come.
 class PassPlan {
  public:
-  /// `lanes` is the width of the widest packets.
+  /// Plans the passes of `crop`. `lanes` is the width of the widest packets.
   PassPlan(const scene::Image& image, const Crop& crop, int lanes);
 
-  /// How many samples the pass takes that begins with sample `done` of each pixel. As many as the
-  /// widest packet holds, but no more than are left. A long render shows something early; samples
-  /// are added in their order all the same, so every bit stays.
+  /// Returns the number of samples per pixel in the pass that begins with sample `done`. It is as
+  /// many as the widest packet holds, but no more than are left. The first pass of a long render is
+  /// short, so that a picture is seen early. Samples are added in their order, so every bit of the
+  /// result is the same.
   int samples_from(int done) const;
-  /// Whether it is decided before that pass which pixels take no more samples.
+  /// Returns whether pixels are tested for convergence before the pass that begins with sample
+  /// `done`.
   bool decides_before(int done) const;
-  /// The pixels of that pass: the crop and what is left of the apron. None has more than the first.
+  /// Returns the pixels of the pass that begins with sample `done`: the crop and the rest of the
+  /// apron. No pass has more pixels than the first.
   Crop area_from(int done) const;
-  /// Eye rays of all passes, if no pixel converges early.
+  /// Returns the number of eye rays of all passes if no pixel converges early.
   std::uint64_t rays() const;
 
  private:
   int decisions_after(int done) const;
 
   Crop crop_;
-  int width_, height_;  // of the image
+  /// The size of the image in pixels.
+  int width_, height_;
   int samples_;
   bool adaptive_;
   int lanes_;

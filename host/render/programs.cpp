@@ -13,8 +13,9 @@ namespace {
 
 constexpr std::size_t kGroupLanes = 64;
 
-/// All kernels as one program: a driver takes longer to find one among those it has compiled than
-/// to load it, as it preprocesses the text and its own headers first.
+/// The text of one program with all kernels. One program loads faster than several, because a
+/// driver preprocesses the text and its own headers before it finds a program among those it has
+/// compiled.
 constexpr const char* kRendering = "render.cl";
 constexpr const char* kRenderingText =
     "#include \"trace_camera.cl\"\n"
@@ -22,12 +23,12 @@ constexpr const char* kRenderingText =
     "#include \"trace_ambient.cl\"\n"
     "#include \"shade_hits.cl\"\n";
 
-/// What of the time of a first build each step takes with PoCL, as it was measured.
+/// The share of each step in the time of a first build, as measured with PoCL.
 struct Shares {
   double text = 0.26, camera = 0.19, shadow = 0.20, ambient = 0.18, shade = 0.15, film = 0.01;
 };
 
-/// Launches every kernel on nothing.
+/// Launches every kernel once without work.
 void warm_up(const opencl::Context& context, Programs& programs, int lanes,
              KernelProgress& progress) {
   const opencl::MemoryBudget budget;

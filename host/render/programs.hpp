@@ -8,10 +8,10 @@
 
 namespace aerostat::render {
 
-/// Of how many programs `Programs` are made.
+/// The number of programs that `Programs` are made of.
 inline constexpr int kProgramCount = 1;
 
-/// The kernels that make a picture, built for one device and lane width.
+/// The kernels that make a picture, built for one device and one width of packets.
 struct Programs {
   cl::Kernel trace_camera_rays;
   cl::Kernel trace_shadow_rays;
@@ -19,15 +19,16 @@ struct Programs {
   cl::Kernel shade_hits;
   cl::Kernel clear_film;
   cl::Kernel mark_converged;
-  double seconds = 0.0;  // that building took
+  /// The time that building took.
+  double seconds = 0.0;
 };
 
-/// Builds them, up to the machine code that launches of whole groups need: some
-/// drivers compile only then. Throws Error{internal} with the build log.
+/// Builds the kernels up to the machine code for launches of whole work-groups, because some
+/// drivers compile only at a launch. Throws Error{internal} with the build log.
 Programs build_programs(const opencl::Context& context, int lanes, KernelProgress& progress);
 
-/// The range of a kernel that works on `packets` packets: whole work-groups, large enough to keep a
-/// GPU busy and small enough to spread over CPU cores.
+/// Returns the range of a kernel that works on `packets` packets. It consists of whole work-groups,
+/// which are large enough to keep a GPU busy and small enough to spread over the cores of a CPU.
 opencl::LaunchSize packet_range(std::uint64_t packets, int lanes);
 
 }  // namespace aerostat::render

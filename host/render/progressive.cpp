@@ -19,8 +19,11 @@ constexpr int kMostShrink = 16;
 constexpr int kRoughCells = 192;
 constexpr double kLaunch_s = 0.02;
 constexpr double kFirstLook_s = 0.05;
-constexpr double kFirstRoughLook_s = 0.03;  // carving and building take as long again
-constexpr double kFirstRate = 1e6;          // drafted pixels per second, before one was measured
+/// The patience for the first look at a rough scene, in seconds. Carving and building the land take
+/// the same time again.
+constexpr double kFirstRoughLook_s = 0.03;
+/// The drafted pixels per second that are assumed before any were measured.
+constexpr double kFirstRate = 1e6;
 constexpr std::chrono::milliseconds kConvergence(150);
 
 scene::Scene drafted(scene::Scene scene) {
@@ -38,7 +41,8 @@ int shrunk(int pixels, int shrink) {
   return (pixels + shrink - 1) / shrink;
 }
 
-/// Soon built and nearly the same from afar: a balloon as fine as its largest pixels ask for.
+/// Makes a scene rough: it is built fast and looks nearly the same from afar. The balloon is only
+/// as fine as the largest pixels need.
 scene::Scene roughened(scene::Scene scene, int shrink) {
   scene.image.width = shrunk(scene.image.width, shrink);
   scene.image.height = shrunk(scene.image.height, shrink);
@@ -47,7 +51,7 @@ scene::Scene roughened(scene::Scene scene, int shrink) {
   return scene;
 }
 
-/// A stop is answered within 50 ms.
+/// Returns options with launches so short that a stop is answered within 50 ms.
 Options promptly(Options options) {
   options.launch_seconds = kLaunch_s;
   return options;
@@ -102,24 +106,26 @@ struct Progressive::State {
   }
 
   Session fine, coarse;
-  std::optional<scene::Scene> built;  // whose land `fine` holds, and its surface
+  /// The scene whose land `fine` holds, and the surface of this land.
+  std::optional<scene::Scene> built;
   std::shared_ptr<const world::Surface> built_surface;
-  // Drafted pixels per second that were measured, of each biome, fine and rough: woods and waves
-  // take longer than dunes.
+  // ^ The drafted pixels per second that were measured for each biome, fine or rough. Woods and
+  // waves take longer than dunes.
   std::map<std::pair<scene::BiomeKind, bool>, double> draft_rates;
   AbandonableWork background;
 
-  // Of the render under way.
+  // The next fields belong to the present render.
   std::shared_ptr<const world::Surface> surface;
-  int world_shrink = 1;  // objects are as fine as pixels so many times larger ask for
+  /// Objects are made as fine as pixels that are this many times larger need.
+  int world_shrink = 1;
   std::stop_token stop;
   LookCallback show;
   ProgressCallback progress;
   Stopwatch watch;
 };
 
-/// The scene with all heights known, on the land that is there or on one that has to be carved
-/// first.
+/// Returns the scene with all heights known. Uses the present land if it fits the scene, else
+/// carves a new one first.
 scene::Scene Progressive::State::placed(const scene::Scene& scene, world::Carving carving) {
   const auto known = has_land(scene) ? built_surface : nullptr;
   if (!known && carving == world::Carving::fine) require_room_for_land(scene);
@@ -141,7 +147,8 @@ scene::Scene Progressive::State::placed(const scene::Scene& scene, world::Carvin
 void Progressive::State::show_steps(Session& session, const scene::Scene& resolved, bool rough) {
   auto steps = steps_to(pixels_of(resolved.image), draft_rate(resolved, rough),
                         rough ? kFirstRoughLook_s : kFirstLook_s, is_draft(resolved));
-  // The fine land is worth waiting for more than more pixels of a coarse one.
+  // Only two looks at a coarse land are shown, because the fine land is worth more than further
+  // pixels of the coarse one.
   if (rough) steps.resize(std::min<std::size_t>(steps.size(), 2));
   world_shrink = rough ? steps.back().shrink : 1;
   for (const Step& step : steps) show_step(session, resolved, step, rough);
@@ -152,7 +159,7 @@ void Progressive::State::show_step(Session& session, const scene::Scene& resolve
   scene::Scene scene = step.draft ? drafted(resolved) : resolved;
   if (rough) scene = roughened(scene, world_shrink);
   const bool last = step.shrink == 1 && !rough && step.draft == is_draft(resolved);
-  // Trees of a former eye do until the view rests.
+  // Until the view rests, the plants stay as they were placed for a former eye.
   const Plants plants = last ? Plants::as_seen : Plants::as_they_stand;
   Look look{image::Film(), resolved, surface, step.shrink, 0, rough, step.draft, false, {}, 0.0};
   const auto watch_passes = [&](const Progress& now) {

@@ -12,18 +12,28 @@
 
 namespace aerostat::render {
 
-/// One of the pictures, each better than the one before, that a progressive render shows.
+/// One of the pictures that a progressive render shows. Each is better than the one before.
 struct Look {
   image::Film film;
-  scene::Scene scene;                             // resolved, at the size of the whole picture
-  std::shared_ptr<const world::Surface> surface;  // of that scene
-  int shrink = 1;                                 // the film's pixels are so many pixels wide
-  int samples = 0;                                // per pixel
-  bool rough = false;     // of a coarse land without plants, because the land is still to be built
-  bool draft = false;     // without what the scene's quality asks for
-  bool complete = false;  // this is the picture asked for
-  Stats stats;            // of the part of the render that made it
-  double seconds = 0.0;   // since the render began
+  /// The scene, resolved and at the size of the whole picture.
+  scene::Scene scene;
+  /// The surface of the scene.
+  std::shared_ptr<const world::Surface> surface;
+  /// A pixel of the film is as wide as this number of pixels of the picture.
+  int shrink = 1;
+  /// The number of samples per pixel.
+  int samples = 0;
+  /// Tells whether the land is coarse and without plants, because the fine land is still to be
+  /// built.
+  bool rough = false;
+  /// Tells whether the picture lacks what the scene's quality asks for.
+  bool draft = false;
+  /// Tells whether this is the picture that was asked for.
+  bool complete = false;
+  /// The statistics of the part of the render that made this picture.
+  Stats stats;
+  /// The seconds since the render began.
+  double seconds = 0.0;
 };
 using LookCallback = std::function<void(const Look&)>;
 
@@ -33,17 +43,17 @@ struct Step {
   bool draft = true;
 };
 
-/// The steps to a picture of `pixels` where `pixels_per_second` come out at draft quality: the
-/// first is ready in `patience_s` if 16 times fewer pixels a side allow, each next one has half the
-/// shrink. The last one is the picture itself; before it comes a draft of all pixels unless
-/// `is_draft`, when the picture is no more than that.
+/// Returns the steps to a picture of `pixels` pixels if a draft takes `pixels_per_second`. The
+/// first step is ready in `patience_s` if pixels of at most 16 times the size allow that. Each next
+/// step halves the shrink. The last step is the picture itself. A draft of all pixels comes before
+/// it unless `is_draft`, which says that the picture is a draft itself.
 std::vector<Step> steps_to(double pixels, double pixels_per_second, double patience_s,
                            bool is_draft);
 
-/// Renders scenes so that something is seen at once: few large pixels first, then more, then the
-/// samples and the light of the scene's quality. Where the land is to be built anew, a coarse one
-/// comes first, and the fine one only when nothing was asked to stop for a moment, so that a slider
-/// can be dragged. Not for use from two threads at once.
+/// Renders scenes so that something is seen at once. It shows few large pixels first, then more,
+/// then the samples and the light of the scene's quality. If a new land has to be built, a coarse
+/// land comes first. The fine land is built only if no stop is requested for a moment, so that a
+/// slider can be dragged. It must not be used from two threads at once.
 class Progressive {
  public:
   explicit Progressive(Options options);
@@ -51,8 +61,8 @@ class Progressive {
   Progressive(const Progressive&) = delete;
   Progressive& operator=(const Progressive&) = delete;
 
-  /// Renders `scene` (not resolved) and shows what comes, on this thread, to the last look. If
-  /// `stop` is requested, throws Error{interrupted} soon. Throws as Session::render does.
+  /// Renders `scene`, which is not resolved, and shows each look on this thread up to the last.
+  /// Throws Error{interrupted} soon after `stop` is requested. Throws as Session::render does.
   void render(const scene::Scene& scene, const std::stop_token& stop, const LookCallback& show,
               const ProgressCallback& progress = {});
 

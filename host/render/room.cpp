@@ -8,7 +8,8 @@
 namespace aerostat::render {
 namespace {
 
-/// Measured: 289 MiB for 4096 x 4096 cells, 97 MiB for 2048 x 2048.
+/// The memory for each cell of the land. 289 MiB were measured for 4096 x 4096 cells, and 97 MiB
+/// for 2048 x 2048.
 constexpr std::uint64_t kBytesPerCell = 18;
 
 }  // namespace

@@ -4,9 +4,9 @@
 
 namespace aerostat::render {
 
-/// Throws Error{exhausted} if the ground of `scene`, its tree and what is built on the way need
-/// more memory than the process can have: where a container's limit is met, it would be killed
-/// without a word. The need is estimated by what was measured.
+/// Throws Error{exhausted} if the ground of `scene`, its tree and the intermediate data need more
+/// memory than the process can have. A process that exceeds the limit of a container would be
+/// killed without a message. The need is estimated from measurements.
 void require_room_for_land(const scene::Scene& scene);
 
 }  // namespace aerostat::render

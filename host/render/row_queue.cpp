@@ -21,7 +21,8 @@ std::optional<RowRun> RowQueue::next(int device, int least, int most) {
   const std::lock_guard lock(mutex_);
   if (waiting_ == 0) return std::nullopt;
   const auto devices = static_cast<int>(first_own_.size());
-  // Half of an even share each time: what is left at the end is small, and its order matters less.
+  // Each device gets half of an even share each time. So the runs at the end are small, and the
+  // order in which devices take them matters less.
   if (devices > 1) most = std::clamp(waiting_ / (2 * devices), least, std::max(least, most));
   RowRun run = own_run(device, most);
   if (run.y0 == run.y1) run = foreign_run(most);
@@ -35,7 +36,7 @@ void RowQueue::close() {
   waiting_ = 0;
 }
 
-/// The first rows that `device` or nobody holds.
+/// Returns the first waiting rows that `device` or nobody holds, at most `most`.
 RowRun RowQueue::own_run(int device, int most) {
   int& y = first_own_[static_cast<std::size_t>(device)];
   const auto is_own = [&](const Row& row) {
@@ -50,7 +51,7 @@ RowRun RowQueue::own_run(int device, int most) {
   return run;
 }
 
-/// The last rows that wait, which their holder would come to last.
+/// Returns the last waiting rows, at most `most`, because their holder would come to them last.
 RowRun RowQueue::foreign_run(int most) const {
   int end = y1_;
   while (!row(end - 1).waits) --end;

@@ -9,33 +9,36 @@ namespace aerostat::render {
 /// Rows of the image, y0 <= y < y1, and the device whose film holds what was rendered of them.
 struct RowRun {
   int y0 = 0, y1 = 0;
-  int holder = 0;  // index of a device; RowQueue::kNobody before the first pass
+  /// The index of a device, or RowQueue::kNobody before the first pass.
+  int holder = 0;
 };
 
-/// Hands out the rows of a picture to several devices, pass after pass: whoever asks first gets
-/// the next rows, so that each device does as much as it is fast. From pass to pass a device is
-/// given the rows that it holds, as long as there are any. Safe from several threads.
+/// Hands out the rows of a picture to several devices, pass after pass. The device that asks first
+/// gets the next rows, so that each device does as much as its speed allows. In later passes a
+/// device gets the rows that it holds as long as there are any. It may be used from several threads
+/// at once.
 class RowQueue {
  public:
   static constexpr int kNobody = -1;
 
-  /// For the rows y0 <= y < y1 and devices 0 to `devices` - 1.
+  /// Makes a queue of the rows y0 <= y < y1 for the devices 0 to `devices` - 1.
   RowQueue(int y0, int y1, int devices);
 
-  /// Every row is to be rendered once more, or those of y0 <= y < y1. Not while a pass is under
-  /// way.
+  /// Begins a pass that renders every row once more, or the rows y0 <= y < y1. It must not be
+  /// called during a pass.
   void begin_pass() { begin_pass(y0_, y1_); }
   void begin_pass(int y0, int y1);
 
-  /// Up to `most` rows for `device`, which holds them from now on; `holder` is who did before.
-  /// Several devices are given less towards the end of a pass, but not below `least` where so much
-  /// lies side by side: all end together. Nothing if no row is left.
+  /// Gives up to `most` rows to `device`, which holds them from now on. The `holder` of the run is
+  /// the device that held them before. Returns nothing if no row is left. Several devices get fewer
+  /// rows towards the end of a pass, so that all end together, but not fewer than `least` if that
+  /// many lie side by side.
   std::optional<RowRun> next(int device, int least, int most);
 
-  /// No row is left in this pass.
+  /// Ends the pass, so that no row is left in it.
   void close();
 
-  /// Who holds which rows, from the top.
+  /// Returns which device holds which rows, from the top.
   std::vector<RowRun> held() const;
 
  private:
@@ -52,7 +55,8 @@ class RowQueue {
   mutable std::mutex mutex_;
   const int y0_, y1_;
   std::vector<Row> rows_;
-  std::vector<int> first_own_;  // of each device: none of its rows above waits
+  /// For each device, the first row that may still wait for it. None of its rows above waits.
+  std::vector<int> first_own_;
   int waiting_ = 0;
 };
 
