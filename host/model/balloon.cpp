@@ -18,10 +18,13 @@ namespace {
 using mesh::TriangleMesh;
 using scene::ObjectId;
 
-constexpr double kSkirtDepth = 0.055;     // in diameters
-constexpr double kSkirtClearance = 0.95;  // of the room between the wires
+/// The depth of the skirt in diameters of the envelope. Chosen by eye.
+constexpr double kSkirtDepth = 0.055;
+/// The lower radius of the skirt as a share of the room between the wires. Chosen by eye.
+constexpr double kSkirtClearance = 0.95;
 
-/// Turns the model's axes (x right, y up, z back) to the heading and moves it.
+/// Turns the model's axes (x right, y up, z back) to the heading and moves them to the balloon's
+/// position.
 struct Placement {
   dvec3 right, back, origin;
 

@@ -6,33 +6,35 @@
 #include "model/detail.hpp"
 #include "scene/scene.hpp"
 
-/// Models: functions that return meshes.
+/// Builds models as functions that return meshes.
 namespace aerostat::model {
 
-/// One object of a model. Vertex colours are its albedo; the scene's material multiplies them.
+/// One object of a model. Its vertex colours are its albedo, which the scene's material multiplies.
 struct Part {
   scene::ObjectId id = scene::ObjectId::envelope;
   mesh::TriangleMesh mesh;
 };
 
-/// A hot-air balloon in world coordinates, one part each of envelope, skirt, basket, rim (with all
-/// that is padded), frame (uprights, burners, gas cylinders), cables, floor and, if the burners
-/// fire, flame. `balloon.position` is the middle of the basket's floor. The passengers look to
-/// `heading_deg`: 0 is -z, 90 is +x; their side rails run that way for 1.5 m, 1.2 m apart. The
-/// basket keeps its size, the envelope has the diameter. Throws Error{bad_data} unless diameter_m >
-/// 0, gores >= 3 and there is a colour.
+/// Builds a hot-air balloon in world coordinates. Its parts are the envelope, skirt, basket, rim
+/// (with everything that is padded), frame (uprights, burners, gas cylinders), cables, floor and,
+/// if the burners fire, flame. `balloon.position` is the middle of the basket's floor. The
+/// passengers look to `heading_deg`: 0 is -z, 90 is +x. The side rails of the basket run in this
+/// direction for 1.5 m, 1.2 m apart. The basket always has the same size, and the envelope has the
+/// diameter of the scene. Throws Error{bad_data} unless diameter_m > 0, gores >= 3 and there is a
+/// colour.
 std::vector<Part> balloon(const scene::Balloon& balloon, const Detail& detail = {});
 
-/// The eye of a passenger in world coordinates: 1.62 m above the floor, in the middle between left
-/// and right, 0.25 m behind the middle, so that the rim ahead, the two front uprights and their
-/// wires are in view. `basket_forward` is the level, unit direction of the heading.
+/// Returns the eye of a passenger in world coordinates: 1.62 m above the floor, in the middle
+/// between left and right, and 0.25 m behind the middle of the basket. From there the rim ahead,
+/// the two front uprights and their wires are in view. `basket_forward` returns the level unit
+/// vector of the heading.
 dvec3 basket_eye(const scene::Balloon& balloon);
 dvec3 basket_forward(const scene::Balloon& balloon);
 
-/// Where the burners' light comes from, in world coordinates.
+/// Returns the point in world coordinates from which the light of the burners comes.
 dvec3 flame_middle(const scene::Balloon& balloon);
 
-/// From the basket's floor to the crown.
+/// Returns the height from the basket's floor to the crown in metres.
 double balloon_height(const scene::Balloon& balloon);
 
 }  // namespace aerostat::model

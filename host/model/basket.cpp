@@ -20,7 +20,7 @@ const vec3 kPlywood{0.46f, 0.32f, 0.18f};
 const vec3 kRunnerWood{0.17f, 0.095f, 0.045f};
 const vec3 kRope{0.36f, 0.27f, 0.15f};
 
-/// A rounded strip of leather around the foot of the wall.
+/// Adds a rounded strip of leather around the foot of the wall.
 void add_scuff(TriangleMesh& mesh, const Outline& wall, double tolerance_m) {
   const int columns = tolerance_m >= 0.002 ? 48 : 160, sides = tolerance_m >= 0.002 ? 8 : 16;
   constexpr double kBottom = -0.06, kTop = 0.075;
@@ -29,7 +29,7 @@ void add_scuff(TriangleMesh& mesh, const Outline& wall, double tolerance_m) {
   const auto surface = [&](double u, double v) {
     const Outline::Point point = wall.at(u * wall.length());
     const double across = 2.0 * std::numbers::pi * v;
-    // A flattened ring: the fourth root squares the ellipse.
+    // The cross-section is a flattened ring: the power 0.4 makes the ellipse nearly a rectangle.
     const auto squared = [](double x) { return std::copysign(std::pow(std::abs(x), 0.4), x); };
     const double out = 0.5 * outside * (1.0 + squared(std::cos(across)));
     return point.position + out * point.normal +
@@ -42,7 +42,7 @@ void add_scuff(TriangleMesh& mesh, const Outline& wall, double tolerance_m) {
   });
 }
 
-/// A loop of rope whose ends are fixed in the wall.
+/// Adds a loop of rope whose ends are fixed in the wall.
 void add_handle(TriangleMesh& mesh, const Outline::Point& place, double height,
                 double tolerance_m) {
   const int points = tolerance_m >= 0.002 ? 7 : 17;
@@ -57,7 +57,7 @@ void add_handle(TriangleMesh& mesh, const Outline::Point& place, double height,
   add_tube(mesh, path, 0.011, sides_within(tolerance_m, 0.011, 4, 10), kRope);
 }
 
-/// A plank from x0 to x1 whose ends follow the outline's rounded corners.
+/// Adds a plank from x0 to x1 whose ends follow the rounded corners of the outline.
 void add_plank(TriangleMesh& mesh, const Outline& edge, double x0, double x1, const vec3& color) {
   constexpr int kColumns = 4;
   const auto half_depth = [&edge](double x) {
@@ -131,7 +131,7 @@ TriangleMesh build_floor() {
         static_cast<float>(0.85 + 0.3 * hash_unit(static_cast<std::uint32_t>(plank), 5u));
     add_plank(mesh, edge, x0 + kGap, x1 - kGap, kPlywood * tint);
   }
-  // A board under the gaps between the planks.
+  // The first box is a board under the gaps between the planks.
   add_box(mesh, {0.0, -0.5 * kFloorThickness - 0.004, 0.0},
           {0.50, 0.5 * kFloorThickness - 0.003, 0.64}, kPlywood * 0.25f);
   for (const double x : {-0.38, 0.0, 0.38}) {

@@ -12,7 +12,8 @@ namespace {
 
 using mesh::TriangleMesh;
 
-constexpr double kPlaceX = 0.15;  // of a burner's axis
+/// The distance of a burner's axis from the middle along x, in metres. Chosen by eye.
+constexpr double kPlaceX = 0.15;
 constexpr double kMountZ = 0.10;
 constexpr double kCanBottom = kFrameHeight + 0.14;
 constexpr double kCanTop = kCanBottom + 0.30;
@@ -32,7 +33,7 @@ void add_can(TriangleMesh& mesh, const dvec3& axis, double tolerance_m) {
   const double low = kCanBottom, high = kCanTop;
   const dvec2 profile[] = {{0.0, low},    {r - 0.02, low},     {r, low + 0.03},  {r, high},
                            {inner, high}, {inner, low + 0.05}, {0.0, low + 0.05}};
-  // Heat has coloured the upper end.
+  // The upper end has the colours of heated steel.
   add_lathe(mesh, axis, profile, sides_within(tolerance_m, r, 6, 40), [](std::size_t i) {
     return i == 3 || i == 4 ? kSteel * vec3(0.50f, 0.42f, 0.40f) : kSteel * (i > 4 ? 0.3f : 0.9f);
   });
@@ -60,7 +61,7 @@ void add_burner(TriangleMesh& mesh, double side, double tolerance_m) {
   add_box(mesh, axis + dvec3(0.0, kFrameHeight + 0.085, 0.0), {0.045, 0.056, 0.045}, kBrass);
   add_can(mesh, axis, tolerance_m);
   add_coil(mesh, axis, tolerance_m);
-  // The blast valve's lever hangs where a hand reaches it.
+  // The lever of the blast valve hangs within reach of a hand.
   const dvec3 pivot = axis + dvec3(0.0, kFrameHeight + 0.03, 0.0);
   add_rod(mesh, pivot, pivot + dvec3(0.0, -0.13, 0.02), 0.008,
           sides_within(tolerance_m, 0.008, 4, 10), kSteel);
@@ -68,7 +69,8 @@ void add_burner(TriangleMesh& mesh, double side, double tolerance_m) {
           sides_within(tolerance_m, 0.014, 4, 14), kLeverRed);
 }
 
-/// Height and radius of a flame, 0 <= t <= 1: a slim drop.
+/// Returns the radius and the height of a point of a flame. The flame is a slim drop, and t runs
+/// from 0 at its lower end to 1 at its tip.
 dvec2 flame_profile(double t, double height) {
   const double width = std::sqrt(t) * std::pow(1.0 - t, 0.9) * 2.05;
   return {kFlameRadius * width, kFlameBottom + height * t};
@@ -117,7 +119,7 @@ void add_cylinder(TriangleMesh& mesh, const dvec3& foot, const Detail& detail) {
   const dvec2 dome[] = {{0.0, top - 0.20},      {r - 0.012, top - 0.20}, {r - 0.014, top - 0.165},
                         {r - 0.04, top - 0.11}, {0.05, top - 0.085},     {0.0, top - 0.08}};
   add_lathe(mesh, foot, dome, sides, [](std::size_t) { return kSteel; });
-  // Guard ring, valve and its hand wheel.
+  // These are the guard ring, the valve and its hand wheel.
   add_torus(mesh, foot + dvec3(0.0, top - 0.015, 0.0), 0.075, 0.010, sides,
             sides_within(detail.basket_m, 0.010, 4, 10), kSteel);
   for (int leg = 0; leg < 3; ++leg) {
@@ -139,7 +141,7 @@ TriangleMesh build_flame(double burner, const Detail& detail) {
   const int sides = sides_within(detail.basket_m, kFlameRadius, 6, 28);
   std::vector<dvec2> profile;
   for (int i = 0; i <= rings; ++i) {
-    // Closer rings where the drop is round.
+    // The rings are closer where the drop is round.
     const double share = static_cast<double>(i) / rings;
     dvec2 point = flame_profile(share * share * (2.0 - share), height);
     if (i == 0 || i == rings) point.x = 0.0;

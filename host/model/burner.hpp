@@ -5,24 +5,27 @@
 
 namespace aerostat::model {
 
-/// Two burners side by side on the frame's cross tubes: valve block, can, coil and levers.
+/// Adds two burners side by side on the cross tubes of the frame, with valve blocks, cans, coils
+/// and levers.
 void add_burners(mesh::TriangleMesh& mesh, const Detail& detail);
 
-/// Distance of the frame's cross tubes from the middle.
+/// Returns the distance of the frame's cross tubes from the middle, in metres.
 double burner_mount_z();
 
-/// Where the hose of the right burner's rear side arrives; the others mirror it.
+/// Returns the point at which the hose of the right burner's rear side arrives. The points of the
+/// other hoses are its mirror images.
 dvec3 burner_port();
 
-/// A gas cylinder that stands on `foot`: what is steel and brass, and the jacket of padded cloth
-/// that covers it up to its shoulder.
+/// Adds the steel and brass of a gas cylinder that stands on `foot`. `add_jacket` adds the jacket
+/// of padded cloth that covers it up to its shoulder.
 void add_cylinder(mesh::TriangleMesh& mesh, const dvec3& foot, const Detail& detail);
 void add_jacket(mesh::TriangleMesh& mesh, const dvec3& foot, const Detail& detail);
 
-/// Height of the middle of the flames.
+/// Returns the height of the middle of the flames above the basket's floor, in metres.
 double flame_height();
 
-/// The flames of both burners, the higher the harder these fire (0 < burner <= 1).
+/// Builds the flames of both burners. They are higher the harder the burners fire (0 < burner <=
+/// 1).
 mesh::TriangleMesh build_flame(double burner, const Detail& detail = {});
 
 }  // namespace aerostat::model

@@ -11,13 +11,18 @@ namespace aerostat::model {
 namespace {
 
 constexpr double kPixelShare = 0.125;
-constexpr double kFinest = 0x1p-12;  // metres
+/// The finest tolerance above 0, in metres.
+constexpr double kFinest = 0x1p-12;
 constexpr double kCoarsest = 16.0;
-constexpr double kBasketReach = 1.0;  // of the basket and its rig, from the axis
-constexpr double kEquator = 0.60;     // above the mouth, in diameters
+/// The reach of the basket and its rig from the axis, in metres.
+constexpr double kBasketReach = 1.0;
+/// The height of the equator above the mouth, in diameters of the envelope.
+constexpr double kEquator = 0.60;
 constexpr double kCrown = 0.91;
-constexpr double kWireRadius = 0.25;  // of a pixel
-constexpr double kThickest = 0.05;    // metres
+/// The least radius of a wire, in pixels. Chosen by eye.
+constexpr double kWireRadius = 0.25;
+/// The largest radius to which a wire is thickened, in metres. Chosen by eye.
+constexpr double kThickest = 0.05;
 
 double level(double distance, const scene::PixelSize& pixel) {
   const double tolerance = std::min(kPixelShare * pixel.metres(distance), kCoarsest);
@@ -33,7 +38,7 @@ Detail detail_for(const scene::Balloon& balloon, const dvec3& eye, const scene::
   const double outside = std::max(seen.y - mouth, 0.0) + std::max(-seen.y, 0.0);
   const double basket = std::hypot(std::max(level_reach - kBasketReach, 0.0), outside);
   const dvec3 middle(0.0, mouth + kEquator * balloon.diameter_m, 0.0);
-  // The ball around the equator stands for the envelope, but for its cone and its flat crown.
+  // The sphere around the equator stands for the envelope, except for its cone and its flat crown.
   const double ball = std::abs(glm::distance(seen, middle) - radius);
   const double below = glm::distance(seen, {0.0, mouth, 0.0}) - 0.35 * radius;
   const double above = glm::distance(seen, {0.0, mouth + kCrown * balloon.diameter_m, 0.0});
@@ -50,7 +55,7 @@ int sides_within(double tolerance_m, double radius, int least, int most) {
 
 int steps_within(double tolerance_m, double sagitta_m, int most) {
   if (!(tolerance_m > 0.0)) return most;
-  // The rise of a chord goes with the square of its length.
+  // The rise of a chord is proportional to the square of its length.
   const double steps = std::ceil(std::sqrt(sagitta_m / tolerance_m));
   return std::clamp(static_cast<int>(std::min(steps, 1e6)), 1, most);
 }

@@ -13,12 +13,14 @@ namespace {
 
 using mesh::TriangleMesh;
 
-constexpr int kMostCells = 8;  // across a gore
-constexpr int kMostRows = 7;   // up a panel
+/// The most cells across a gore.
+constexpr int kMostCells = 8;
+/// The most rows of cells up a panel.
+constexpr int kMostRows = 7;
 constexpr int kMostDiscRows = 10;
 const vec3 kPlateColor(0.05f);
 
-/// A line around the envelope. A panel has its own at both of its seams.
+/// A line around the envelope. Each of two neighbouring panels has its own line at their seam.
 struct Row {
   double arc = 0.0;
   double panels_up = 0.0;
@@ -27,7 +29,7 @@ struct Row {
 
 enum class Cloth { panel, disc, plate };
 
-/// What lies between the first and the last of some rows.
+/// A part of the envelope of one kind of cloth, from the first to the last of its rows.
 struct Band {
   Cloth cloth = Cloth::panel;
   int panel = 0;
@@ -38,7 +40,7 @@ class EnvelopeBuilder {
  public:
   EnvelopeBuilder(const EnvelopeShape& shape, const EnvelopePattern& pattern, double tolerance_m)
       : shape_(shape), pattern_(pattern), tolerance_(tolerance_m) {
-    // An even number: the pattern may have a point in the middle of a gore.
+    // The number of cells is even, because the pattern may have a point in the middle of a gore.
     cells_ = 2 * ((steps_within(tolerance_, shape.gore_rise(), kMostCells) + 1) / 2);
   }
 
@@ -71,7 +73,7 @@ class EnvelopeBuilder {
   }
 
  private:
-  /// A vertex of the band's grid, with its index for the colour it was last used with.
+  /// A vertex of a grid, with its index in the mesh for the colour that it was last used with.
   struct Corner {
     CutVertex vertex;
     int band = 0;
@@ -107,7 +109,8 @@ class EnvelopeBuilder {
   TriangleMesh mesh_;
 };
 
-/// Where two gores or two panels meet, both find the same position and phase, to the last bit.
+/// Returns a vertex of the grid. At the border of two gores or two panels, both get exactly the
+/// same position and phase.
 CutVertex EnvelopeBuilder::vertex(const Row& row, int gore, int cell) const {
   const EnvelopeRow place{row.arc, row.panel_share};
   const double share = static_cast<double>(cell) / cells_;
@@ -120,7 +123,7 @@ CutVertex EnvelopeBuilder::vertex(const Row& row, int gore, int cell) const {
   if (!pattern_.crosses_panels()) return result;
   const double around = owner + (next ? 0.0 : share);
   result.phase = quantized_phase(pattern_.phase(around, row.panels_up));
-  // The crown has no pattern: between whole numbers nothing is cut.
+  // The crown has no pattern. Between whole numbers nothing is cut, so the phase is rounded.
   if (row.panels_up >= shape_.panels()) result.phase = std::round(result.phase);
   if (next && owner == 0) result.phase += pattern_.phase_per_turn();
   return result;

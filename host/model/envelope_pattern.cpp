@@ -12,10 +12,14 @@ namespace {
 
 using scene::Pattern;
 
-constexpr double kChevronPanels = 2.0;  // height of one band
-constexpr double kChevronRise = 1.25;   // bands climbed across one gore
-constexpr double kSpiralTurns = 0.4;    // from the mouth to the disc
-constexpr int kSpiralGores = 2;         // width of one band, roughly
+/// The height of one chevron in panels. Chosen by eye.
+constexpr double kChevronPanels = 2.0;
+/// The number of chevrons that a line climbs across one gore. Chosen by eye.
+constexpr double kChevronRise = 1.25;
+/// The turns of the spiral from the mouth to the disc. Chosen by eye.
+constexpr double kSpiralTurns = 0.4;
+/// The approximate width of one band of the spiral in gores. Chosen by eye.
+constexpr int kSpiralGores = 2;
 constexpr int kPlainPanelsBelow = 2;
 constexpr int kPlainPanelsAbove = 1;
 constexpr int kCheckerPanels = 2;
@@ -25,13 +29,15 @@ double luminance(const vec3& color) {
   return glm::dot(color, vec3(0.2126f, 0.7152f, 0.0722f));
 }
 
-/// 0 1 2 1 0 1 ... with `half` steps up and `half` down.
+/// Returns element i of the sequence 0 1 2 1 0 1 ..., which has `half` steps up and `half` steps
+/// down.
 int zigzag(int i, int half) {
   const int place = i % (2 * half);
   return place <= half ? place : 2 * half - place;
 }
 
-/// The longest zigzag of at most four steps that closes around all gores, 0 if there is none.
+/// Returns the largest number of steps up, at most four, with which a zigzag closes around all
+/// gores. Returns 0 if there is none.
 int zigzag_half(int gores) {
   for (const int half : {4, 3, 2, 1}) {
     if (gores % (2 * half) == 0) return half;
@@ -43,7 +49,8 @@ int wrapped(int i, int count) {
   return ((i % count) + count) % count;
 }
 
-/// The palette's colour that stands out most against its mean; a shade of a lone colour.
+/// Returns the colour of the palette that differs most from the palette's mean, or a shade of the
+/// only colour.
 vec3 contrasting(const std::vector<vec3>& palette) {
   if (palette.size() == 1) {
     return luminance(palette[0]) > 0.2 ? palette[0] * 0.35f
@@ -92,7 +99,8 @@ double EnvelopePattern::phase(double gores_around, double panels_up) const {
   if (pattern_ == Pattern::spiral) {
     return phase_per_turn() * (gores_around / gores_ + kSpiralTurns * panels_up / panels_);
   }
-  // Neighbouring gores mirror each other; with an odd number each gore has its own point.
+  // Neighbouring gores mirror each other. If the number of gores is odd, each gore has its own
+  // point instead.
   const double period = gores_ % 2 == 0 ? 2.0 : 1.0;
   const double share = gores_around / period - std::floor(gores_around / period);
   const double climb = 1.0 - std::abs(2.0 * share - 1.0);
@@ -121,10 +129,10 @@ std::size_t EnvelopePattern::color_index(int gore, int panel, int band) const {
 }
 
 vec3 EnvelopePattern::fabric(int gore, int panel, int band) const {
-  // No two bolts of cloth are dyed quite alike.
+  // No two bolts of cloth are dyed in exactly the same colour.
   const double shade = 0.95 + 0.05 * hash_unit(static_cast<std::uint32_t>(gore) + 1u,
                                                static_cast<std::uint32_t>(panel) + 1u);
-  // Plain cloth at both ends gives a pattern that does not follow the gores something to end on.
+  // Patterns that do not follow the gores end on plain cloth at the mouth and at the disc.
   const bool plain = panel < kPlainPanelsBelow || panel >= panels_ - kPlainPanelsAbove;
   const bool trimmed = plain && pattern_ != Pattern::stripes;
   const vec3 color = trimmed ? trim_ : palette_[color_index(gore, panel, band)];

@@ -6,23 +6,25 @@
 
 namespace aerostat::model {
 
-/// Which colour of the balloon's palette each piece of fabric has. Places are given as gores around
-/// (0 to gores) and panels up (0 at the mouth to panels at the parachute disc).
-///
-/// Stripes, rainbow and checker change colour from panel to panel only. Chevrons and spiral run
-/// across panels: their colour changes where `phase` passes a whole number.
+/// Determines the colour of each piece of fabric from the balloon's palette. Places are given as
+/// gores around (0 to gores) and panels up (0 at the mouth to panels at the parachute disc).
+/// Stripes, rainbow and checker change their colour only from panel to panel. Chevrons and spiral
+/// run across panels, and their colour changes where `phase` passes a whole number.
 class EnvelopePattern {
  public:
-  /// Throws Error{bad_data} if there is no colour. Components are clamped to [0, 1].
+  /// Makes the pattern of a balloon. Throws Error{bad_data} if there is no colour. The components
+  /// of colours are clamped to [0, 1].
   EnvelopePattern(const scene::Balloon& balloon, int panels);
 
   bool crosses_panels() const;
-  /// Only where crosses_panels(); linear within a gore.
+  /// Returns the phase at a place. It may be called only if crosses_panels() is true, and it is
+  /// linear within half a gore.
   double phase(double gores_around, double panels_up) const;
-  /// What `phase` gains in one turn; a whole multiple of the palette's size.
+  /// Returns the increase of `phase` in one turn, which is a whole multiple of the palette's size.
   double phase_per_turn() const;
 
-  /// `band` is the whole part of the phase, and unused unless crosses_panels().
+  /// Returns the colour of a piece of fabric. `band` is the whole part of the phase. It is used
+  /// only if crosses_panels() is true.
   vec3 fabric(int gore, int panel, int band) const;
 
   vec3 crown() const { return crown_; }

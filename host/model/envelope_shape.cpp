@@ -13,11 +13,14 @@ namespace aerostat::model {
 namespace {
 
 constexpr double kTwoPi = 2.0 * std::numbers::pi;
-constexpr double kMouthRadius = 0.085;  // in diameters, as are the next two
+/// The radii of the mouth, the parachute disc and the crown's plate, in diameters of the envelope.
+constexpr double kMouthRadius = 0.085;
 constexpr double kDiscRadius = 0.15;
 constexpr double kPlateRadius = 0.014;
-constexpr double kGoreBulge = 0.075;   // of a gore's width
-constexpr double kPanelBulge = 0.014;  // of a panel's height
+/// The bulge of a gore as a share of its width. Chosen by eye.
+constexpr double kGoreBulge = 0.075;
+/// The bulge of a panel as a share of its height. Chosen by eye.
+constexpr double kPanelBulge = 0.014;
 constexpr int kPanels = 20;
 
 }  // namespace
@@ -43,7 +46,8 @@ int EnvelopeShape::panels() const {
 double EnvelopeShape::mouth_radius() const {
   return kMouthRadius * diameter_;
 }
-/// Bulge and, between its ends, the natural shape's circle.
+/// Returns the sum of the bulge and of the rise of the natural shape's circle between the ends of
+/// the bulge.
 double EnvelopeShape::gore_rise() const {
   const double half_turn = 0.5 * kTwoPi / gores_;
   return kGoreBulge * kTwoPi / gores_ * 0.5 * diameter_ +
@@ -51,7 +55,7 @@ double EnvelopeShape::gore_rise() const {
 }
 double EnvelopeShape::panel_rise() const {
   const double panel = (disc_arc_ - mouth_arc_) / kPanels;
-  // The meridian's radius of curvature is half a diameter about the equator and more elsewhere.
+  // The radius of curvature of the meridian is half a diameter at the equator and more elsewhere.
   return kPanelBulge * panel + panel * panel / (4.0 * diameter_);
 }
 double EnvelopeShape::disc_rise() const {
@@ -72,7 +76,7 @@ EnvelopeShape::Bulge EnvelopeShape::bulge(double share, const EnvelopeRow& row, 
   const double span = disc_arc_ - mouth_arc_;
   const double along = std::clamp((row.arc - mouth_arc_) / span, 0.0, 1.0);
   if (along >= 1.0) return {};
-  // Full over most of the height, nothing at the mouth and at the disc.
+  // The bulge is full over most of the height, and vanishes at the mouth and at the disc.
   const double x = 2.0 * along - 1.0;
   const double fade = 1.0 - x * x * x * x;
   const double fade_slope = -8.0 * x * x * x / span;
@@ -100,7 +104,7 @@ FabricPoint EnvelopeShape::fabric(int gore, double share, const EnvelopeRow& row
   const double bend = b.height * meridian.curvature / diameter_;
   const dvec2 per_arc(sine + b.per_arc * cosine - bend * sine,
                       cosine - b.per_arc * sine - bend * cosine);
-  // Divided by the radius, so that the crown's point has a normal too.
+  // The terms are divided by the radius, so that the point of the crown has a normal too.
   const double scale = radius > 0.0 ? 1.0 / radius : 0.0;
   const double a = b.per_share * cosine * scale, c = -b.per_share * sine * scale;
   const double width = radius > 0.0 ? turn * out * scale : turn;

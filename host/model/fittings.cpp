@@ -14,10 +14,14 @@ namespace {
 using mesh::TriangleMesh;
 
 constexpr double kPi = std::numbers::pi;
-constexpr double kVentFrom = 11.3, kVentTo = 15.7;  // panels up
-constexpr double kVentHalf = 0.0022;                // half its width, in diameters
-constexpr double kVentGap = 0.012;                  // metres from the fabric
-constexpr double kThinnestVent = 0.03;              // tolerance beyond which there is none
+/// The range of a turning vent in panels up from the mouth. Chosen by eye.
+constexpr double kVentFrom = 11.3, kVentTo = 15.7;
+/// Half the width of a vent in diameters of the envelope. Chosen by eye.
+constexpr double kVentHalf = 0.0022;
+/// The distance of a vent's flaps from the fabric in metres. Chosen by eye.
+constexpr double kVentGap = 0.012;
+/// The tolerance in metres from which vents are left out. Chosen by eye.
+constexpr double kThinnestVent = 0.03;
 const vec3 kLineRed{0.45f, 0.02f, 0.02f};
 const vec3 kCanvas{0.40f, 0.34f, 0.23f};
 const vec3 kPouch{0.20f, 0.165f, 0.105f};
@@ -41,7 +45,8 @@ void add_vent(TriangleMesh& mesh, const EnvelopeShape& shape, int gore, const ve
   }
 }
 
-/// A stuffed thing with rounded edges: a ball whose directions are drawn towards a box's.
+/// Adds a padded box with rounded edges. It is a sphere whose directions are drawn towards those of
+/// a box.
 void add_pillow(TriangleMesh& mesh, const dvec3& center, const dvec3& half, const vec3& color) {
   constexpr int kAround = 28, kUp = 14;
   const auto drawn = [](double x) { return std::copysign(std::pow(std::abs(x), 0.45), x); };
@@ -50,7 +55,8 @@ void add_pillow(TriangleMesh& mesh, const dvec3& center, const dvec3& half, cons
     return center + half * dvec3(drawn(std::cos(up)) * drawn(std::cos(around)), drawn(std::sin(up)),
                                  -drawn(std::cos(up)) * drawn(std::sin(around)));
   };
-  // The poles are small holes' rims drawn together: their rows end just beside them.
+  // The poles are the rims of small holes, drawn together. The rows of the grid end just beside
+  // them.
   add_grid(mesh, {kAround, kUp, true, false}, [&](int i, int j) {
     const double u = (i + 0.5) / kAround, v = 0.004 + 0.992 * j / kUp;
     return Vertex{surface(u, v), surface_normal(surface, u, v, 1e-3), color};
@@ -68,7 +74,7 @@ void add_pillow(TriangleMesh& mesh, const dvec3& center, const dvec3& half, cons
   }
 }
 
-/// Canvas with a flap over its upper third.
+/// Adds a canvas pouch with a flap over its upper third.
 void add_pouch(TriangleMesh& mesh, const dvec3& center, const dvec3& half) {
   add_pillow(mesh, center, half, kPouch);
   add_pillow(mesh, center + dvec3(0.0, 0.45 * half.y, 0.0),

@@ -10,8 +10,9 @@ namespace {
 constexpr double kHalfPi = std::numbers::pi / 2.0;
 constexpr int kSamples = 2048;
 
-// The angle at the lower tip for which the curve comes to the axis level, and its arc length, for
-// k = 1: the solution of the equations has no parameters. By bisection with steps of 1 / 4096.
+// The angle at the lower tip with which the curve reaches the axis level, and the arc length of
+// this curve, both for k = 1. The equations have no parameters, so their solution is constant. The
+// values were found by bisection with steps of 1 / 4096.
 constexpr double kStartAngle = 0.87526253164042, kArc = 3.17283626559749;
 
 struct State {
@@ -27,7 +28,7 @@ State advanced(const State& state, const State& slope, double step) {
           state.angle + step * slope.angle};
 }
 
-/// One step of the classical Runge-Kutta method.
+/// Returns the state after one step of the classical Runge-Kutta method.
 State runge_kutta(const State& state, double step) {
   const State k1 = derivative(state);
   const State k2 = derivative(advanced(state, k1, step / 2.0));

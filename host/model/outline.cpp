@@ -30,7 +30,7 @@ Outline::Point Outline::at(double distance) const {
   if (rest < 0.0) rest += 4.0 * quarter;
   const int turn = std::min(static_cast<int>(rest / quarter), 3);
   rest -= turn * quarter;
-  // Every quarter begins in the middle of a side; `lead` and `follow` are its two half sides.
+  // Every quarter begins in the middle of a side. `lead` is the first of its two half sides.
   const double lead = turn % 2 == 0 ? inner.y : inner.x;
   const double angle = turn * kQuarterTurn;
   const Point side = point_at_angle({0.0, 0.0}, 0.0, angle);

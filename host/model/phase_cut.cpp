@@ -8,7 +8,8 @@ namespace {
 
 constexpr double kSnap = 0.005;
 
-/// Always taken from the lower phase to the higher one: whoever owns the edge gets the same point.
+/// Returns the point of an edge at which the phase is `phase`. It is always computed from the lower
+/// phase to the higher one, so that both owners of the edge get the same point.
 CutVertex crossing(const CutVertex& a, const CutVertex& b, double phase) {
   const CutVertex& low = a.phase < b.phase ? a : b;
   const CutVertex& high = a.phase < b.phase ? b : a;
@@ -18,7 +19,7 @@ CutVertex crossing(const CutVertex& a, const CutVertex& b, double phase) {
           low.place + t * (high.place - low.place), phase};
 }
 
-/// Splits a convex polygon at `phase` into what lies below and what lies above.
+/// Splits a convex polygon at `phase` into the part below and the part above.
 void split(const std::vector<CutVertex>& polygon, double phase, std::vector<CutVertex>& below,
            std::vector<CutVertex>& above) {
   below.clear();

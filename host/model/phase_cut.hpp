@@ -11,26 +11,27 @@ namespace aerostat::model {
 struct CutVertex {
   vec3 position{0.0f};
   vec3 normal{0.0f};
-  vec2 place{0.0f};  // mesh::TriangleMesh::places
+  /// The place as in mesh::TriangleMesh::places.
+  vec2 place{0.0f};
   double phase = 0.0;
 };
 
-/// A convex piece, wound as the triangle it comes from, whose phases lie between `band` and
-/// `band` + 1.
+/// A convex piece whose phases lie between `band` and `band` + 1. It is wound like the triangle
+/// that it was cut from.
 struct CutPiece {
   int band = 0;
   std::vector<CutVertex> corners;
 };
 
-/// A phase rounded to a multiple of 2^-20, so that whole turns can be added exactly; one that is
-/// within half a percent of a whole number becomes that number, so that no cut leaves a sliver.
+/// Rounds a phase to a multiple of 2^-20, so that whole turns can be added exactly. A phase within
+/// half a percent of a whole number becomes that number, so that no cut leaves a sliver.
 double quantized_phase(double phase);
 
-/// The one band that holds all three phases, if there is one.
+/// Returns whether one band holds all three phases, and stores this band.
 bool lies_in_one_band(const std::array<CutVertex, 3>& triangle, int& band);
 
-/// Cuts a triangle where its phase, taken as linear, passes whole numbers. Two triangles that share
-/// an edge cut it at the same points, to the last bit.
+/// Cuts a triangle where its phase passes whole numbers. The phase is taken as linear. Two
+/// triangles that share an edge cut it at exactly the same points.
 std::vector<CutPiece> cut_by_phase(const std::array<CutVertex, 3>& triangle);
 
 }  // namespace aerostat::model

@@ -24,13 +24,15 @@ constexpr double kSleeveRadius = 0.031;
 constexpr double kHoseRadius = 0.009;
 const vec3 kWireColor{0.20f, 0.205f, 0.215f};
 const std::array<dvec2, 4> kCorners{dvec2(1.0, -1.0), dvec2(-1.0, -1.0), dvec2(-1.0, 1.0),
-                                    dvec2(1.0, 1.0)};  // counter-clockwise from above
+                                    /// The signs of the four corners, counter-clockwise as seen
+                                    /// from above.
+                                    dvec2(1.0, 1.0)};
 
 dvec3 frame_corner(const dvec2& sign) {
   return {sign.x * kFrameHalf.x, kFrameHeight, sign.y * kFrameHalf.y};
 }
 
-/// An upright leans from the basket's corner to the frame's.
+/// An upright, which leans from the basket's corner to the corner of the frame.
 struct Upright {
   dvec3 foot, head;
 
@@ -41,15 +43,16 @@ struct Upright {
   dvec3 at(double share) const { return glm::mix(foot, head, share); }
 };
 
-/// A quilted sleeve of cloth over padding, laced in at both ends; it leaves the upright's upper end
-/// bare, and the hose runs inside of it.
+/// A quilted sleeve of cloth over padding, laced in at both ends. It leaves the upper end of the
+/// upright bare, and the hose runs inside it.
 struct Sleeve {
   static constexpr double kTo = 0.93, kLaced = 0.035, kQuilts = 5.0;
   Upright upright;
 
   double length() const { return glm::distance(upright.foot, upright.head); }
 
-  /// 0 at a quilting seam, 1 in between.
+  /// Returns the thickness of the padding, from 0 at a quilting seam to 1 in the middle between two
+  /// seams.
   static double puff(double share) {
     return std::abs(std::sin(std::numbers::pi * kQuilts * share / kTo));
   }
@@ -60,7 +63,8 @@ struct Sleeve {
     return kSleeveRadius * full * (0.90 + 0.10 * std::pow(puff(share), 0.35));
   }
 
-  /// `u` is a turn around, `v` a share of the upright.
+  /// Returns a point of the sleeve. `u` is a turn around the upright, and `v` a share of its
+  /// length.
   dvec3 at(double u, double v) const {
     const dvec3 axis = glm::normalize(upright.head - upright.foot);
     const dvec3 side = glm::normalize(glm::cross(axis, dvec3(0.0, 0.0, 1.0)));
@@ -70,7 +74,7 @@ struct Sleeve {
   }
 };
 
-/// Closes a sleeve's end by a disc.
+/// Closes an end of a sleeve with a disc.
 void add_sleeve_end(TriangleMesh& mesh, const Sleeve& sleeve, double share, int sides) {
   const dvec3 axis = glm::normalize(sleeve.upright.head - sleeve.upright.foot);
   const bool top = share > 0.0;
@@ -87,7 +91,7 @@ void add_sleeve_end(TriangleMesh& mesh, const Sleeve& sleeve, double share, int 
   }
 }
 
-/// Places are metres along the sleeve and around it.
+/// Adds a sleeve. The places of its vertices are metres along and around it.
 void add_sleeve(TriangleMesh& mesh, const Upright& upright, double tolerance_m) {
   const Sleeve sleeve{upright};
   const auto surface = [&](double u, double v) { return sleeve.at(u, v); };
@@ -109,7 +113,9 @@ void add_sleeve(TriangleMesh& mesh, const Upright& upright, double tolerance_m) 
 
 void add_frame_tubes(TriangleMesh& mesh, double tolerance_m) {
   const int sides = sides_within(tolerance_m, kFrameTube, 4, 16);
-  constexpr double kShort = 0.012;  // the corner pieces take the tubes' ends in
+  // The corner pieces cover the ends of the tubes, so the tubes are shortened by this length in
+  // metres.
+  constexpr double kShort = 0.012;
   for (std::size_t i = 0; i < kCorners.size(); ++i) {
     const dvec3 corner = frame_corner(kCorners[i]);
     const dvec3 next = frame_corner(kCorners[(i + 1) % kCorners.size()]);
@@ -123,7 +129,7 @@ void add_frame_tubes(TriangleMesh& mesh, double tolerance_m) {
   }
 }
 
-/// A curve from `from` to `to` that leaves along `leave` and arrives along `arrive`.
+/// Returns a curve from `from` to `to` that leaves along `leave` and arrives along `arrive`.
 std::vector<dvec3> bent_path(const dvec3& from, const dvec3& leave, const dvec3& arrive,
                              const dvec3& to, int points) {
   std::vector<dvec3> path;
@@ -135,7 +141,8 @@ std::vector<dvec3> bent_path(const dvec3& from, const dvec3& leave, const dvec3&
   return path;
 }
 
-/// Hoses rise from the cylinders into the uprights' sleeves and leave them for the burners.
+/// Adds the hoses, which rise from the cylinders into the sleeves of the uprights and leave them
+/// for the burners.
 void add_hoses(TriangleMesh& mesh, double tolerance_m) {
   const int points = 4 * steps_within(tolerance_m, 0.2, 6) + 1;
   const int sides = sides_within(tolerance_m, kHoseRadius, 4, 10);
@@ -181,13 +188,14 @@ std::vector<Wire> flying_wires(const EnvelopeShape& shape) {
 }
 
 std::vector<Wire> basket_wires() {
-  constexpr double kSpread = 0.30;  // along the rim, from the basket's corner
+  // The distance of a wire's foot from the basket's corner along the rim, in metres. Chosen by eye.
+  constexpr double kSpread = 0.30;
   std::vector<Wire> wires;
   const Outline wall = wall_outline();
   const double quarter = wall.length() / 4.0;
   for (std::size_t i = 0; i < kCorners.size(); ++i) {
-    // The outline starts in the middle of +x; its first corner is halfway along the first quarter,
-    // but for the difference of the half sides.
+    // The outline starts in the middle of +x. Its first corner would be halfway along the first
+    // quarter if the half sides were equal.
     const double lead = (i % 2 == 0 ? wall.half.y : wall.half.x) - wall.corner_radius;
     const double corner =
         static_cast<double>(i) * quarter + lead + wall.corner_radius * std::numbers::pi / 4.0;

@@ -15,9 +15,11 @@ using mesh::TriangleMesh;
 constexpr double kPi = std::numbers::pi;
 constexpr double kHalfWidth = 0.050;
 constexpr double kHalfHeight = 0.045;
-constexpr int kLengths = 12;  // pieces of leather
+/// The number of pieces of leather around the rim.
+constexpr int kLengths = 12;
 constexpr int kMostSides = 28;
-constexpr double kStitchFrom = 0.001;  // tolerance from which stitches and seams are too small
+/// The tolerance in metres from which stitches and seams are left out.
+constexpr double kStitchFrom = 0.001;
 constexpr double kSeamDepth = 0.0045;
 constexpr double kSeamReach = 0.009;
 constexpr double kStitchSpacing = 0.011;
@@ -29,12 +31,13 @@ struct RimSurface {
 
   double piece() const { return middle.length() / kLengths; }
 
-  /// Distance to the nearest cross seam.
+  /// Returns the distance to the nearest cross seam in metres.
   double from_seam(double distance) const {
     return std::abs(distance - std::round(distance / piece()) * piece());
   }
 
-  /// `across` is 0 on the outer side and pi / 2 on top.
+  /// Returns a point of the rim. `across` is an angle that is 0 on the outer side and pi / 2 on
+  /// top.
   dvec3 at(double distance, double across) const {
     const Outline::Point point = middle.at(distance);
     const double seam = from_seam(distance) / kSeamReach;
@@ -56,7 +59,8 @@ struct RimSurface {
   }
 };
 
-/// Places along one piece of leather: close together at its seam, where the padding is drawn in.
+/// Returns sample distances along the rim, in metres. They are close together at the seams of the
+/// leather, where the padding is drawn in.
 std::vector<double> sample_places(double piece) {
   std::vector<double> places;
   constexpr std::array<double, 6> kNear{0.0, 0.003, 0.006, 0.010, 0.015, 0.022};
@@ -79,7 +83,7 @@ std::vector<double> even_places(double length, int count) {
   return places;
 }
 
-/// A single stitch: a small spindle that lies on the leather.
+/// Adds a single stitch as a small spindle that lies on the leather.
 void add_stitch(TriangleMesh& mesh, const dvec3& center, const dvec3& along, const dvec3& out) {
   const dvec3 side = glm::cross(out, along);
   const std::array<dvec3, 3> axes{along * 0.0038, side * 0.0013, out * 0.0013};
@@ -120,7 +124,8 @@ TriangleMesh build_rim(const Outline& middle, double height, const Detail& detai
       plain ? even_places(middle.length(), 48) : sample_places(rim.piece());
   const int sides = sides_within(detail.basket_m, kHalfWidth, 6, kMostSides);
   const int columns = static_cast<int>(places.size());
-  // One more line each way: a place on the leather has a first and a last one.
+  // The grid has one more line in each direction, because a place on the leather has a first and a
+  // last one.
   TriangleMesh mesh;
   add_grid(mesh, {columns, sides}, [&](int i, int j) {
     const double distance = places[static_cast<std::size_t>(i % columns)];

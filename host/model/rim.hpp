@@ -6,12 +6,12 @@
 
 namespace aerostat::model {
 
-/// The padded leather rim: a closed tube along `middle` at y = `height`, sewn together from lengths
-/// of leather of their own tint, with two rows of stitches. Places
-/// are metres along the rim and around it.
+/// Builds the padded leather rim. It is a closed tube along `middle` at y = `height`, sewn together
+/// from pieces of leather that each have their own tint, with two rows of stitches. Places are
+/// metres along the rim and around it.
 mesh::TriangleMesh build_rim(const Outline& middle, double height, const Detail& detail = {});
 
-/// Half its width and height.
+/// Returns half the width and half the height of the rim in metres.
 dvec2 rim_half_size();
 
 }  // namespace aerostat::model

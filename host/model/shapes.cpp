@@ -20,7 +20,8 @@ dvec3 any_perpendicular(const dvec3& axis) {
   return glm::normalize(glm::cross(axis, other));
 }
 
-/// Tangent and one cross-section axis per point; the axis is carried along with the least twist.
+/// The tangent and one axis of the cross-section at a point of a path. The axis is carried along
+/// the path with the least twist.
 struct Frame {
   dvec3 tangent, side;
 };
@@ -57,13 +58,14 @@ void add_cap(TriangleMesh& mesh, End end, const dvec3& center, const Frame& fram
   }
 }
 
-/// Normal of a profile segment that has the solid on its left.
+/// Returns the normal of a profile segment that has the solid on its left.
 dvec2 segment_normal(const dvec2& a, const dvec2& b) {
   const dvec2 d = glm::normalize(b - a);
   return {d.y, -d.x};
 }
 
-/// Normal at the end `at` of the segment (from, at), averaged with the next one unless it bends.
+/// Returns the normal at an end of a segment. It is averaged with the normal of the neighbouring
+/// segment unless the profile bends sharply there.
 dvec2 joined_normal(const dvec2& own, const dvec2& neighbour) {
   return glm::dot(own, neighbour) < kSharpBendCosine ? own : glm::normalize(own + neighbour);
 }

@@ -6,8 +6,8 @@
 
 #include "mesh/mesh.hpp"
 
-/// Building blocks of models: each function appends closed, outward-facing triangles to a mesh that
-/// has colours, in metres.
+/// Provides building blocks of models. Each function appends closed, outward-facing triangles to a
+/// mesh that has colours. Lengths are in metres.
 namespace aerostat::model {
 
 struct Vertex {
@@ -18,9 +18,9 @@ struct Vertex {
 
 std::uint32_t add_vertex(mesh::TriangleMesh& mesh, const Vertex& vertex);
 
-/// A grid of quads over vertex(i, j), 0 <= i <= columns, 0 <= j <= rows. The outside is where
-/// (towards higher i) x (towards higher j) points. A wrapped direction closes on itself: its last
-/// line is its first one, and `vertex` is not asked for it.
+/// A grid of quads over vertex(i, j) with 0 <= i <= columns and 0 <= j <= rows. Its outside is
+/// where the cross product (towards higher i) x (towards higher j) points. A wrapped direction
+/// closes on itself: its last line is its first one, and `vertex` is not called for the last line.
 struct Grid {
   int columns = 1;
   int rows = 1;
@@ -30,11 +30,11 @@ struct Grid {
 void add_grid(mesh::TriangleMesh& mesh, const Grid& grid,
               const std::function<Vertex(int, int)>& vertex);
 
-/// A box with sharp edges, `half` to either side of `center` along x, y, z.
+/// Adds a box with sharp edges that reaches `half` to either side of `center` along x, y and z.
 void add_box(mesh::TriangleMesh& mesh, const dvec3& center, const dvec3& half, const vec3& color);
 
-/// A round tube along a path of at least two distinct points, with flat caps at both ends.
-/// `radius` and `color` may vary with the index of the path's point.
+/// A round tube along a path of at least two distinct points, with flat caps at both ends. `radius`
+/// and `color` may vary with the index of the path's point.
 struct Tube {
   std::span<const dvec3> path;
   int sides = 10;
@@ -43,31 +43,31 @@ struct Tube {
 };
 void add_tube(mesh::TriangleMesh& mesh, const Tube& tube);
 
-/// The same with one radius and colour, along a path or straight.
+/// Adds a tube with one radius and one colour along a path. `add_rod` adds a straight one.
 void add_tube(mesh::TriangleMesh& mesh, std::span<const dvec3> path, double radius, int sides,
               const vec3& color);
 void add_rod(mesh::TriangleMesh& mesh, const dvec3& from, const dvec3& to, double radius, int sides,
              const vec3& color);
 
-/// A level ring: a circle of `ring_radius` around `center`, thickened by `tube_radius`.
+/// Adds a level ring: a circle of `ring_radius` around `center`, thickened by `tube_radius`.
 void add_torus(mesh::TriangleMesh& mesh, const dvec3& center, double ring_radius,
                double tube_radius, int segments, int sides, const vec3& color);
 
-/// A profile (x: radius, y: height above `base`) turned about the vertical through `base`. It
-/// begins and ends on the axis and has the solid on its left; bends of more than 35 degrees are
-/// sharp edges. `color` is asked with a point's index.
+/// Adds the solid of a profile (x: radius, y: height above `base`) that is turned about the
+/// vertical through `base`. The profile begins and ends on the axis and has the solid on its left.
+/// Bends of more than 35 degrees are sharp edges. `color` is called with the index of a point.
 void add_lathe(mesh::TriangleMesh& mesh, const dvec3& base, std::span<const dvec2> profile,
                int sides, const std::function<vec3(std::size_t)>& color);
 
 void add_sphere(mesh::TriangleMesh& mesh, const dvec3& center, double radius, int sides,
                 const vec3& color);
 
-/// Unit normal of a surface p(u, v) by central differences over 2 * step, on the side where
-/// (dp/du) x (dp/dv) points.
+/// Returns the unit normal of a surface p(u, v) by central differences over 2 * step, on the side
+/// where (dp/du) x (dp/dv) points.
 dvec3 surface_normal(const std::function<dvec3(double, double)>& surface, double u, double v,
                      double step);
 
-/// A repeatable number in [0, 1) for a place in a pattern.
+/// Returns a repeatable number in [0, 1) for a place in a pattern.
 double hash_unit(std::uint32_t a, std::uint32_t b);
 
 }  // namespace aerostat::model

@@ -10,15 +10,18 @@ namespace {
 
 constexpr int kMostCells = 8;
 constexpr int kMostRows = 14;
-constexpr double kBulge = 0.05;  // of a gore's width
-constexpr double kWaist = 0.10;  // how far the sides curve inwards, of the mouth's radius
+/// The bulge of a gore as a share of its width. Chosen by eye.
+constexpr double kBulge = 0.05;
+/// The distance by which the sides curve inwards, as a share of the mouth's radius. Chosen by eye.
+constexpr double kWaist = 0.10;
 constexpr double kStep = 1e-4;
 
 struct SkirtShape {
   const EnvelopeShape& envelope;
   double lower_radius, depth;
 
-  /// `gores_around` from the first tape, `up` from 0 at the hem to 1 at the mouth.
+  /// Returns a point of the skirt. `gores_around` counts from the first tape, and `up` runs from 0
+  /// at the hem to 1 at the mouth.
   dvec3 at(double gores_around, double up) const {
     const double top = envelope.mouth_radius();
     const double turn = 2.0 * std::numbers::pi / envelope.gores();
@@ -31,7 +34,8 @@ struct SkirtShape {
     return {radius * std::cos(angle), depth * (up - 1.0), -radius * std::sin(angle)};
   }
 
-  /// A gore's side of the seam, where the bulge has a crease.
+  /// Returns the normal on the side of gore `gore`. At the seam the bulge has a crease, so each
+  /// gore has its own normal there.
   dvec3 normal(int gore, double share, double up) const {
     const auto surface = [this](double u, double v) { return at(u, v); };
     const double beside = std::clamp(share, 2.0 * kStep, 1.0 - 2.0 * kStep);

@@ -14,16 +14,21 @@ using mesh::TriangleMesh;
 constexpr double kPi = std::numbers::pi;
 constexpr double kStakePitch = 0.046;
 constexpr double kWeaverHeight = 0.016;
-constexpr double kRound = 0.0030;     // half a weaver's thickness
-constexpr double kSway = 0.0042;      // how far it bends around a stake
-constexpr double kPlainFrom = 0.002;  // tolerance from which no relief is left
-constexpr double kSplice = 1.1;       // length of a willow rod
+/// Half the thickness of a weaver in metres. Chosen by eye.
+constexpr double kRound = 0.0030;
+/// The distance in metres by which a weaver bends around a stake. Chosen by eye.
+constexpr double kSway = 0.0042;
+/// The tolerance in metres from which the wall has no relief.
+constexpr double kPlainFrom = 0.002;
+/// The length of a willow rod in metres. Chosen by eye.
+constexpr double kSplice = 1.1;
 constexpr float kMeanShade = 0.72f;
 const vec3 kHoney{0.54f, 0.35f, 0.165f};
 const vec3 kPale{0.62f, 0.44f, 0.23f};
 const vec3 kRusset{0.40f, 0.235f, 0.115f};
 
-/// Colour of the rod at a place of the wall: rods are sorted by no one.
+/// Returns the colour of the rod at a place of the wall. The colours vary at random, because nobody
+/// sorts the rods.
 vec3 rod_color(int weaver, double distance) {
   const auto row = static_cast<std::uint32_t>(weaver);
   const double first = kSplice * hash_unit(row, 3u);
@@ -35,19 +40,21 @@ vec3 rod_color(int weaver, double distance) {
   return color * tint;
 }
 
-/// One face of the wall. `side` is 1 for the outer face, -1 for the inner one.
+/// One face of the wall. `side` is 1 for the outer face and -1 for the inner one.
 struct Face {
   Outline middle;
   double bottom, weaver_height, half_thickness, side;
   int stakes;
 
-  /// A weaver stands out from the wall by this; at its edges it meets its neighbours at 0.
+  /// Returns the height in metres by which a weaver stands out from the wall. It is 0 at the edges
+  /// of the weaver, where it meets its neighbours.
   double relief(int weaver, double stake, double up) const {
     const double over = side * (weaver % 2 == 0 ? 1.0 : -1.0) * std::cos(kPi * stake);
     return std::sin(kPi * up) * (kRound + kSway * over);
   }
 
-  /// `stake` counts stakes along the outline, `up` runs from 0 to 1 across the weaver.
+  /// Returns a point of the face. `stake` counts stakes along the outline, and `up` runs from 0 to
+  /// 1 across the weaver.
   dvec3 at(int weaver, double stake, double up) const {
     const Outline::Point point = middle.at(stake / stakes * middle.length());
     const double out = side * (half_thickness + relief(weaver, stake, up));
@@ -55,7 +62,8 @@ struct Face {
            dvec3(0.0, bottom + (weaver + up) * weaver_height, 0.0);
   }
 
-  /// Taken as if a weaver went on beyond its edges, so that the grooves stay sharp.
+  /// Returns the normal of the face. It is computed as if a weaver went on beyond its edges, so
+  /// that the grooves stay sharp.
   dvec3 normal(int weaver, double stake, double up) const {
     const double over = side * (weaver % 2 == 0 ? 1.0 : -1.0);
     const double sway = kSway * over * std::cos(kPi * stake);
@@ -74,7 +82,8 @@ struct Face {
   }
 };
 
-/// The mesh's outside is where columns x rows points: an inner face runs the other way round.
+/// Adds a face of the wall. The outside of a mesh is where columns x rows points, so the columns of
+/// an inner face run in the opposite direction.
 void add_face(TriangleMesh& mesh, const Face& face, int weavers, int per_stake) {
   constexpr int kCellsPerWeaver = 2;
   const int columns = face.stakes * per_stake;
@@ -87,7 +96,7 @@ void add_face(TriangleMesh& mesh, const Face& face, int weavers, int per_stake) 
   }
 }
 
-/// The narrow level strip that joins both faces at the top or the bottom.
+/// Adds the narrow level strip that joins both faces at the top or the bottom.
 void add_edge(TriangleMesh& mesh, const Face& outer, const Face& inner, int weaver, double up,
               int per_stake) {
   const bool top = up > 0.5;
@@ -98,7 +107,8 @@ void add_edge(TriangleMesh& mesh, const Face& outer, const Face& inner, int weav
   });
 }
 
-/// The wall as its four smooth sides, seen from where the weave is too fine to see.
+/// Adds the wall as its four smooth sides, for a distance from which the weave is too fine to be
+/// seen.
 void add_plain_wall(TriangleMesh& mesh, const Outline& middle, double bottom, double top,
                     double half_thickness) {
   constexpr int kColumns = 48;
@@ -141,7 +151,8 @@ void add_woven_wall(TriangleMesh& mesh, const Outline& middle, double bottom, do
 
 void add_rope_band(TriangleMesh& mesh, const Outline& path, double offset, double height,
                    double radius, double tolerance_m) {
-  constexpr double kStrand = 0.16;  // relief, of the radius
+  // The relief of the strands as a share of the rope's radius. Chosen by eye.
+  constexpr double kStrand = 0.16;
   const double length = path.length();
   const bool plain = tolerance_m >= kStrand * radius;
   const int turns = static_cast<int>(std::lround(length / (radius * 5.0)));
