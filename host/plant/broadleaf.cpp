@@ -9,19 +9,31 @@
 namespace aerostat::plant {
 namespace {
 
-/// A crown of leaf clusters over a trunk that forks: from rain forest giants to acacias and shrubs.
+/// The shape of a crown of leaf clusters over a trunk that forks. It ranges from rain forest giants
+/// to acacias and shrubs. All values are chosen by eye.
 struct Tree {
-  double crown_y;    // height of the crown's middle
-  dvec3 crown;       // its half axes
-  double cluster_m;  // radius of a cluster
-  double flat;       // height of a cluster over its width
-  double fork_y;     // where limbs leave the trunk; 0: they rise from the ground
-  double trunk_m;    // radius at the foot
-  double lowest;     // clusters lie above this share of the half height, -1 to 1
-  double hollow;     // clusters lie beyond this share of the crown's radius
-  double leaf_m;     // length of a leaf or spray, near
-  double leaf_wide;  // its width over its length
-  double dark;       // light inside the crown
+  /// The height of the crown's middle in metres.
+  double crown_y;
+  /// The half axes of the crown in metres.
+  dvec3 crown;
+  /// The radius of a cluster in metres.
+  double cluster_m;
+  /// The height of a cluster divided by its width.
+  double flat;
+  /// The height in metres at which limbs leave the trunk. With 0 they rise from the ground.
+  double fork_y;
+  /// The radius of the trunk at its foot in metres.
+  double trunk_m;
+  /// The share of the crown's half height above which clusters lie, from -1 to 1.
+  double lowest;
+  /// The share of the crown's radius beyond which clusters lie.
+  double hollow;
+  /// The length in metres of a leaf or spray at the near level.
+  double leaf_m;
+  /// The width of a leaf divided by its length.
+  double leaf_wide;
+  /// The light inside the crown.
+  double dark;
   vec3 green;
   vec3 bark;
 };
@@ -119,12 +131,17 @@ const Tree kShrubs[] = {{.crown_y = 0.72,
 
 struct Level {
   int clusters;
-  int leaves;         // a cluster
-  double leaf_reach;  // length of a leaf in cluster radii; 0: leaf_m
+  /// The number of leaves in a cluster.
+  int leaves;
+  /// The length of a leaf in radii of a cluster. With 0 it is `leaf_m`.
+  double leaf_reach;
   int limbs;
-  bool fine;    // limbs divide into a twig for every other cluster
-  int cores;    // how many clusters have a dark inside
-  double core;  // its size in clusters
+  /// Tells whether limbs divide into a twig for every other cluster.
+  bool fine;
+  /// The number of clusters with a dark core.
+  int cores;
+  /// The size of a core in sizes of its cluster.
+  double core;
 };
 constexpr Level kLevels[3] = {{78, 96, 0.0, 9, true, 78, 0.62},
                               {40, 17, 0.75, 5, false, 32, 0.7},
@@ -142,7 +159,7 @@ class TreeBuilder {
     place_clusters();
     if (tree_.fork_y > 0.0) add_trunk();
     if (!level_.fine) {
-      // What keeps the light out between fewer clusters.
+      // Between few clusters, one large core keeps the light out.
       const dvec3 radii = tree_.crown * 0.66 + dvec3(0.0, 0.35 * tree_.cluster_m, 0.0);
       add_core(mesh_, middle_, radii, tree_.green * 0.6f, 0.4, crown_);
     }
@@ -163,7 +180,7 @@ class TreeBuilder {
     return dvec3(1.0, tree_.flat, 1.0) * (tree_.cluster_m * sizes_[i]);
   }
 
-  /// Evenly around the crown, from its lowest cluster to its top, at uneven depths.
+  /// Places clusters evenly around the crown, from its lowest cluster to its top, at uneven depths.
   void place_clusters() {
     const double share = static_cast<double>(kLevels[0].clusters) / level_.clusters;
     const double swell = std::pow(share, 0.28);
@@ -189,7 +206,8 @@ class TreeBuilder {
     add_wood(mesh_, path, tree_.trunk_m, 0.62 * tree_.trunk_m, sides, tree_.bark);
   }
 
-  /// Limbs from the fork out and up, nearly straight, and twigs from their ends to the clusters.
+  /// Adds nearly straight limbs from the fork outwards and up, and twigs from their ends to the
+  /// clusters.
   void add_limbs() {
     const double radius = tree_.trunk_m * (tree_.fork_y > 0.0 ? 0.42 : 0.6);
     std::vector<dvec3> ends;
@@ -220,7 +238,7 @@ class TreeBuilder {
     add_wood(mesh_, path, radius, 0.3 * radius, level_.fine ? 4 : 3, tree_.bark);
   }
 
-  /// Leaves lie on their cluster like tiles, tips out and down.
+  /// Adds the leaves of a cluster. They lie on it like tiles, with their tips outwards and down.
   void add_leaves(std::size_t cluster) {
     const vec3 green = random_.varied(tree_.green, 0.24, 0.2);
     const double length =

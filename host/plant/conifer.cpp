@@ -9,15 +9,23 @@
 namespace aerostat::plant {
 namespace {
 
-/// The shape of a spruce: a cone of branches in loose whorls that rise at the top and hang below.
+/// The shape of a spruce. It is a cone of branches in loose whorls, which rise at the top and hang
+/// further down. All values are chosen by eye.
 struct Conifer {
   double height_m;
-  double radius_m;  // of the crown at its widest
-  double bare;      // share of the trunk below the crown
-  double taper;     // below 1 the crown is a bulging cone, above 1 a hollow one
-  double droop;     // how far branches hang, in their lengths
-  double ragged;    // variation of their lengths
-  vec3 green;       // of outer needles
+  /// The radius of the crown at its widest, in metres.
+  double radius_m;
+  /// The share of the trunk below the crown.
+  double bare;
+  /// The exponent of the crown's outline. Below 1 the crown is a bulging cone, above 1 a hollow
+  /// one.
+  double taper;
+  /// The distance by which branches hang down, in their lengths.
+  double droop;
+  /// The variation of the lengths of branches.
+  double ragged;
+  /// The albedo of the outer needles.
+  vec3 green;
 };
 constexpr Conifer kConifers[] = {
     {17.0, 2.9, 0.05, 0.85, 0.30, 0.16, {0.047f, 0.068f, 0.031f}},
@@ -27,15 +35,22 @@ constexpr Conifer kConifers[] = {
 const vec3 kBark{0.100f, 0.084f, 0.070f};
 const vec3 kSnow{0.80f, 0.82f, 0.85f};
 
-constexpr float kBlend = 0.17f;  // of snow into far needles; snow covers less than these
+/// The share of snow in the colour of far needles. Snow covers less area than these needles. Chosen
+/// by eye.
+constexpr float kBlend = 0.17f;
 
 struct Level {
   int branches;
-  int twigs;           // on each side of a branch
-  double twig_width;   // in twig lengths
-  double widest_twig;  // metres
-  double sheet_width;  // of the sheet that stands for a branch's needles, in branch lengths
-  double sheet_reach;  // how far along the branch it goes
+  /// The number of twigs on each side of a branch.
+  int twigs;
+  /// The width of a twig in its lengths.
+  double twig_width;
+  /// The largest width of a twig in metres.
+  double widest_twig;
+  /// The width of the sheet that stands for a branch's needles, in lengths of the branch.
+  double sheet_width;
+  /// The reach of the sheet along the branch, in lengths of the branch.
+  double sheet_reach;
   int trunk_sides;
 };
 constexpr Level kLevels[3] = {{275, 12, 0.235, 0.13, 0.42, 0.62, 9},
@@ -75,13 +90,13 @@ class ConiferBuilder {
     dvec3 tangent(double s) const { return glm::normalize(at(s + 0.02) - at(s - 0.02)); }
   };
 
-  /// Where a tree is a few pixels, needles and snow are blended: each sample must not find the one
-  /// or the other.
+  /// Returns whether the tree is only a few pixels high. Needles and snow are then blended, because
+  /// single samples would hit either the one or the other.
   bool seen_whole() const { return level_.twigs == 0; }
 
   double crown_foot() const { return tree_.bare * tree_.height_m; }
 
-  /// Radius of the crown at share t of its height.
+  /// Returns the radius of the crown at share t of its height.
   double radius(double t) const {
     return tree_.radius_m * std::pow(1.0 - t, tree_.taper) * (0.72 + 0.28 * smooth(0.0, 0.14, t));
   }
@@ -97,7 +112,7 @@ class ConiferBuilder {
   }
 
   void add_branch(int k) {
-    // More of them towards the top, where they are short; gathered in whorls.
+    // There are more branches towards the top, where they are short. They are gathered in whorls.
     const double u = (k + 0.5) / level_.branches;
     const double loose = u + random_.range(-0.4, 0.4) / level_.branches;
     const double t = 0.985 * (1.0 - std::pow(1.0 - std::clamp(loose, 0.0, 1.0), 1.25));
@@ -129,8 +144,8 @@ class ConiferBuilder {
     }
   }
 
-  /// What hangs under and around a branch as one leaf that falls from the trunk like a tile: it
-  /// keeps the crown closed.
+  /// Adds one leaf that stands for the needles under and around a branch. It falls from the trunk
+  /// like a tile and keeps the crown closed.
   void add_sheet(const Branch& branch, const vec3& green) {
     const double reach = level_.sheet_reach * random_.range(0.92, 1.06);
     const dvec3 tip = branch.at(reach) - dvec3(0.0, 0.1 * branch.length, 0.0);
@@ -139,7 +154,7 @@ class ConiferBuilder {
              crown_);
   }
 
-  /// High enough to meet the branches above.
+  /// Returns the upper end of a sheet, which is high enough to meet the branches above.
   dvec3 sheet_top(const Branch& branch) const {
     const double gap = level_.twigs > 4 ? 0.0 : 1.6 * tree_.height_m / level_.branches;
     return branch.origin + dvec3(0.0, 0.42 * branch.length + gap, 0.0);
@@ -169,7 +184,7 @@ class ConiferBuilder {
              crown_);
   }
 
-  /// Pillows along the top of a branch; on a sheet, one that covers its outer part.
+  /// Adds snow along the top of a branch. On a sheet it is one leaf that covers the outer part.
   void add_snow(const Branch& branch) {
     const double from = random_.range(0.12, 0.3), to = random_.range(0.85, 1.02);
     if (level_.twigs <= 4) {
@@ -198,7 +213,7 @@ class ConiferBuilder {
              [this](const dvec3& p) { return snow_shade(p); });
   }
 
-  /// Snow lies on top, in the light: it is hardly darkened by the crown.
+  /// Returns the shade of snow. It lies on top in the light, so that the crown hardly darkens it.
   Shade snow_shade(const dvec3& p) const {
     const Shade crown = shade(p);
     return {glm::normalize(crown.outward * 0.6 + dvec3(0.0, 0.8, 0.0)), 0.55 + 0.45 * crown.light};

@@ -6,11 +6,11 @@
 #include "plant/random.hpp"
 #include "plant/species.hpp"
 
-// What grows in dry places: stems or blades that fan out from one foot.
+// This file builds the plants of dry places: stems or blades that fan out from one foot.
 namespace aerostat::plant {
 namespace {
 
-/// A path that leaves the ground at `foot`, steep or shallow, and bends over outwards.
+/// Returns a path that leaves the ground at `foot`, steep or shallow, and bends over outwards.
 std::vector<dvec3> bending_path(const dvec3& foot, double around, double length, double lean,
                                 double bend, int pieces) {
   const dvec3 out = level_direction(around);
@@ -23,10 +23,12 @@ std::vector<dvec3> bending_path(const dvec3& foot, double around, double length,
   return path;
 }
 
-/// A tamarisk-like bush: wiry stems with feathery, grey-green twigs.
+/// A bush like a tamarisk, with wiry stems and feathery, grey-green twigs. All values are chosen by
+/// eye.
 struct Scrub {
   double stem_m;
-  double lean;  // of the outermost stems
+  /// The angle in radians by which the outermost stems lean.
+  double lean;
   double bend;
   vec3 green;
 };
@@ -36,7 +38,8 @@ const vec3 kTwig{0.15f, 0.11f, 0.08f};
 
 struct ScrubLevel {
   int stems, twigs, pieces;
-  double twig_length, twig_width;  // in stem lengths
+  /// The length and the width of a twig in lengths of the stem.
+  double twig_length, twig_width;
   bool round;
 };
 constexpr ScrubLevel kScrubLevels[3] = {
@@ -71,7 +74,7 @@ void add_stem(mesh::TriangleMesh& mesh, const Scrub& scrub, const ScrubLevel& le
   }
 }
 
-/// Dry grass that stands in a tuft; old blades lie about it.
+/// Dry grass that stands in a tuft with old blades lying around it. All values are chosen by eye.
 struct Tussock {
   double blade_m;
   vec3 straw;
@@ -80,7 +83,8 @@ constexpr Tussock kTussocks[] = {{0.6, {0.27f, 0.21f, 0.105f}}, {0.9, {0.24f, 0.
 
 struct TussockLevel {
   int blades, pieces;
-  double width;  // in blade lengths
+  /// The width of a blade in its lengths.
+  double width;
 };
 constexpr TussockLevel kTussockLevels[3] = {{420, 4, 0.011}, {130, 2, 0.03}, {44, 1, 0.075}};
 

@@ -8,11 +8,11 @@
 namespace aerostat::plant {
 namespace {
 
-// How far normals turn from the leaf's own to the crown's.
+// The share by which normals turn from those of the leaf to those of the crown. Chosen by eye.
 constexpr double kBend = 0.65;
 
-/// The leaf's own normal on the crown's outer side, bent outwards: the renderer takes the side that
-/// vertex normals point to for the front, so the two must agree on most leaves.
+/// Returns the leaf's normal on the outer side of the crown, bent outwards. The renderer takes the
+/// side that vertex normals point to for the front, so the two must agree on most leaves.
 dvec3 soft_normal(const dvec3& own, const dvec3& outward) {
   const dvec3 facing = glm::dot(own, outward) < 0.0 ? -own : own;
   return glm::normalize(facing * (1.0 - kBend) + outward * kBend);

@@ -10,10 +10,12 @@
 namespace aerostat::plant {
 namespace {
 
-/// A coconut palm: a slender trunk that bows to one side, and a head of feathered fronds.
+/// A coconut palm with a slender trunk that bows to one side, and a head of feathered fronds. All
+/// values are chosen by eye.
 struct Palm {
   double trunk_m;
-  double bow_m;  // how far the head lies from above the foot
+  /// The level distance of the head from the foot in metres.
+  double bow_m;
   double frond_m;
   vec3 green;
 };
@@ -26,9 +28,12 @@ const vec3 kNut{0.11f, 0.105f, 0.03f};
 
 struct Level {
   int fronds;
-  int leaflets;          // on each side of a frond
-  double leaflet_width;  // metres
-  int rings;             // of leaf scars on the trunk
+  /// The number of leaflets on each side of a frond.
+  int leaflets;
+  /// The width of a leaflet in metres.
+  double leaflet_width;
+  /// The number of rings of leaf scars on the trunk.
+  int rings;
   int trunk_sides;
   int nuts;
 };
@@ -55,7 +60,8 @@ class PalmBuilder {
   }
 
  private:
-  /// Bowed at the foot, upright at the head, as it grew towards the light.
+  /// Returns a point of the trunk. The trunk is bowed at the foot and upright at the head, as it
+  /// grew towards the light.
   dvec3 trunk_at(double s) const {
     const double bow = palm_.bow_m * (1.0 - (1.0 - s) * (1.0 - s));
     return {bow, palm_.trunk_m * s, 0.0};
@@ -82,7 +88,7 @@ class PalmBuilder {
                     {path, level_.trunk_sides, [&](std::size_t i) { return radii[i]; }, tone});
   }
 
-  /// An arc that rises from the head and bends down under its own weight.
+  /// A frond as an arc that rises from the head and bends down under its own weight.
   struct Frond {
     dvec3 head, out, side;
     double length, rise, weight, twist;
@@ -97,7 +103,7 @@ class PalmBuilder {
   };
 
   void add_frond(int k) {
-    // Young ones stand upright in the middle, old ones hang; the oldest are dry.
+    // Young fronds stand upright in the middle, and old ones hang. The oldest are dry.
     const double age = (k + 0.5) / level_.fronds;
     const double around = 2.399963 * k + random_.range(-0.2, 0.2);
     Frond frond;
@@ -124,7 +130,8 @@ class PalmBuilder {
     }
   }
 
-  /// Leaflets stand out in a V near the head and hang towards the tip of the frond.
+  /// Adds a leaflet. Leaflets stand out in a V near the head and hang down towards the tip of the
+  /// frond.
   void add_leaflet(const Frond& frond, double s, double hand, const vec3& green) {
     const dvec3 along = frond.along(s);
     const dvec3 right = glm::normalize(glm::cross(along, dvec3(0.0, 1.0, 0.0)));
@@ -143,7 +150,7 @@ class PalmBuilder {
              crown_);
   }
 
-  /// Two flanks that fall off from the rachis, as two folded leaves in a row.
+  /// Adds a frond as two folded leaves in a row, whose halves slope down from the rachis.
   void add_far_frond(const Frond& frond, const vec3& green) {
     const double width = 0.5 * frond.length / 4.6;
     add_leaf(mesh_, {frond.at(0.04), frond.at(0.66), frond.side * width, 0.55, 0.5, green, 1.0},

@@ -13,11 +13,12 @@ namespace {
 
 struct Entry {
   const char* name;
-  std::vector<double> heights_m;  // one for each variant
+  /// The heights of the variants in metres.
+  std::vector<double> heights_m;
   void (*build)(mesh::TriangleMesh&, int variant, Detail);
 };
 
-/// In the order of Species.
+/// Returns the catalogue of species in the order of Species.
 const std::array<Entry, kSpeciesCount>& catalogue() {
   static const std::array<Entry, kSpeciesCount> entries{{
       {"spruce",
@@ -55,7 +56,7 @@ void require(const ModelKey& model) {
                           species_name(model.species), model.variant, variants - 1));
 }
 
-/// Scales about the foot, so that all levels are equally high.
+/// Scales a mesh about the foot, so that all levels of detail have the same height.
 void fit_height(mesh::TriangleMesh& mesh, double height_m) {
   float top = 0.0f;
   for (const vec3& p : mesh.positions) top = std::max(top, p.y);

@@ -5,7 +5,7 @@
 
 #include "mesh/mesh.hpp"
 
-/// Plants and stones of the three biomes, built by functions from a few measures and a seed.
+/// Builds the plants and stones of the three biomes by functions from a few measures and a seed.
 namespace aerostat::plant {
 
 enum class Species {
@@ -14,20 +14,26 @@ enum class Species {
   palm,
   broadleaf,
   acacia,
-  shrub,          // green, of moist places
-  scrub,          // feathery and grey-green, of dry ones
-  tussock,        // dry grass
-  boulder,        // grey and neutral: an instance's tint gives it the colour of its ground
-  snowy_boulder,  // with a cap of snow
+  /// A green shrub of moist places.
+  shrub,
+  /// A feathery, grey-green bush of dry places.
+  scrub,
+  /// A tuft of dry grass.
+  tussock,
+  /// A neutral grey boulder. The tint of an instance gives it the colour of the ground.
+  boulder,
+  /// A boulder with a cap of snow.
+  snowy_boulder,
   driftwood,
   count
 };
 inline constexpr int kSpeciesCount = static_cast<int>(Species::count);
 
-/// How many triangles a model may have: the largest kinds 20,000, 2,000 and 250.
+/// The level of detail of a model. It limits the triangles of the largest species to 20,000, 2,000
+/// and 250.
 enum class Detail { near, middle, far };
 
-/// One model of a species, 0 <= variant < variant_count(species).
+/// One model of a species, with 0 <= variant < variant_count(species).
 struct ModelKey {
   Species species = Species::spruce;
   int variant = 0;
@@ -37,17 +43,18 @@ struct ModelKey {
 
 int variant_count(Species species);
 
-/// A word for messages, such as "snowy_spruce".
+/// Returns a word for messages, such as "snowy_spruce".
 const char* species_name(Species species);
 
-/// Top of the model above the ground, in metres, at every level of detail.
+/// Returns the height of the model's top above the ground in metres. It is the same at every level
+/// of detail.
 double model_height(const ModelKey& model);
 
-/// The model with its foot at the origin and y up, some of it below the ground so that it stands on
-/// slopes. Vertex colours are linear albedo with the crown's own shade baked in; foliage consists
-/// of flat leaves that are meant to be seen from both sides, with normals bent outwards. The levels
-/// share silhouette, colour and volume. Equal arguments give equal bits.
-/// Throws Error{internal} if there is no such variant.
+/// Builds a model with its foot at the origin and y up. Some of it is below the ground, so that it
+/// can stand on slopes. Vertex colours are linear albedo with the crown's own shade baked in.
+/// Foliage consists of flat leaves that are meant to be seen from both sides, with normals bent
+/// outwards. The levels of detail share silhouette, colour and volume. Equal arguments give equal
+/// bits. Throws Error{internal} if there is no such variant.
 mesh::TriangleMesh build(const ModelKey& model, Detail detail);
 
 }  // namespace aerostat::plant

@@ -8,8 +8,8 @@
 
 namespace aerostat::plant {
 
-/// A repeatable stream of numbers: SplitMix64 (Steele, Lea, Flood, "Fast splittable pseudorandom
-/// number generators", 2014). The same on every machine.
+/// A repeatable stream of random numbers that is the same on every machine. It is SplitMix64
+/// (Steele, Lea, Flood, "Fast splittable pseudorandom number generators", 2014).
 class Random {
  public:
   explicit Random(std::uint64_t seed) : state_(seed) {}
@@ -21,20 +21,21 @@ class Random {
     return z ^ (z >> 31);
   }
 
-  /// In [0, 1).
+  /// Returns a number in [0, 1).
   double unit() { return static_cast<double>(bits() >> 11) * 0x1p-53; }
   double range(double from, double to) { return from + (to - from) * unit(); }
   bool chance(double probability) { return unit() < probability; }
   double turn() { return 2.0 * std::numbers::pi * unit(); }
 
-  /// Even over the unit sphere.
+  /// Returns a direction that is evenly distributed over the unit sphere.
   dvec3 direction() {
     const double y = range(-1.0, 1.0), around = turn();
     const double r = std::sqrt(1.0 - y * y);
     return {r * std::cos(around), y, r * std::sin(around)};
   }
 
-  /// `color`, brighter or darker and warmer or cooler by up to these shares.
+  /// Returns `color` made brighter or darker and warmer or cooler by random amounts up to these
+  /// shares.
   vec3 varied(const vec3& color, double brightness, double warmth) {
     const auto level = static_cast<float>(1.0 + range(-brightness, brightness));
     const auto warm = static_cast<float>(range(-warmth, warmth));

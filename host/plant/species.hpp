@@ -2,8 +2,8 @@
 
 #include "plant/plant.hpp"
 
-/// The builders behind plant::build. Each appends one model to an empty mesh; sizes come out near
-/// those of model_height, which build() then meets exactly.
+/// Declares the builders behind plant::build. Each appends one model to an empty mesh. Its size is
+/// near that of model_height, and build() then scales it to the exact height.
 namespace aerostat::plant {
 
 void build_conifer(mesh::TriangleMesh& mesh, int variant, bool snowy, Detail detail);
@@ -16,7 +16,7 @@ void build_tussock(mesh::TriangleMesh& mesh, int variant, Detail detail);
 void build_boulder(mesh::TriangleMesh& mesh, int variant, bool snowy, Detail detail);
 void build_driftwood(mesh::TriangleMesh& mesh, int variant, Detail detail);
 
-/// The entry of a triple that belongs to a level.
+/// Returns the entry of a triple that belongs to a level of detail.
 template <class T>
 const T& at_level(const T (&levels)[3], Detail detail) {
   return levels[static_cast<int>(detail)];

@@ -9,14 +9,14 @@
 #include "plant/random.hpp"
 #include "plant/species.hpp"
 
-// What does not grow: boulders and driftwood.
+// This file builds boulders and driftwood.
 namespace aerostat::plant {
 namespace {
 
 const vec3 kStone{0.19f, 0.183f, 0.175f};
 const vec3 kSnow{0.80f, 0.82f, 0.85f};
 
-/// Unit icosahedron whose triangles are split in four so many times.
+/// Returns the unit icosahedron with every triangle split in four, repeated `splits` times.
 mesh::TriangleMesh unit_sphere(int splits) {
   const float g = 0.5f + 0.5f * std::sqrt(5.0f);
   mesh::TriangleMesh mesh;
@@ -49,8 +49,8 @@ mesh::TriangleMesh unit_sphere(int splits) {
   return mesh;
 }
 
-/// A boulder as a function of the direction from its middle: a polyhedron of random planes with
-/// worn edges, and the grain of the rock upon it.
+/// A boulder as a function of the direction from its middle. It is a polyhedron of random planes
+/// with worn edges, covered with the grain of the rock.
 class Boulder {
  public:
   explicit Boulder(std::uint64_t seed) : random_(seed) {
@@ -62,7 +62,8 @@ class Boulder {
     stretch_ = {random_.range(1.0, 1.35), random_.range(0.72, 0.95), random_.range(0.85, 1.1)};
   }
 
-  /// Smooth minimum over the planes' distances along the direction (a sum of powers).
+  /// Returns the surface in a direction from the middle. The distance is a smooth minimum over the
+  /// distances of the planes, computed as a sum of powers.
   dvec3 at(const dvec3& direction) const {
     double sum = 0.0;
     for (const Plane& plane : planes_) {
