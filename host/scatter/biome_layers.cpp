@@ -7,10 +7,12 @@ namespace aerostat::scatter {
 
 namespace {
 
-// Albedo of plant's boulders, whose tint makes them the ground's.
+// The albedo of the boulder models. Dividing by it lets the tint turn their colour into that of the
+// ground.
 const vec3 kBoulderAlbedo{0.19f, 0.183f, 0.175f};
 
-/// Boulders come in heaps, more of them towards bare rock; none in water or deep in the woods.
+/// Returns the probability of a boulder at a site. Boulders come in heaps and are more frequent
+/// towards bare rock and shores, and rare deep in the woods.
 float boulder_chance(const GroundRule& rule, const Site& site, float heaps) {
   const GroundMix mix = rule.mix(site.position, site.normal.y, site.noise);
   const float heap = ramp(0.25f, 0.9f, site.noise.fine - 0.4f * site.noise.broad);
@@ -88,7 +90,7 @@ Layer boulder_layer(const Nature& nature, std::uint32_t id, double spacing_m, do
                              : plant::Species::boulder;
     Choice choice;
     choice.model = any_variant(species, random);
-    // Many small ones to a large one.
+    // There are many small boulders for each large one.
     const double rank = random.unit();
     choice.scale = size_between(nature, random, 0.35, 0.9) / static_cast<float>(0.3 + 0.9 * rank);
     choice.upright = 0.3f;

@@ -17,7 +17,7 @@ float frayed_step(float lo, float hi, float x, float ragged) {
   return smooth_step(0.475f, 0.525f, t + 0.34f * ragged);
 }
 
-/// What frays the borders between kinds of ground.
+/// Returns the noise that frays the borders between kinds of ground.
 float ragged(const GroundNoise& noise) {
   return 0.3f * noise.broad + 1.5f * noise.fine - 0.6f * noise.rough;
 }

@@ -9,43 +9,44 @@
 
 namespace aerostat::scatter {
 
-/// How much of each kind of ground there is at a place, 0 to 1.
+/// The amount of each kind of ground at a place, from 0 to 1.
 struct GroundMix {
   float rock = 0.0f, beach = 0.0f, snow = 0.0f, forest = 0.0f;
 };
 
-/// Noise that the rules share.
+/// The values of the noise that the rules share.
 struct GroundNoise {
   float broad = 0.0f, fine = 0.0f, rough = 0.0f;
 };
 
-/// What kernels/device/material/ground_mix.clh says of the ground, on the host: plants grow where
-/// it paints them, so that woods of single trees go over into painted ones. Positions lie in the
-/// world, in metres; `slope_cos` is the y of the ground's interpolated unit normal.
+/// Computes on the host the same mix of the ground as kernels/device/material/ground_mix.clh.
+/// Plants grow where this mix paints them, so that woods of single trees pass into painted woods.
+/// Positions are in the world in metres. `slope_cos` is the y of the ground's interpolated unit
+/// normal.
 class GroundRule {
  public:
-  /// Detail finer than `footprint_m` is left out.
+  /// Makes the rule of a ground. Detail finer than `footprint_m` metres is left out.
   GroundRule(const scene::Ground& ground, std::uint32_t seed, float footprint_m);
 
-  /// One for each point. The same bits as one by one.
+  /// Returns the noise of each point. The bits do not depend on how the points are grouped.
   std::vector<GroundNoise> noise(std::span<const vec3> points) const;
-  /// The same but for `rough`, which is left as it is, and then that by itself.
+  /// Fills all noise except `rough`, which is left as it is. `fill_rough` fills only `rough`.
   void fill_smooth(std::span<const vec3> points, std::span<GroundNoise> noise) const;
   void fill_rough(std::span<const vec3> points, std::span<GroundNoise> noise) const;
-  /// mix.forest of ground_mix() there.
+  /// Returns the forest of the mix at a place.
   float forest(const vec3& p, float slope_cos, const GroundNoise& noise) const;
-  /// No less, whatever the slope and the noise's `rough` are.
+  /// Returns an upper bound of `forest` for every slope and every value of the noise's `rough`.
   float forest_at_most(const vec3& p, const GroundNoise& noise) const;
   GroundMix mix(const vec3& p, float slope_cos, const GroundNoise& noise) const;
 
-  /// How much the upper limit of trees thins them out, 0 below it, 1 above.
+  /// Returns how much the tree line thins out the trees, from 0 below it to 1 above it.
   float thinning(const vec3& p, const GroundNoise& noise) const;
-  /// Above 0 in the woods, below it outside; changes slowly.
+  /// Returns a slowly changing value that is above 0 in the woods and below 0 outside.
   float closeness(const vec3& p, const GroundNoise& noise) const;
-  /// No tree grows above.
+  /// Returns the height above which no tree grows.
   float highest_tree() const;
 
-  /// Albedo of rock there.
+  /// Returns the albedo of the rock at a place.
   vec3 rock_color(const vec3& p, const GroundNoise& noise) const;
 
  private:

@@ -10,13 +10,15 @@ namespace {
 
 constexpr float kNone = -1e30f;
 
-/// The vertices whose cells a tile touches along one side; none if first > last.
+/// The vertices whose cells a tile touches along one side. There are none if first > last.
 struct Run {
   std::uint32_t first = 1, last = 0;
-  bool whole = false;  // nothing of the tile sticks out
+  /// Tells whether the whole tile lies on the ground.
+  bool whole = false;
 };
 
-/// `line(i)` is the i-th of `lines` lines.
+/// Returns the run of each tile along one side of the map. `line(i)` is the position of line i of
+/// the ground's `lines` lines.
 template <class Line>
 std::vector<Run> runs_of(const TileMap& map, double corner, std::uint32_t lines, const Line& line) {
   std::vector<Run> runs(static_cast<std::size_t>(map.side));
@@ -33,7 +35,8 @@ std::vector<Run> runs_of(const TileMap& map, double corner, std::uint32_t lines,
   return runs;
 }
 
-/// `combine(a, b)` over the tiles up to `reach` away, along x and then along z.
+/// Combines the values of the tiles up to `reach` tiles away with `combine(a, b)`, first along x
+/// and then along z.
 template <class T, class Combine>
 std::vector<T> gathered(const TileMap& map, const std::vector<T>& values, int reach,
                         const Combine& combine) {

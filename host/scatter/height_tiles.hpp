@@ -8,9 +8,11 @@ namespace aerostat::scatter {
 
 /// A square piece of the map in square tiles.
 struct TileMap {
-  dvec2 corner{0.0};  // least x and z
+  /// The least x and z.
+  dvec2 corner{0.0};
   double tile_m = 1.0;
-  int side = 0;  // tiles along x and along z
+  /// The number of tiles along x and along z.
+  int side = 0;
 
   int column(double x) const { return whole((x - corner.x) / tile_m); }
   int row(double z) const { return whole((z - corner.y) / tile_m); }
@@ -27,22 +29,22 @@ struct TileMap {
   }
 
  private:
-  // Rounds down; without SSE 4 std::floor is a call.
+  // Rounds down. std::floor is not used because it is a call without SSE 4.
   static int whole(double value) {
     const int cut = static_cast<int>(value);
     return cut - (value < cut ? 1 : 0);
   }
 };
 
-/// The lowest and the highest ground of each tile. Where some of the tile has no ground the lowest
-/// is far below everything, where none has the highest is, too.
+/// The lowest and the highest ground of each tile. If a part of a tile has no ground, the lowest is
+/// far below everything. If no part of it has ground, the highest is far below everything too.
 struct HeightTiles {
   std::vector<float> lowest, highest;
 };
 HeightTiles height_tiles(const TileMap& map, const mesh::GridMesh& ground);
 
-/// The least value, and whether there is any flag, among the tiles up to `reach` tiles away in x
-/// and z; beyond the map there are none.
+/// Returns for each tile the least value among the tiles up to `reach` tiles away in x and z.
+/// `any_around` returns whether one of these tiles has a flag. There are no tiles beyond the map.
 std::vector<float> least_around(const TileMap& map, const std::vector<float>& values, int reach);
 std::vector<char> any_around(const TileMap& map, const std::vector<char>& flags, int reach);
 

@@ -11,55 +11,70 @@
 
 namespace aerostat::scatter {
 
-/// A place where something may grow.
+/// A place where a plant or stone may stand.
 struct Site {
-  vec3 position{0.0f};  // over the terrain, as all positions here
+  /// The position over the terrain in metres, as all positions here.
+  vec3 position{0.0f};
   vec3 normal{0.0f, 1.0f, 0.0f};
-  float above_sea = 0.0f;  // metres; far above where there is no sea
+  /// The height above the sea in metres. It is very large if there is no sea.
+  float above_sea = 0.0f;
   GroundNoise noise;
 };
 
-/// What stands at a place.
+/// The plant or stone that stands at a site.
 struct Choice {
   plant::ModelKey model;
   float scale = 1.0f;
-  float upright = 1.0f;  // 1: stands plumb, 0: at right angles to the ground
-  vec2 lean{0.0f};       // tilt of the axis in x and z, as tangents, on top of that
+  /// The direction of the axis: 1 is plumb, and 0 is at right angles to the ground.
+  float upright = 1.0f;
+  /// An additional tilt of the axis in x and z, as tangents.
+  vec2 lean{0.0f};
   vec3 tint{1.0f};
 };
 
-/// One kind of growth: a jittered grid with a candidate in every square.
+/// One kind of growth. It is a jittered grid with a candidate in every square.
 struct Layer {
-  std::uint32_t id = 0;       // sets its grid and its random numbers apart
-  double spacing_m = 10.0;    // side of a square
-  double reach_m = 1000.0;    // nothing beyond; thins out over the outer half
-  float lowest = -kInfinity;  // heights of the ground
+  /// A number that separates the grid and the random numbers of this layer from those of others.
+  std::uint32_t id = 0;
+  /// The side of a square in metres.
+  double spacing_m = 10.0;
+  /// The distance in metres beyond which nothing grows. Growth thins out over the outer half.
+  double reach_m = 1000.0;
+  /// The range of heights of the ground on which the layer grows, in metres.
+  float lowest = -kInfinity;
   float highest = kInfinity;
-  float steepest_cos = 0.0f;  // of the slope
-  float most = 1.0f;          // bound of `chance`
-  /// The probability that a candidate grows, by its site.
+  /// The cosine of the steepest slope on which the layer grows.
+  float steepest_cos = 0.0f;
+  /// An upper bound of `chance`.
+  float most = 1.0f;
+  /// Returns the probability that a candidate grows at its site.
   std::function<float(const Site&)> chance;
-  /// No less than that, by all but the noise's `rough`, which is dear; null: `most` is all that is
-  /// known.
+  /// Returns an upper bound of `chance` that does not need the noise's `rough`, which is expensive.
+  /// If it is null, only `most` bounds `chance`.
   std::function<float(const Site&)> chance_at_most;
   std::function<Choice(const Site&, plant::Random&)> choose;
 };
 
-/// What the layers are placed upon. Squares are counted by places over the terrain.
+/// The ground, the sea and the other data that layers are placed with. Squares are counted by
+/// places over the terrain.
 struct Place {
   const Surface& surface;
   const GroundRule& rule;
-  float sea_level_m;  // far below everything if there is none
-  dvec2 center;       // reaches count from here
+  /// The height of the sea in metres, far below everything if there is none.
+  float sea_level_m;
+  /// The place from which reaches are counted.
+  dvec2 center;
   std::span<const KeepOut> keep_out;
   std::uint32_t seed;
-  const Sight* sight;  // squares where nothing matters stay empty; null: everything matters
-  double tallest_m;    // no plant is taller
+  /// The sight outside of which squares stay empty, or null if it does not limit the layers.
+  const Sight* sight;
+  /// The height in metres that no plant exceeds.
+  double tallest_m;
 };
 
-/// The layer's instances, in the order of its squares. Their models are indices into `models`,
-/// which must hold all that `choose` returns. Runs on all cores; the bits do not depend on how
-/// many.
+/// Returns the instances of a layer in the order of its squares. Their models are indices into
+/// `models`, which must contain every model that `choose` returns. It runs on all cores, and the
+/// bits do not depend on their number.
 std::vector<Instance> place_layer(const Layer& layer, const Place& place,
                                   std::span<const plant::ModelKey> models);
 

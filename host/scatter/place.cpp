@@ -13,10 +13,11 @@
 namespace aerostat::scatter {
 namespace {
 
-// How far candidates stray from the middles of their squares, in squares.
+// The largest width over which candidates stray about the middles of their squares, in squares.
+// Chosen by eye.
 constexpr double kJitter = 0.9;
 
-/// A stream of its own for every square of the row with z number j.
+/// Makes separate random numbers for every square of the row with z number j.
 class RowRandom {
  public:
   RowRandom(std::uint32_t seed, std::uint32_t layer, std::int64_t j) {
@@ -32,7 +33,7 @@ class RowRandom {
   std::uint64_t bits_;
 };
 
-/// The share of candidates that stays at a distance from the centre.
+/// Returns the share of candidates that stays at a distance from the centre.
 double kept_at(double distance, double reach) {
   return std::clamp(2.0 - 2.0 * distance / reach, 0.0, 1.0);
 }
@@ -42,7 +43,7 @@ class Planter {
   Planter(const Layer& layer, const Place& place, std::span<const plant::ModelKey> models)
       : layer_(layer), place_(place), models_(models), origin_(place.surface.origin()) {}
 
-  /// What grows in the row of squares with z number j.
+  /// Returns the instances in the row of squares with z number j.
   std::vector<Instance> plant_row(std::int64_t j) const {
     std::vector<Candidate> candidates = candidates_of_row(j);
     add_noise(candidates, &GroundRule::fill_smooth);
@@ -58,7 +59,7 @@ class Planter {
   }
 
  private:
-  /// A square whose plant has passed all that costs little.
+  /// A candidate that has passed all cheap tests.
   struct Candidate {
     Candidate(const plant::Random& own_random, double own_fate)
         : random(own_random), fate(own_fate) {}
@@ -121,12 +122,13 @@ class Planter {
     const double fate = random.unit();
     if (!(fate < static_cast<double>(layer_.most))) return;
     if (!place_.surface.covers(x, z)) return;
-    // Written where it stays: what is put together elsewhere is copied before it has arrived.
+    // The candidate is made in the vector itself, because one made elsewhere would have to be
+    // copied.
     Candidate& candidate = candidates.emplace_back(random, fate);
     if (!stand(x, z, candidate)) candidates.pop_back();
   }
 
-  /// Puts a candidate on the ground, if the ground is right.
+  /// Puts a candidate on the ground. Returns whether the ground suits the layer.
   bool stand(double x, double z, Candidate& candidate) const {
     Surface::Spot& spot = candidate.spot;
     Site& site = candidate.site;
@@ -142,7 +144,7 @@ class Planter {
 
   void grow(Candidate& candidate, std::vector<Instance>& row) const {
     Site& site = candidate.site;
-    // Others have theirs.
+    // The normals of the other layers are known already.
     if (!(layer_.steepest_cos > 0.0f)) site.normal = place_.surface.normal(candidate.spot);
     if (!(candidate.fate < static_cast<double>(layer_.chance(site)))) return;
     const Choice choice = layer_.choose(site, candidate.random);

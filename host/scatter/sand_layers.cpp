@@ -9,10 +9,11 @@ namespace {
 using plant::Random;
 using plant::Species;
 
-// How far around a hollow is told from a crest.
+// The distance in metres at which the height around a place tells a hollow from a crest. Chosen by
+// eye.
 constexpr double kAroundM = 45.0;
 
-/// 1 on the floors between dunes, where water gathers, 0 on their flanks and crests.
+/// Returns 1 on the floors between dunes, where water gathers, and 0 on their flanks and crests.
 float hollow(const Surface& surface, const Site& site) {
   const double x = static_cast<double>(site.position.x), z = static_cast<double>(site.position.z);
   float around = 0.0f;
@@ -22,7 +23,8 @@ float hollow(const Surface& surface, const Site& site) {
   return ramp(-0.5f, 4.0f, 0.25f * around - site.position.y) * ramp(0.94f, 0.985f, site.normal.y);
 }
 
-/// A layer of what grows between the dunes: `chance` where it is wettest.
+/// Returns a layer of the plants between the dunes. `chance` is the probability at the wettest
+/// places.
 Layer floor_layer(const Nature& nature, std::uint32_t id, double spacing_m, double reach_m,
                   float chance, float bare_below) {
   Layer layer;
@@ -41,7 +43,8 @@ Layer floor_layer(const Nature& nature, std::uint32_t id, double spacing_m, doub
   return layer;
 }
 
-/// Dry growth takes the colour of straw and dust: dark shrubs would be dots on bright sand.
+/// Returns a tint with the colour of straw and dust. Without it, dark shrubs would be dots on
+/// bright sand.
 vec3 dusty_tint(Random& random) {
   return any_tint(random, 0.2, 0.15) * vec3(1.75f, 1.45f, 1.05f);
 }

@@ -10,9 +10,9 @@
 namespace aerostat::scatter {
 namespace {
 
-// Finer noise than this does not decide where a tree stands.
+// The width in metres below which noise does not decide whether a tree stands at a place.
 constexpr float kFootprintM = 1.0f;
-// What is higher above the ground than this stands in no plant's way.
+// The height in metres above the ground from which an object stands in no plant's way.
 constexpr double kClearM = 45.0;
 
 std::vector<plant::ModelKey> all_models() {
@@ -40,19 +40,20 @@ std::vector<KeepOut> kept_out(const scene::Scene& scene, const Surface& surface)
   return circles;
 }
 
-/// No plant is taller: more than the layers let any grow.
+/// Returns a height that no plant exceeds. It is larger than what the layers allow.
 double tallest_of(const std::vector<plant::ModelKey>& models, const scene::Scene& scene) {
   double tallest = 0.0;
   for (const plant::ModelKey& model : models) {
     tallest = std::max(tallest, plant::model_height(model));
   }
-  // Where the canopy is wider than that of these models, all is larger.
+  // If the canopy of the biome is wider than that of these models, all plants are larger.
   constexpr double kCanopyM = 5.8;
   const double wide = std::max(1.0, scene.biome.ground.canopy_m / kCanopyM);
   return 1.5 * tallest * wide * scene.vegetation.size;
 }
 
-/// As seen from the middle of a square: no plant is broader than tall.
+/// Returns the extent of a plant as seen from the middle of its square. No plant is broader than
+/// tall.
 Extent extent_of(const std::vector<Layer>& layers, double tallest_m) {
   double spacing = 0.0;
   for (const Layer& layer : layers) spacing = std::max(spacing, layer.spacing_m);

@@ -11,21 +11,24 @@ namespace aerostat::scatter {
 namespace {
 
 constexpr double kLeastTile_m = 32.0;
-// Directions of the sun's disc, and of what rounding makes of them.
+// The spread of directions of the sun's disc and of their rounding, in radians.
 constexpr double kSunSpread_rad = 0.006;
-// Pixels around the picture into which filters reach, and more.
+// The width in pixels of the margin around the picture into which filters reach, rounded up
+// generously.
 constexpr double kAround = 4.0;
-// How many tiles away the ground must be higher to hide something, whose tile is widened by what
-// stands in it, on all ways to it: that many tiles and the way's own cover the bundle of ways.
+// The distances in tiles within which the ground must be higher, so that it hides a tile on all
+// rays to it. The objects in a tile widen the tile. This many tiles around the ray to its middle
+// cover the whole bundle of rays.
 constexpr int kWidth = 2, kSunWidth = 3;
-// Occlusion that is looked for farther than this is looked for everywhere.
+// The longest ambient occlusion in metres for which the sight is limited. Beyond it, everything
+// matters.
 constexpr double kMostOcclusion_m = 2000.0;
 
 double cross(const dvec2& a, const dvec2& b) {
   return a.x * b.y - a.y * b.x;
 }
 
-/// Works out for each tile whether it matters.
+/// Determines for each tile whether it matters.
 class Survey {
  public:
   Survey(const scene::Scene& scene, const mesh::GridMesh& ground, const TileMap& map,
@@ -94,18 +97,19 @@ class Survey {
     return std::max(away.x, away.y) < balloon.diameter_m + extent_.aside_m + map_.tile_m;
   }
 
-  /// Nothing in the tile is higher: ground, water or plants.
+  /// Returns a height that nothing in the tile exceeds: neither ground nor water nor plants.
   double top_of(int column, int row) const {
     const scene::Water& water = scene_.biome.water;
     const auto ground = static_cast<double>(tiles_.highest[map_.at(column, row)]);
     return (water.enabled ? std::max(ground, water.level_m) : ground) + extent_.above_m + 1.0;
   }
 
-  /// Whether ground stands before all of a tile. The eye is in the map's middle, so all ways to
+  /// Returns whether ground hides a whole tile. The eye is in the middle of the map, so all rays to
   /// tiles lie on the map.
   bool is_hidden(int column, int row, double top) const {
     const double eye = scene_.camera.position.y;
-    const double from = 0.5 * map_.side;  // in tiles, as all that follows
+    // The place of the eye in tiles. The places below are in tiles as well.
+    const double from = 0.5 * map_.side;
     const dvec2 way = dvec2(column + 0.5, row + 0.5) - from;
     const int steps = static_cast<int>(std::hypot(way.x, way.y));
     const dvec2 step = way / static_cast<double>(steps);
@@ -117,11 +121,13 @@ class Survey {
     return false;
   }
 
-  /// Shadows, in tiles and metres: where they go on, and how much lower, tile by tile.
+  /// The movement of shadows from tile to tile. `step` is in tiles, and `drop` is the loss of
+  /// height in metres.
   struct Shadows {
     dvec2 step{0.0};
     double drop = 0.0;
-    int most = 0;  // the sun's disc makes the bundle wider on its way: a tile in so many
+    /// The most steps of a shadow. Beyond them, the sun's disc has made the bundle a tile wider.
+    int most = 0;
   };
 
   Shadows shadows() const {
@@ -134,8 +140,8 @@ class Survey {
     return shadows;
   }
 
-  /// Whether the shadow of what stands in the tile may fall on something that is seen, before it
-  /// has fallen on the ground.
+  /// Returns whether the shadow of objects in the tile may fall on something visible before it
+  /// falls on the ground.
   bool may_shade(int column, int row, const Shadows& shadows, const std::vector<char>& seen) const {
     dvec2 at(column + 0.5, row + 0.5);
     double height = top_of(column, row);
@@ -158,7 +164,7 @@ class Survey {
   std::vector<float> barrier_, sun_barrier_;
 };
 
-/// Whether light may come from anywhere, or rays start anywhere but at the eye.
+/// Returns whether light may come from anywhere, or rays may start elsewhere than at the eye.
 bool knows_no_bounds(const scene::Scene& scene) {
   const scene::Lens lens = scene.camera.lens;
   if (lens != scene::Lens::pinhole && lens != scene::Lens::panorama) return true;
@@ -170,7 +176,7 @@ bool knows_no_bounds(const scene::Scene& scene) {
 }  // namespace
 
 bool PlanView::touches(const dvec2& middle, double half) const {
-  // Beyond a border if the corner that is farthest inside is.
+  // The square is beyond a border if its corner that is farthest inside is beyond it.
   const auto beyond = [&](const dvec2& border, double side) {
     return side * cross(border, middle) + half * (std::abs(border.x) + std::abs(border.y)) < 0.0;
   };
@@ -183,7 +189,7 @@ std::optional<PlanView> plan_view(const scene::Camera& camera, const scene::Imag
   const double tall =
       std::tan(0.5 * glm::radians(camera.fov_y_deg)) * (1.0 + kAround / image.height);
   const double wide = tall * (image.width + kAround) / image.height;
-  // The view of someone who sees straight up or down has no sides.
+  // The view of an eye that looks straight up or down has no sides.
   if (std::abs(aside.y) <= wide * std::abs(ahead.y) && std::abs(up.y) <= tall * std::abs(ahead.y)) {
     return std::nullopt;
   }

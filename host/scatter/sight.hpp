@@ -7,23 +7,24 @@
 
 namespace aerostat::scatter {
 
-/// How far a plant goes from the place that it is looked up at, in plan, and above the ground.
+/// The largest distances that a plant reaches from the point at which its tile is looked up: in
+/// plan, and above the ground. Both are in metres.
 struct Extent {
   double aside_m = 0.0;
   double above_m = 0.0;
 };
 
-/// Where on the map things stand that a picture can show, or that can keep light from what it
-/// shows. What stands elsewhere no ray of the renderer meets, so that the picture is the same
-/// without it.
+/// Determines where on the map objects stand that a picture can show, or that can keep light from
+/// what it shows. No ray of the renderer hits the other objects, so the picture is the same without
+/// them.
 class Sight {
  public:
-  /// For a resolved scene upon `ground`, which count from the same origin, as far as `reach_m` from
-  /// the eye.
+  /// Computes the sight of a resolved scene as far as `reach_m` from the eye. The scene and
+  /// `ground` must have the same origin.
   Sight(const scene::Scene& scene, const mesh::GridMesh& ground, double reach_m,
         const Extent& extent);
 
-  /// What stands at some z.
+  /// The sight along a row of tiles.
   class Row {
    public:
     bool matters(double x) const {
@@ -35,7 +36,8 @@ class Sight {
     friend class Sight;
     const TileMap* map_;
     int row_;
-    const char* of_row_;  // if the map holds it
+    /// The flags of the row, or null if the map does not contain it.
+    const char* of_row_;
   };
 
   Row row(double z) const {
@@ -46,27 +48,32 @@ class Sight {
     return result;
   }
 
-  /// Whether something that stands at (x, z), within the extent, can matter. A quick look-up.
+  /// Returns whether an object that stands at (x, z) and keeps within the extent can matter. It is
+  /// a quick look-up.
   bool matters(double x, double z) const { return row(z).matters(x); }
 
  private:
   TileMap map_;
-  std::vector<char> matters_;  // by tile
+  /// A flag for each tile.
+  std::vector<char> matters_;
 };
 
-/// Whether two scenes with the same land and plants have the same sight.
+/// Returns whether two scenes with the same land and plants have the same sight.
 bool same_sight(const scene::Scene& a, const scene::Scene& b);
 
-/// The directions of a picture in plan: those between two, which are less than half a turn apart.
+/// The directions of a picture in plan. They lie between two directions that are less than half a
+/// turn apart.
 struct PlanView {
-  dvec2 left{0.0}, right{0.0};  // unit, x and z
+  /// The two border directions as unit vectors of x and z.
+  dvec2 left{0.0}, right{0.0};
 
-  /// Whether a square of half a side `half` around `middle`, both relative to the eye, can be in
-  /// it.
+  /// Returns whether a square can be in the view. Its half side is `half`, and its middle is
+  /// relative to the eye.
   bool touches(const dvec2& middle, double half) const;
 };
 
-/// Of a pinhole; none if it looks straight up or down, or for other lenses.
+/// Returns the plan view of a pinhole camera. Returns nothing if it looks straight up or down, or
+/// has another lens.
 std::optional<PlanView> plan_view(const scene::Camera& camera, const scene::Image& image);
 
 }  // namespace aerostat::scatter

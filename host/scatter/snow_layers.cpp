@@ -9,10 +9,11 @@ namespace {
 using plant::Random;
 using plant::Species;
 
-// Width of plant's spruces: a canopy of this width takes them as they are.
+// The width of the spruce models in metres. For a canopy of this width, the models keep their size.
 constexpr double kCrown = 5.8;
 
-/// Snow lies on the trees where it lies on the ground, and on more of them higher up.
+/// Returns a spruce for a site. Trees have snow where the ground has snow, and more of them have
+/// snow higher up.
 Choice choose_spruce(const Nature& nature, const Site& site, Random& random, double from,
                      double to) {
   const scene::Ground& ground = nature.scene.biome.ground;
@@ -22,7 +23,7 @@ Choice choose_spruce(const Nature& nature, const Site& site, Random& random, dou
   Choice choice;
   choice.model.species =
       random.chance(static_cast<double>(laden)) ? Species::snowy_spruce : Species::spruce;
-  // The slender ones grow high up.
+  // The slender variant grows high up.
   const bool slender = random.chance(0.15 + 0.6 * static_cast<double>(ramp(0.45f, 0.9f, up)));
   choice.model.variant = slender ? 1 : (random.chance(0.3) ? 2 : 0);
   const float stunted = 1.0f - 0.5f * nature.rule.thinning(site.position, site.noise);
@@ -51,7 +52,8 @@ Layer woods(const Nature& nature) {
   return layer;
 }
 
-/// Young and lonely trees around the woods, so that their edges are no walls.
+/// Returns a layer of young and single trees around the woods, so that their edges do not look like
+/// walls.
 Layer outskirts(const Nature& nature) {
   Layer layer;
   layer.id = 2;

@@ -8,7 +8,7 @@
 namespace aerostat::scatter {
 namespace {
 
-/// Bound of the noise with these gradients.
+/// The bound of the noise with these gradients.
 constexpr float kBound = 1.04f;
 
 AEROSTAT_INLINE std::uint32_t hash_column(std::uint32_t seed, std::int32_t ix) {
@@ -18,7 +18,8 @@ AEROSTAT_INLINE std::uint32_t hash_column(std::uint32_t seed, std::int32_t ix) {
   return h ^ (h >> 15);
 }
 
-/// gradient . from, the gradient pointing to the middle of one of a cube's twelve edges.
+/// Returns the product of the vector (x, y, z) with a gradient. The gradient points to the middle
+/// of one of a cube's twelve edges.
 AEROSTAT_INLINE float corner_ramp(std::uint32_t bits, float x, float y, float z) {
   std::uint32_t hash = (bits ^ (bits >> 16)) * 0x7FEB352Du;
   hash ^= hash >> 15;
@@ -34,14 +35,15 @@ AEROSTAT_INLINE float fade(float t) {
   return t * t * t * (t * (t * 6.0f - 15.0f) + 10.0f);
 }
 
-/// Every number, and no number, is somewhere on the lattice; noise is 0 long before its rim.
+/// Moves a coordinate onto the lattice. This works for every number and for NaN. The noise is 0
+/// long before the rim of the lattice.
 AEROSTAT_INLINE float on_lattice(float x) {
   constexpr float kRim = 1 << 30;
   const float above = x > -kRim ? x : -kRim;
   return above < kRim ? above : kRim;
 }
 
-/// Rounds down; |x| < 2^31.
+/// Rounds down. |x| must be less than 2^31.
 AEROSTAT_INLINE std::int32_t floor_int(float x) {
   const auto whole = static_cast<std::int32_t>(x);
   return whole - static_cast<std::int32_t>(static_cast<float>(whole) > x);
@@ -71,18 +73,20 @@ AEROSTAT_INLINE float solid_noise(float any_x, float any_y, float any_z, std::ui
   return front + (rear - front) * fade(tz);
 }
 
-/// One octave: values += weight * noise at the spots times scale plus shift.
+/// One octave of a fractal. It adds weight * noise(spot * scale + shift) to the values.
 struct Octave {
   float weight, scale, shift;
   std::uint32_t seed;
   bool ridges;
 };
 
-// Spots are taken sixteen at a time: the rest of a block one by one would take as long as all.
+// The number of spots that are computed at a time. Rounding the count up costs less than computing
+// the rest of a block one by one, which would take as long as the whole block.
 constexpr int kAtOnce = 16;
 static_assert(kBlockSize % kAtOnce == 0);
 
-// What is written is local: it might be the spots otherwise, and no compiler would vectorise.
+// Adds an octave to `values`. The noise is written to a local array, because the compiler could not
+// vectorise writes that might change the spots.
 AEROSTAT_INLINE void octave_loop(const Octave& octave, const Spots& spots, Block& values) {
   const Octave o = octave;
   const int count = (spots.count + kAtOnce - 1) / kAtOnce * kAtOnce;
@@ -100,7 +104,7 @@ float resolved(float wavelength, float footprint) {
   return std::clamp(wavelength / (2.0f * footprint) - 1.0f, 0.0f, 1.0f);
 }
 
-/// Sum of the amplitudes of a fractal's octaves.
+/// Returns the sum of the amplitudes of a fractal's octaves.
 float amplitudes(const SolidFbm& fbm) {
   float sum = 0.0f, amplitude = 1.0f;
   for (int i = 0; i < fbm.octaves; ++i, amplitude *= fbm.gain) sum += amplitude;

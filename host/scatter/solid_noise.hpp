@@ -7,12 +7,14 @@
 
 namespace aerostat::scatter {
 
-/// Points are taken in blocks, so that the inner loops run over plain arrays. Every value is
-/// computed on its own: it does not depend on how points are grouped.
+/// The number of points in a block. Points are processed in blocks, so that the inner loops run
+/// over plain arrays. Every value is computed by itself and does not depend on how points are
+/// grouped.
 inline constexpr int kBlockSize = 128;
 using Block = std::array<float, kBlockSize>;
 
-/// Up to kBlockSize points in space, in metres; those beyond `count` are nobody's, but numbers.
+/// Up to kBlockSize points in space, in metres. The entries beyond `count` are unused, but they are
+/// numbers.
 struct Spots {
   int count = 0;
   Block x{}, y{}, z{};
@@ -25,10 +27,10 @@ struct Spots {
   }
 };
 
-/// fBm of the noise in space that kernels/device/noise/solid_noise.clh defines, as
-/// filtered_solid_fbm there and the same within rounding: octaves of half the wavelength and `gain`
-/// times the amplitude each, those finer than two to four times `footprint` (metres) faded out.
-/// `ridges` folds each octave at zero.
+/// The fBm of noise in space that kernels/device/noise/solid_noise.clh defines. It equals
+/// filtered_solid_fbm there except for rounding. Each octave has half the wavelength and `gain`
+/// times the amplitude of the one before. Octaves whose wavelength is less than two to four times
+/// `footprint` metres are faded out. `ridges` folds each octave at zero.
 struct SolidFbm {
   std::uint32_t seed = 0;
   float wavelength_m = 1.0f;
@@ -38,7 +40,7 @@ struct SolidFbm {
 
   /// Fills one value for each spot.
   void at(const Spots& spots, float footprint, Block& values) const;
-  /// The value lies between these, whatever the footprint.
+  /// Returns a lower bound of the value for every footprint. `most` returns an upper bound.
   float least() const;
   float most() const;
 };

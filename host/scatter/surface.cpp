@@ -21,7 +21,7 @@ Lines::Place Lines::at(double value) const {
   const auto most = static_cast<double>(first_.size() - 1);
   std::uint32_t cell = first_[static_cast<std::size_t>(std::clamp(part, 0.0, most))];
   while (cell + 2 < lines_.size() && static_cast<double>(lines_[cell + 1]) <= value) ++cell;
-  // What a part's end is rounded to may be beyond the value.
+  // The index may be too high by some cells, because the end of a part is rounded.
   while (cell > 0 && static_cast<double>(lines_[cell]) > value) --cell;
   const double share = (value - lines_[cell]) / (double{lines_[cell + 1]} - lines_[cell]);
   return {cell, static_cast<float>(std::clamp(share, 0.0, 1.0))};

@@ -9,17 +9,19 @@ namespace aerostat::scatter {
 /// A point of the ground as it is rendered.
 struct SurfacePoint {
   vec3 position{0.0f};
-  vec3 normal{0.0f, 1.0f, 0.0f};  // unit, interpolated as in shading
+  /// The unit normal, interpolated as in shading.
+  vec3 normal{0.0f, 1.0f, 0.0f};
 };
 
-/// Ascending lines, among which the cell that holds a value is found in a step or two.
+/// Ascending lines with an index that finds the cell of a value in one or two steps.
 class Lines {
  public:
   void add(float line) { lines_.push_back(line); }
-  /// To be called when all are there, two at least.
+  /// Builds the index. Call it when all lines are added, which must be at least two.
   void index();
 
-  /// The cell, and where in it, 0 to 1; beyond all lines the first or last cell.
+  /// The cell of a value and the share of the cell up to it, from 0 to 1. A value beyond all lines
+  /// has the first or the last cell.
   struct Place {
     std::uint32_t cell;
     float share;
@@ -32,29 +34,34 @@ class Lines {
 
  private:
   std::vector<float> lines_;
-  std::vector<std::uint32_t> first_;  // cells that hold the lower ends of as many even parts
+  /// For each of several even parts, the cell that holds its lower end.
+  std::vector<std::uint32_t> first_;
   double parts_per_m_ = 0.0;
 };
 
-/// The ground's mesh as a function of the place; `ground` must outlive this.
+/// The mesh of the ground as a function of the place. `ground` must outlive this object.
 class Surface {
  public:
-  /// The ground counts from a point whose place over the terrain is `origin`. All that follows is
-  /// asked by places, metres.
+  /// Makes the surface of a ground. `origin` is the place over the terrain of the point from which
+  /// the ground counts. All other functions take places over the terrain in metres.
   explicit Surface(const mesh::GridMesh& ground, const dvec3& origin = dvec3(0.0));
 
-  /// The point of the triangle over or under (x, z); outside the mesh its rim goes on level.
+  /// Returns the point of the triangle over or under (x, z). Outside the mesh, its rim continues
+  /// level.
   SurfacePoint at(double x, double z) const {
     Spot spot;
     find(x, z, spot);
     return {place(spot), normal(spot)};
   }
 
-  /// The same without its normal, which takes most of the time.
+  /// A point of the ground without its normal, which takes most of the time to compute.
   struct Spot {
-    vec3 position;       // as the mesh counts
-    std::uint32_t i, j;  // the cell
-    float weight[4];     // of its vertices (i, j), (i + 1, j), (i, j + 1), (i + 1, j + 1)
+    /// The position in the coordinates of the mesh.
+    vec3 position;
+    /// The indices of the cell.
+    std::uint32_t i, j;
+    /// The weights of the cell's vertices (i, j), (i + 1, j), (i, j + 1) and (i + 1, j + 1).
+    float weight[4];
   };
   void find(double x, double z, Spot& spot) const;
   vec3 normal(const Spot& spot) const;
@@ -71,7 +78,8 @@ class Surface {
  private:
   const mesh::GridMesh& ground_;
   dvec3 origin_;
-  Lines x_, z_;  // the grid's
+  /// The lines of the grid along x and along z.
+  Lines x_, z_;
 };
 
 }  // namespace aerostat::scatter

@@ -9,10 +9,10 @@ namespace {
 using plant::Random;
 using plant::Species;
 
-// Width of plant's broadleaf trees.
+// The width of the broadleaf models in metres.
 constexpr double kCrown = 9.6;
 
-/// Palms lean towards the light over the water, which is down the slope.
+/// Returns a palm for a site. Palms lean down the slope, towards the light over the water.
 Choice choose_palm(const Nature& nature, const Site& site, Random& random) {
   Choice choice;
   choice.model = any_variant(Species::palm, random);
@@ -26,8 +26,9 @@ Choice choose_palm(const Nature& nature, const Site& site, Random& random) {
   return choice;
 }
 
-/// Trees of a kind stand together: yellower and brighter here, bluer and darker there, and now and
-/// then a pale crown. As kernels/device/material/canopy.clh paints the woods.
+/// Returns a tint by which trees of a kind stand together. Some groups are yellower and brighter,
+/// others bluer and darker, and a few crowns are pale. kernels/device/material/canopy.clh paints
+/// the woods in the same way.
 vec3 kind_tint(const GroundNoise& noise, Random& random) {
   const float warm = 0.7f * noise.broad + 0.35f * noise.fine;
   const vec3 hue(1.0f + 0.8f * warm, 1.0f + 0.35f * warm, 1.0f - 0.5f * warm);
@@ -62,7 +63,7 @@ Layer woods(const Nature& nature) {
   return layer;
 }
 
-/// Groves of coconut palms along the beach, above the reach of the waves.
+/// Returns the layer of coconut palms along the beach, above the reach of the waves.
 Layer palms(const Nature& nature) {
   const auto top = std::max(static_cast<float>(nature.scene.biome.ground.beach_top_m), 0.0f);
   Layer layer;
@@ -85,7 +86,7 @@ Layer palms(const Nature& nature) {
   return layer;
 }
 
-/// Shrubs on open ground and along the woods.
+/// Returns the layer of shrubs on open ground and along the woods.
 Layer shrubs(const Nature& nature) {
   Layer layer;
   layer.id = 13;
@@ -99,7 +100,8 @@ Layer shrubs(const Nature& nature) {
     return 0.55f * (0.15f + 0.85f * open) * ramp(-0.25f, 0.6f, site.noise.fine);
   };
   layer.chance_at_most = [](const Site& site) {
-    return 0.551f * ramp(-0.25f, 0.6f, site.noise.fine);  // the last bits are rounding's
+    // The bound is slightly larger than 0.55 because of rounding.
+    return 0.551f * ramp(-0.25f, 0.6f, site.noise.fine);
   };
   layer.choose = [nature](const Site&, Random& random) {
     Choice choice;
