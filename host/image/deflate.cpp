@@ -13,11 +13,11 @@ namespace aerostat::image {
 namespace {
 
 constexpr std::size_t kPartBytes = 128 * 1024;
-constexpr int kRaw = -15;  // no header, the largest window
+constexpr int kRaw = -15;  // no header, and the largest window
 
 struct Part {
   std::vector<std::uint8_t> bytes;
-  std::size_t length = 0;  // of what it stands for
+  std::size_t length = 0;  // bytes of the data that was compressed
   uLong checksum = 0;
 };
 
@@ -25,20 +25,21 @@ struct Part {
   throw Error(ErrorKind::internal, "zlib failed to compress a picture");
 }
 
-/// zlib's state and room for what comes out, for one thread.
+/// The state of zlib and a buffer for its output, for one thread.
 class Compressor {
  public:
   Compressor() {
     if (deflateInit2(&stream_, Z_BEST_SPEED, Z_DEFLATED, kRaw, 9, Z_DEFAULT_STRATEGY) != Z_OK)
       fail();
-    // Room for the mark of a flush beside what the data may need.
+    // The buffer has room for the data and for the mark of a flush.
     room_.resize(deflateBound(&stream_, kPartBytes) + 16);
   }
   ~Compressor() { deflateEnd(&stream_); }
   Compressor(const Compressor&) = delete;
   Compressor& operator=(const Compressor&) = delete;
 
-  /// One part, ended on a byte so that parts can follow each other (or as the stream's end).
+  /// Compresses one part. The output ends at a whole byte, so that parts can follow each other.
+  /// The last part also ends the stream.
   Part compress(std::span<const std::uint8_t> data, bool last) {
     const auto length = static_cast<uInt>(data.size());
     Part part;

@@ -14,8 +14,9 @@ namespace aerostat::image {
 
 namespace {
 
-/// A function on [0, most] by straight lines between samples, dense where it is steep: at 0. What
-/// the functions here lose is below 1e-6, a four-thousandth of a display step.
+/// A function on [0, most] that is approximated by straight lines between samples. Samples are
+/// densest at 0, where the functions are steep. The error of the functions here is below 1e-6, a
+/// four-thousandth of a display step.
 class Table {
  public:
   template <typename Function>
@@ -27,14 +28,14 @@ class Table {
     values_.back() = values_[kSteps];
   }
 
-  /// What the loops copy, so that no store can seem to change it.
+  /// The part that loops copy, so that the compiler knows that no store changes it.
   struct Lines {
     const double* values;
     double scale;
 
     AEROSTAT_INLINE double operator()(double x) const {
       const double at = std::sqrt(x) * scale;
-      // Signed: compilers gather with signed indices only.
+      // The index is signed, because compilers use gather instructions with signed indices only.
       const auto i = static_cast<std::int32_t>(at < kSteps ? at : kSteps);
       return values[i] + (at - static_cast<double>(i)) * (values[i + 1] - values[i]);
     }
@@ -51,7 +52,7 @@ class Table {
 constexpr int kBlock = 128;
 using Values = std::array<double, kBlock>;
 
-/// By how much a vignette multiplies the light of a pixel.
+/// The factor by which a vignette multiplies the light of a pixel.
 class Vignette {
  public:
   Vignette(const Film& film, const Look& look)
@@ -59,7 +60,7 @@ class Vignette {
         first_(film.first),
         size_(film.whole == glm::ivec2(0) ? dvec2(film.width, film.height) : dvec2(film.whole)) {}
 
-  /// Of `count` pixels from x on.
+  /// Computes the factors of `count` pixels of a row, from x on.
   void shares(int x, int y, int count, Values& share) const {
     for (int i = 0; i < count; ++i) share[i] = lost_ <= 0.0 ? 1.0 : of(x + i, y);
   }
@@ -75,22 +76,22 @@ class Vignette {
   dvec2 size_;
 };
 
-/// What is the same for all pixels.
+/// The values of developing that are the same for all pixels.
 struct Bath {
   glm::dmat3 exposed;
   Table::Lines curve, encode;
 };
 
-/// Some pixels of a row.
+/// Some neighbouring pixels of a row.
 struct Strip {
-  const float* light;  // three a pixel
+  const float* light;  // three floats for each pixel
   int count;
-  Values share;       // that the vignette leaves
-  Values thresholds;  // of the dither
+  Values share;       // share of the light that the vignette leaves
+  Values thresholds;  // thresholds of the dither
   std::uint8_t* rgb;
 };
 
-/// What tone_map, srgb_from_linear and quantise make of the pixels, without a branch.
+/// Computes what tone_map, srgb_from_linear and quantise make of the pixels, without a branch.
 AEROSTAT_INLINE void develop_loop(const Bath& bath, const Strip& strip) {
   const glm::dmat3 m = bath.exposed;
   const Table::Lines curve = bath.curve, encode = bath.encode;
@@ -111,7 +112,7 @@ AEROSTAT_INLINE void develop_loop(const Bath& bath, const Strip& strip) {
     const double most = peak > 0.0 ? peak : 1.0;
     const auto byte = [&](double color) {
       const double mapped = display * (color / most * (1.0 - white) + white);
-      // Also where an infinite component has made it NaN.
+      // The comparison also gives 1 where an infinite component has made the value NaN.
       const double shown = mapped < 1.0 ? mapped : 1.0;
       const double encoded = encode(shown);
       return static_cast<std::int32_t>((encoded < 1.0 ? encoded : 1.0) * 255.0 + threshold);

@@ -15,37 +15,42 @@ namespace aerostat::image {
 
 namespace {
 
-// Where the middle of a picture goes: between the classical 0.18 and what daylight looks like.
+// The grey to which the middle of a picture is exposed. It lies between the classical 0.18 and
+// the look of daylight. Chosen by eye.
 constexpr double kGrey = 0.25;
-// The shares of the pixels that the middle lies between: a dark foreground, or the sun and what
-// mirrors it, says little of the view.
+// The shares of the pixels between which the middle is measured. A dark foreground, and the sun
+// and its reflections, tell little about the view. Chosen by eye.
 constexpr double kDarkShare = 0.2, kBrightShare = 0.95;
-// Where the brightest hundredth may go: the tone curve still tells it from white.
+// The brightest hundredth of the pixels may reach kLights, which the tone curve still tells from
+// white. Chosen by eye.
 constexpr double kLightsShare = 0.99, kLights = 2.0;
-// But the whole is darkened for its sake by so many stops at most: a glitter on the sea may clip.
+// The largest number of stops by which a picture is darkened for its lights. Beyond that, lights
+// such as a glitter on the sea may clip. Chosen by eye.
 constexpr double kMostHeldBack = 2.0;
-// Where the lights leave room, the whole goes this share of it up, for whites that are white, but
-// of so many stops at most: a dull view has none.
+// Where the lights leave room, the exposure rises by this share of the room, so that whites are
+// white. The room counts up to kMostRoom stops, because a dull view has no whites. Chosen by eye.
 constexpr double kRaisedShare = 0.3, kMostRoom = 1.5;
 
-// Candelas per square metre of a radiance of 1: the sun's 133.1 klx outside the air (S. Darula, R.
-// Kittler and C. A. Gueymard, "Reference luminous solar constant", Solar Energy 79, 2005) are its
-// usual irradiance of 5.
+// Candelas per square metre of a radiance of 1. The sun's 133.1 klx outside the air (S. Darula,
+// R. Kittler and C. A. Gueymard, "Reference luminous solar constant", Solar Energy 79, 2005)
+// correspond to its usual irradiance of 5.
 constexpr double kCandelas = 133100.0 / 5.0;
-// From here up the middle is shown as daylight.
+// From this luminance (cd/m^2) upwards, the middle is shown as in daylight. Chosen by eye.
 constexpr double kDaylight = 100.0;
-// From here down eyes hardly see darker views as any darker; that a later hour of the night is
-// shown darker all the same, each stop by so much, was chosen by eye.
+// Below the luminance kNight (cd/m^2), darker views hardly look darker to the eye. They are still
+// shown darker by kNightShare stops for each stop, so that a later hour of the night looks later.
+// Chosen by eye.
 constexpr double kNight = 0.01, kNightShare = 0.25;
 
 constexpr double kLeastLight = 1e-12;
 constexpr std::size_t kBlockPixels = 8192;
 
-// Bins of luminance, 32 to a stop: the upper bits of a double, counted from those of kLeastLight.
+// Bins of luminance, 32 for each stop. A bin is given by the upper bits of a double, counted from
+// those of kLeastLight.
 constexpr int kBinShift = 52 - 5;
 constexpr std::uint64_t kFirstBin = std::bit_cast<std::uint64_t>(kLeastLight) >> kBinShift;
 constexpr std::size_t kBins = (std::bit_cast<std::uint64_t>(0x1p130) >> kBinShift) - kFirstBin;
-using Counts = std::vector<std::uint64_t>;  // of kBins
+using Counts = std::vector<std::uint64_t>;  // kBins counts
 
 std::size_t bin_of(double light) {
   return (std::bit_cast<std::uint64_t>(light) >> kBinShift) - kFirstBin;
@@ -78,10 +83,10 @@ Counts count_bins(const Film& film) {
   return all;
 }
 
-/// A place among all luminances in ascending order.
+/// A position among all luminances in ascending order.
 struct Rank {
   std::size_t bin = 0;
-  std::uint64_t within = 0;  // of the bin
+  std::uint64_t within = 0;  // position within the bin
 };
 
 Rank find(const Counts& counts, std::uint64_t rank) {
@@ -90,14 +95,15 @@ Rank find(const Counts& counts, std::uint64_t rank) {
   return {bin, rank};
 }
 
-/// The sum of many logarithms by way of few: exponents are added, the rest is multiplied.
+/// Computes the sum of many logarithms with few calls of log2. Exponents are added, and mantissas
+/// are multiplied.
 class LogSum {
  public:
   void add(double value) {
     const auto bits = std::bit_cast<std::uint64_t>(value);
     exponents_ += static_cast<std::int64_t>(bits >> 52) - 1023;
     product_ *= std::bit_cast<double>((bits & 0xFFFFFFFFFFFFFull) | 0x3FF0000000000000ull);
-    // Each factor is less than 2.
+    // Each factor is less than 2, so that 512 of them do not overflow.
     if (++factors_ % 512 == 0) settle();
   }
   double log2() {
@@ -116,8 +122,8 @@ class LogSum {
   unsigned factors_ = 0;
 };
 
-/// All luminances between the bins of two ranks as a sum of stops, and those of the bins that ranks
-/// lie in one by one.
+/// The sum, in stops, of all luminances between the bins of two ranks, and each luminance of the
+/// bins in which ranks lie.
 struct Sifted {
   double stops_between = 0.0;
   std::vector<double> edges;  // ascending
@@ -144,25 +150,27 @@ Sifted sift(const Film& film, const Rank& from, const Rank& to, const Rank& ligh
   return all;
 }
 
-/// How bright a view of this mean luminance (cd/m^2) looks. Source: G. Krawczyk, K. Myszkowski and
-/// H.-P. Seidel, "Perceptual Effects in Real-time Tone Mapping", SCCG 2005, equation 11.
+/// Returns the key of a view of this mean luminance (cd/m^2), which tells how bright it looks.
+/// Source: G. Krawczyk, K. Myszkowski and H.-P. Seidel, "Perceptual Effects in Real-time Tone
+/// Mapping", SCCG 2005, equation 11.
 double key(double candelas) {
   return 1.03 - 2.0 / (2.0 + std::log10(candelas + 1.0));
 }
 
-/// By how many stops the middle of a view is shown darker than by day; <= 0.
+/// Returns the stops by which the middle of a view is shown darker than by day. They are never
+/// positive.
 double dusk_stops(double middle) {
   const double candelas = std::min(std::exp2(middle) * kCandelas, kDaylight);
   const double night = std::min(candelas / kNight, 1.0);
   return std::log2(key(candelas) / key(kDaylight)) + kNightShare * std::log2(night);
 }
 
-/// What the middle of a picture and its lights come to, in stops.
+/// The levels of a picture's middle and of its lights, in stops.
 struct Levels {
   double middle = 0.0, lights = 0.0;
 };
 
-/// Of `count` > 0 luminances.
+/// Returns the levels of a film with `count` > 0 luminances.
 Levels levels_of(const Film& film, const Counts& counts, std::uint64_t count) {
   const auto rank = [last = static_cast<double>(count - 1)](double share) {
     return static_cast<std::uint64_t>(share * last);
@@ -192,7 +200,7 @@ double automatic_exposure_ev(const Film& film) {
   const double wanted = std::log2(kGrey) + dusk - levels.middle;
   const double room = std::log2(kLights) - levels.lights - wanted;
   if (room > 0.0) return wanted + kRaisedShare * std::min(room, kMostRoom);
-  // The lights of a dark view are lamps, which may clip: it is not darkened twice.
+  // The lights of a dark view are lamps, which may clip. Such a view is not darkened twice.
   return wanted + std::max(room, std::min(-kMostHeldBack - dusk, 0.0));
 }
 

@@ -17,7 +17,7 @@ namespace aerostat::image {
 
 namespace {
 
-/// A file in memory: OpenEXR goes back to fill in its table of line offsets.
+/// A file in memory. OpenEXR moves back in it to fill in its table of line offsets.
 class MemoryStream : public Imf::OStream {
  public:
   MemoryStream() : Imf::OStream("memory") {}
@@ -38,7 +38,7 @@ class MemoryStream : public Imf::OStream {
   std::size_t position_ = 0;
 };
 
-/// Declares channels and says where their values lie.
+/// Declares the channels and tells where their values lie.
 class Layers {
  public:
   explicit Layers(const Film& film)

@@ -10,7 +10,8 @@
 
 namespace {
 
-/// In place of stb's own, which uses one core; the caller frees the result.
+/// Compresses data in place of stb's own function, which uses one core. The caller frees the
+/// result.
 unsigned char* compress(unsigned char* data, int length, int* out_length, int /*quality*/) {
   const auto stream = aerostat::image::deflate({data, static_cast<std::size_t>(length)});
   auto* copy = static_cast<unsigned char*>(std::malloc(stream.size()));
@@ -35,12 +36,12 @@ namespace aerostat::image {
 
 namespace {
 
-// stb counts in int, its output buffer grows by doubling, and incompressible data grows by an
-// eighth: below this, none of its products overflows.
+// The largest size for which no product of stb's encoder overflows. The encoder counts in int,
+// its output buffer grows by doubling, and incompressible data grow by an eighth.
 constexpr std::uint64_t kLargestRawBytes = 900ull << 20;
 
-// "Sub": of pictures with grain it leaves as little as a choice for each row, in a fifth of the
-// time. Set before any thread encodes.
+// Selects the PNG filter "Sub" before any thread encodes. For pictures with grain, it gives files
+// as small as a choice for each row, in a fifth of the time.
 [[maybe_unused]] const int kFilter = stbi_write_force_png_filter = 1;
 
 struct FreeDeleter {

@@ -16,7 +16,7 @@ namespace {
 constexpr std::uint8_t kPaper = 24, kInk = 226;
 constexpr int kGlyphWidth = 5, kGlyphHeight = 7;
 
-// A row is five bits, the highest one leftmost.
+// Each row of a glyph is five bits, of which the highest is the leftmost.
 using Glyph = std::array<std::uint8_t, kGlyphHeight>;
 constexpr Glyph kBox{0b11111, 0b10001, 0b10001, 0b10001, 0b10001, 0b10001, 0b11111};
 constexpr std::array<Glyph, 10> kDigits{{
@@ -47,8 +47,8 @@ void fill(Pixels& pixels, int x0, int y0, int side) {
   }
 }
 
-/// How far a sheet is from what it should be: the logarithm of its shape against 16:9, and the
-/// share of places without a tile.
+/// Returns how far a sheet is from the ideal: the absolute logarithm of its shape against 16:9,
+/// plus the share of places without a tile.
 double flaw_of(const SheetLayout& layout) {
   const double shape = static_cast<double>(layout.width()) / layout.height();
   const int places = layout.columns * layout.rows();

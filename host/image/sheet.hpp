@@ -6,35 +6,39 @@
 
 #include "image/write.hpp"
 
-/// Many small pictures on one, each with a label below.
+/// A sheet is one picture of many small ones, each with a label below it.
 namespace aerostat::image {
 
-/// Where the tiles of a sheet lie. Lengths are pixels; tiles fill rows from the top left.
+/// The places of the tiles of a sheet. Lengths are in pixels. Tiles fill rows from the top left.
 struct SheetLayout {
   int tile_width = 0, tile_height = 0;
-  int count = 0;    // tiles
+  int count = 0;    // number of tiles
   int columns = 1;  // tiles across
-  int margin = 0;   // around and between
-  int letter = 1;   // side of a font pixel
+  int margin = 0;   // width around and between tiles
+  int letter = 1;   // side of a font pixel, in pixels
 
   int rows() const { return (count + columns - 1) / columns; }
   int label_height() const;
   int width() const;
   int height() const;
-  /// The top left pixel of tile `index`; its label fills label_height() rows under it.
+  /// These functions return the top left pixel of tile `index`. Its label fills label_height()
+  /// rows under it.
   int tile_x(int index) const;
   int tile_y(int index) const;
 };
 
-/// A layout for `count` tiles of that size, all >= 1. `columns` 0 chooses as many as bring the
-/// sheet near 16:9 with few places left empty; more columns than tiles are as many as tiles.
+/// Returns a layout for `count` tiles of the given size, all >= 1. If `columns` is 0, the number
+/// of columns brings the sheet near 16:9 and leaves few places empty. There are never more
+/// columns than tiles.
 SheetLayout layout_sheet(int count, int tile_width, int tile_height, int columns = 0);
 
-/// Columns that a text takes in font pixels: five a character, one between.
+/// Returns the width of a text in font pixels: five for each character and one between
+/// characters.
 int text_columns(std::string_view text);
 
-/// Draws the text with its top left corner at (x, y), a font pixel being `letter` pixels wide; what
-/// leaves the picture is cut off. The font has digits; another character is a box.
+/// Draws the text with its top left corner at (x, y). A font pixel is `letter` pixels wide. Text
+/// outside the picture is cut off. The font has digits only, and draws any other character as a
+/// box.
 void draw_text(Pixels& pixels, int x, int y, int letter, std::string_view text);
 
 /// A sheet that is filled tile by tile.
@@ -42,8 +46,8 @@ class Sheet {
  public:
   explicit Sheet(const SheetLayout& layout);
 
-  /// Puts a tile in its place, its label in the middle below. Throws Error{internal} if there is no
-  /// such place or the tile has another size.
+  /// Puts a tile in its place and its label in the middle below. Throws Error{internal} if there
+  /// is no such place or if the tile has another size.
   void place(int index, const Pixels& tile, std::string_view label);
 
   const Pixels& pixels() const { return pixels_; }

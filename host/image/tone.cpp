@@ -18,7 +18,7 @@ struct Curve {
   double c;
 };
 
-// Solves for the curve through (kMidIn, kMidOut) and (kWhitePoint, 1): two linear equations.
+// Solves two linear equations for the curve through (kMidIn, kMidOut) and (kWhitePoint, 1).
 Curve solve() {
   const double mid = std::pow(kMidIn, kContrast);
   const double mid_shoulder = std::pow(kMidIn, kContrast * kShoulder);
@@ -28,7 +28,8 @@ Curve solve() {
   return {b, white - b * white_shoulder};
 }
 
-// Of column x and row y of the 8x8 Bayer matrix: 0..63, by interleaving the bits of x ^ y and y.
+// Returns the value, 0 to 63, at column x and row y of the 8x8 Bayer matrix. The bits of x ^ y
+// and y are interleaved.
 constexpr unsigned bayer(unsigned x, unsigned y) {
   const unsigned mixed = x ^ y;
   unsigned rank = 0;
@@ -59,10 +60,12 @@ dvec3 tone_map(const dvec3& exposed) {
   const dvec3 color{positive(exposed.x), positive(exposed.y), positive(exposed.z)};
   const double peak = std::max({color.x, color.y, color.z});
   if (peak == 0.0) return dvec3{0.0};
-  // An infinite component would make its ratio NaN.
+  // Colours with an infinite component become white, because the ratios of their components would
+  // be NaN.
   if (!std::isfinite(peak)) return dvec3{1.0};
   const double display = tone_curve(peak);
-  // How late highlights lose their colour: the share of white is the display value to the eighth.
+  // The share of white is the display value to the eighth power, so that only bright highlights
+  // lose their colour. Chosen by eye.
   const double fourth = display * display * display * display, white = fourth * fourth;
   return display * (color / peak * (1.0 - white) + white);
 }

@@ -9,7 +9,7 @@ namespace {
 constexpr double kNeutral = 6504.0;
 constexpr double kAutomaticDegree = 0.5;
 
-// Matrices by rows.
+// Returns the matrix with these rows.
 glm::dmat3 rows(const dvec3& a, const dvec3& b, const dvec3& c) {
   return glm::transpose(glm::dmat3(a, b, c));
 }
@@ -55,7 +55,7 @@ glm::dmat3 white_balance(const dvec3& white, double degree) {
 }
 
 glm::dmat3 white_balance_for(double kelvin) {
-  // A black body of 6504 K is a little off the daylight that Rec. 709 calls white.
+  // A black body of 6504 K differs a little from the daylight that Rec. 709 calls white.
   return white_balance(black_body(kelvin) / black_body(kNeutral), 1.0);
 }
 

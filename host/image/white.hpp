@@ -2,23 +2,25 @@
 
 #include "core/math.hpp"
 
-/// White balance: which light comes out white.
+/// White balance chooses which light is shown as white.
 namespace aerostat::image {
 
-/// Linear Rec. 709 of luminance 1 of a black body at 1667 to 25000 K. Source: B. Kim et al.,
-/// "Design of advanced color temperature control system for HDTV applications", 2002.
+/// Returns the colour of a black body at 1667 to 25000 K, in linear Rec. 709 with luminance 1.
+/// Source: B. Kim et al., "Design of advanced color temperature control system for HDTV
+/// applications", 2002.
 dvec3 black_body(double kelvin);
 
-/// What a picture's linear Rec. 709 is multiplied by for `white` to become a grey of the same
-/// luminance; `degree` 0 leaves it as it is, 1 takes all of its hue. The cones' responses are
-/// scaled (J. von Kries, with Bradford's matrix).
+/// Returns the matrix that turns `white` into a grey of the same luminance, for colours in linear
+/// Rec. 709. `degree` 0 leaves all colours as they are, and 1 removes all of the hue of `white`.
+/// The responses of the cones are scaled (J. von Kries, with Bradford's matrix).
 glm::dmat3 white_balance(const dvec3& white, double degree);
 
-/// The same for light of a colour temperature; 6504 K is what Rec. 709 calls white.
+/// Returns the matrix for light of a colour temperature. 6504 K is the white of Rec. 709.
 glm::dmat3 white_balance_for(double kelvin);
 
-/// Half of the way to the daylight of a scene: a low sun keeps some of its warmth. Nothing for
-/// light that has no luminance.
+/// Returns the matrix that goes half of the way to the daylight of a scene, so that a low sun
+/// keeps some of its warmth. Returns the unit matrix for light without luminance. The half was
+/// chosen by eye.
 glm::dmat3 automatic_white_balance(const dvec3& daylight);
 
 }  // namespace aerostat::image

@@ -210,7 +210,7 @@ struct Air {
 struct Haze {
   double visibility_m = 60000.0;
   double scale_height_m = 1500.0;
-  double angstrom = 1.2;    // extinction grows as wavelength to the power -angstrom; 0 is grey
+  double angstrom = 1.2;    // extinction varies as wavelength to the power -angstrom; 0 is grey
   double asymmetry = 0.76;  // mean cosine of the scattering angle
   vec3 albedo{0.96f};       // share of the extinction that is scattering
 };
