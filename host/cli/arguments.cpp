@@ -25,9 +25,9 @@ constexpr int kLargestSide = 32768;
 constexpr int kMostSamples = 65536;
 constexpr std::int64_t kLargestSeed = 0xffffffffu;
 
-/// A whole number in decimal digits, for `transform`: leading zeros are dropped, since CLI11 would
-/// take them for octal. CLI11's own ranges have other words in each version. The help texts state
-/// the ranges.
+/// Returns a validator for `transform` that accepts whole numbers in decimal digits. Leading
+/// zeros are dropped, because CLI11 would take such numbers for octal. CLI11's own ranges word
+/// their errors differently in each version. The help texts state the ranges.
 CLI::Validator in_range(std::int64_t least, std::int64_t most) {
   const auto validate = [least, most](std::string& text) {
     std::int64_t value = 0;
@@ -51,7 +51,7 @@ CLI::Validator one_of(const std::vector<std::string>& words) {
   return CLI::Validator(validate, "");
 }
 
-/// The command line as a tree of options whose values land in the structs.
+/// The command line as a tree of options whose values are written to the structs.
 class Arguments {
  public:
   Arguments() : app_(kDescription, "aerostat") {
@@ -74,7 +74,7 @@ class Arguments {
     add_export();
   }
 
-  /// The command to run. Throws CLI::ParseError.
+  /// Returns the command to run. Throws CLI::ParseError.
   std::function<int()> parse(int argc, const char* const* argv) {
     app_.parse(argc, argv);
     return command_;
@@ -82,7 +82,7 @@ class Arguments {
 
   CLI::App& app() { return app_; }
 
-  /// What is wrong, in words. CLI11 calls an unknown command a missing one.
+  /// Returns what is wrong, in words. CLI11 calls an unknown command a missing one.
   std::string complaint(const CLI::ParseError& error, int argc, const char* const* argv) {
     if (!app_.get_subcommands().empty()) return error.what();
     const std::string commands = "render, contact-sheet, scenes, devices, check, dump or export";
@@ -91,7 +91,7 @@ class Arguments {
     return fmt::format("there is no command '{}'; expected {}", argv[1], commands);
   }
 
-  /// How to ask for help on what was being parsed.
+  /// Returns the command that prints the help for the command that was parsed.
   std::string help_command() {
     const auto chosen = app_.get_subcommands();
     return chosen.empty() ? "aerostat --help"
@@ -269,7 +269,7 @@ class Arguments {
   ExportOptions export_;
 };
 
-// A request for help or the version is an exception in CLI11, too.
+// Prints the help or the version. CLI11 reports a request for them as an exception.
 int answer(CLI::App& app, const CLI::ParseError& request) {
   std::ostringstream text, ignored;
   app.exit(request, text, ignored);

@@ -2,11 +2,11 @@
 
 #include "cli/options.hpp"
 
-/// The commands. Each returns the exit code of the process or throws Error; data goes to stdout,
-/// everything else to stderr.
+/// These functions are the commands of the program. Each returns the exit code of the process or
+/// throws Error. Data go to stdout, and everything else goes to stderr.
 namespace aerostat::cli {
 
-/// Parses the command line and runs the command. Throws Error{usage} in one line that names the
+/// Parses the command line and runs the command. Throws Error{usage}, whose one line names the
 /// option, what was found and what was expected.
 int run(int argc, const char* const* argv);
 

@@ -31,7 +31,8 @@ fs::path output_of(const ContactSheetOptions& options) {
   return options.output;
 }
 
-/// The scene of a tile, with the shape of the scene's picture; not resolved yet.
+/// Returns the unresolved scene of the tiles, whose pictures have the shape of the scene's
+/// picture.
 scene::Scene scene_of_tiles(const ContactSheetOptions& options) {
   SceneOptions input = options.input;
   if (!options.quality.empty()) input.overrides.push_back("/quality=" + options.quality);
@@ -53,7 +54,7 @@ image::SheetLayout layout_of(const ContactSheetOptions& options, const scene::Im
                           layout.width(), layout.height()));
 }
 
-/// Renders tile by tile with one session; progress goes over all of them.
+/// Renders one tile after another with one session. Progress counts all tiles.
 class SheetRender {
  public:
   SheetRender(const render::Options& options, ProgressBar& bar) : session_(options), bar_(bar) {

@@ -13,7 +13,8 @@ namespace aerostat::cli {
 
 namespace {
 
-// The devices that a render would take now; none if the environment names one that is not there.
+// Returns the devices that a render would use now, or none if the environment names a device that
+// does not exist.
 std::vector<opencl::Device> chosen_devices(const opencl::DeviceList& list) {
   try {
     return opencl::pick(list, opencl::effective_selector(""));
@@ -22,7 +23,7 @@ std::vector<opencl::Device> chosen_devices(const opencl::DeviceList& list) {
   }
 }
 
-// Whether a render would take it or parts of it.
+// Returns whether a render would use the device or parts of it.
 bool is_among(const opencl::Device& device, const std::vector<opencl::Device>& chosen) {
   return std::any_of(chosen.begin(), chosen.end(), [&](const opencl::Device& one) {
     return one.platform_index == device.platform_index && one.device_index == device.device_index;
@@ -91,7 +92,7 @@ std::string json_of(const opencl::DeviceList& list, const std::vector<opencl::De
                        {"chosen", is_among(device, chosen)}});
   }
   const nlohmann::ordered_json all = {{"devices", devices}, {"problems", list.problems}};
-  // Drivers' names may be no UTF-8.
+  // Names of drivers may contain bytes that are not UTF-8.
   return all.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
 }
 

@@ -19,7 +19,7 @@ constexpr int kLeastColumns = 40;
 constexpr int kMostColumns = 100;
 constexpr int kUsualColumns = 80;
 
-/// What COLUMNS says; 0 if it says no number.
+/// Returns the number in COLUMNS, or 0 if it is not a number.
 int columns_of_environment() {
   const char* text = std::getenv("COLUMNS");
   if (text == nullptr) return 0;
@@ -34,8 +34,9 @@ int columns_of_terminal() {
   return ::ioctl(STDOUT_FILENO, TIOCGWINSZ, &size) == 0 ? size.ws_col : 0;
 }
 
-/// Where the description of a line begins, behind two spaces or more; its own beginning if it has
-/// none, or if that leaves little room.
+/// Returns the column where the description of a line begins, after two spaces or more. Returns
+/// the column where the line begins if it has no description or if the description would have
+/// little room.
 std::size_t hanging_indent(const std::string& line, std::size_t columns) {
   const std::size_t first = line.find_first_not_of(' ');
   const std::size_t gap = line.find("  ", first);
@@ -44,7 +45,7 @@ std::size_t hanging_indent(const std::string& line, std::size_t columns) {
   return description != std::string::npos && description * 3 < columns * 2 ? description : first;
 }
 
-/// Breaks one line at spaces; `mark` ends each part but the last.
+/// Breaks one line at spaces. `mark` ends each part but the last.
 void break_line(std::string line, std::size_t columns, std::size_t indent, std::string_view mark,
                 std::string& text) {
   while (line.size() > columns) {

@@ -1,6 +1,6 @@
 #pragma once
 
-/// What --help says beside the options.
+/// The texts of --help apart from the options.
 namespace aerostat::cli {
 
 inline constexpr const char* kDescription =

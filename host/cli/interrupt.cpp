@@ -22,7 +22,7 @@ constexpr int kGraceMilliseconds = 1000;
 constexpr char kStop = 's';
 constexpr char kEnd = 'e';
 
-// A signal handler reaches nothing but globals.
+// A signal handler can reach only global variables.
 std::atomic<int> signal_seen{0};
 std::atomic<int> pipe_end{-1};
 std::array<struct sigaction, kSignals.size()> former{};
@@ -52,7 +52,7 @@ void install(std::size_t index) {
   ::sigaction(kSignals[index], &action, nullptr);
 }
 
-// The next byte, or kEnd after `milliseconds` (-1: never).
+// Returns the next byte, or kEnd after `milliseconds`. A value of -1 waits without limit.
 char receive(int pipe, int milliseconds, bool& in_time) {
   pollfd waiting{pipe, POLLIN, 0};
   int count = 0;
@@ -89,8 +89,8 @@ void Interrupt::watch(int pipe) {
     source_.request_stop();
     receive(pipe, kGraceMilliseconds, in_time);
     if (!in_time) {
-      // Other threads still work: only an end without their clean-up is safe. Files are written
-      // so that nothing of them is left.
+      // Other threads still work, so that only an end without their clean-up is safe. Files are
+      // written in such a way that nothing of them is left behind.
       const std::string_view message = ::isatty(STDERR_FILENO) == 1
                                            ? "\r\x1b[Kaerostat: interrupted\n"
                                            : "aerostat: interrupted\n";

@@ -5,10 +5,11 @@
 
 namespace aerostat::cli {
 
-/// While it lives, the first SIGINT or SIGTERM asks for a stop instead of ending the process. If
-/// the process does not end by itself within a second (building a large world is not watched for
-/// stops), it is ended with the signal's exit code. A second signal has the system's effect at
-/// once. Signals that were ignored when it began stay ignored. One at a time.
+/// Makes the first SIGINT or SIGTERM ask for a stop instead of ending the process, while the
+/// object lives. If the process does not end by itself within a second, it is ended with the
+/// signal's exit code. That happens because building a large world is not watched for stops. A
+/// second signal has the system's effect at once. Signals that were ignored when the object was
+/// made stay ignored. Only one object may exist at a time.
 class Interrupt {
  public:
   Interrupt();
@@ -25,7 +26,8 @@ class Interrupt {
   std::thread watcher_;
 };
 
-/// 130 or 143: the shell's exit code for the signal that asked for a stop; 130 if there was none.
+/// Returns the shell's exit code for the signal that asked for a stop: 130 for SIGINT, 143 for
+/// SIGTERM. Returns 130 if there was no signal.
 int interrupt_exit_code();
 
 }  // namespace aerostat::cli

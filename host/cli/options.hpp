@@ -8,15 +8,15 @@
 
 #include "render/session.hpp"
 
-/// What the command line asks for, one struct a command. Ranges are already checked.
+/// The options of the command line, one struct for each command. Ranges are already checked.
 namespace aerostat::cli {
 
 struct SceneOptions {
-  std::filesystem::path scene;         // "-": standard input
-  std::vector<std::string> overrides;  // "/json/pointer=value"
+  std::filesystem::path scene;         // "-" stands for standard input
+  std::vector<std::string> overrides;  // texts "/json/pointer=value"
 };
 
-/// What computes, and with how much memory.
+/// The devices that compute, and their limit of memory.
 struct DeviceOptions {
   std::string selector;
   int lanes = 0;
@@ -25,10 +25,11 @@ struct DeviceOptions {
 
 struct RenderOptions {
   SceneOptions input;
-  // "-": standard output; empty: the scene's name and .png in the current folder
+  // "-" stands for standard output, and empty for the scene's name and .png in the current
+  // folder.
   std::filesystem::path output;
-  std::string format;   // "png" or "exr"; empty: as the output's name says
-  std::string quality;  // empty: as the scene says
+  std::string format;   // "png" or "exr"; empty: chosen by the output's name
+  std::string quality;  // empty: the scene's own quality
   std::optional<int> width, height, spp;
   std::optional<std::uint32_t> seed;
   std::optional<render::Crop> crop;
@@ -39,12 +40,13 @@ struct RenderOptions {
 
 struct ContactSheetOptions {
   SceneOptions input;
-  // "-": standard output; empty: the scene's name and -seeds.png in the current folder
+  // "-" stands for standard output, and empty for the scene's name and -seeds.png in the current
+  // folder.
   std::filesystem::path output;
-  std::vector<std::uint32_t> seeds;  // of the terrain, one a tile
-  int columns = 0;                   // 0: what suits
+  std::vector<std::uint32_t> seeds;  // seeds of the terrain, one for each tile
+  int columns = 0;                   // 0: chosen by the number of tiles
   int tile_width = 320;
-  std::string quality;  // empty: as the scene says
+  std::string quality;  // empty: the scene's own quality
   DeviceOptions device;
   bool quiet = false;
 };
@@ -59,8 +61,8 @@ struct DevicesOptions {
 
 struct ExportOptions {
   SceneOptions input;
-  std::filesystem::path output;  // "-": standard output
-  std::string format;            // "ply" or "obj"; empty: as the output's name says
+  std::filesystem::path output;  // "-" stands for standard output
+  std::string format;            // "ply" or "obj"; empty: chosen by the output's name
   bool plants = false;
 };
 

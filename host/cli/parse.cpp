@@ -39,7 +39,8 @@ std::string lower(std::string text) {
                   text, why));
 }
 
-/// "7" or "9-11"; nothing if it is neither.
+/// Returns the first and last seed of a text such as "7" or "9-11", or nothing if it is neither
+/// form.
 std::optional<std::pair<std::uint32_t, std::uint32_t>> seed_range(std::string_view part) {
   const auto number = [](std::string_view digits) -> std::optional<std::uint32_t> {
     std::uint32_t value = 0;
@@ -55,8 +56,9 @@ std::optional<std::pair<std::uint32_t, std::uint32_t>> seed_range(std::string_vi
   return std::pair{*first, *last};
 }
 
-/// What says the format of a file: `format`, or the ending of its name, or `usual` for standard
-/// output and for a special file without an ending, such as /dev/null.
+/// Returns the file name's ending that gives a file's format. It is "." and `format` if that is
+/// given, or else the ending of `path`. It is `usual` for standard output and for a special file
+/// without an ending, such as /dev/null.
 std::string ending_of(const std::filesystem::path& path, const std::string& format,
                       const char* usual) {
   if (!format.empty()) return "." + format;

@@ -12,12 +12,13 @@
 #include "render/session.hpp"
 #include "scene/scene.hpp"
 
-/// What the commands that render share.
+/// These functions are shared by the commands that render.
 namespace aerostat::cli {
 
 void print_stderr(std::string_view text);
 
-/// Lets the library's warnings pass above the bar while it lives; none if quiet.
+/// Prints the library's warnings above the progress bar while the object lives. Prints none if
+/// `quiet` is true.
 class WarningsAbove {
  public:
   WarningsAbove(ProgressBar& bar, bool quiet);
@@ -29,16 +30,16 @@ class WarningsAbove {
   LogSink former_;
 };
 
-/// For pictures of one view each. Finds the devices: those of the options, or else of the
-/// environment. Throws as opencl::select_devices does.
+/// Returns the options of a session that renders each view once. Finds the devices of the
+/// options, or else those of the environment. Throws the errors of opencl::select_devices.
 render::Options session_options_of(const DeviceOptions& options);
 
-/// Each name once, with how many devices bear it.
+/// Returns each name once, with the number of devices that have it.
 std::string names_of(const std::vector<opencl::Device>& devices);
 
 void warn_of_nan(const image::Film& film);
 
-/// As render::look_of says.
+/// Turns a film into a picture with the look that render::look_of gives.
 image::Pixels develop(const image::Film& film, const scene::Image& image);
 
 }  // namespace aerostat::cli

@@ -17,7 +17,8 @@ constexpr double kLineSeconds = 5.0;
 constexpr double kLeastLineSeconds = 1.0;
 constexpr double kLineFraction = 0.1;
 
-// A rate and a time left from less than this jump about.
+// The least time and fraction from which a rate and the time left are estimated. Estimates from
+// less are unsteady. Chosen by eye.
 constexpr double kLeastMeasureSeconds = 0.3;
 constexpr double kLeastMeasureFraction = 0.02;
 

@@ -10,23 +10,24 @@
 
 namespace aerostat::cli {
 
-/// How progress is shown.
+/// The way in which progress is shown.
 struct ProgressStyle {
   enum class Mode {
-    none,      ///< not at all
+    none,      ///< no progress is shown
     lines,     ///< a line each 10 % of the tracing or 5 seconds, at most one a second
-    terminal,  ///< one line that is written over, at most ten times a second
+    terminal,  ///< one line that is rewritten, at most ten times a second
   };
   Mode mode = Mode::none;
   bool color = false;
   std::function<int()> columns = [] { return 80; };
 };
 
-/// The style that suits stderr: `terminal` if it is one that can move its cursor, coloured unless
-/// NO_COLOR is set (no-color.org); else `lines`; `none` if quiet.
+/// Returns the style that suits stderr. It is `none` if `quiet` is true. It is `terminal` if
+/// stderr is a terminal that can move its cursor, with colours unless NO_COLOR is set
+/// (no-color.org). Otherwise it is `lines`.
 ProgressStyle stderr_style(bool quiet);
 
-/// Shows a render's progress. Safe from any thread.
+/// Shows the progress of a render. All functions can be called from any thread.
 class ProgressBar {
  public:
   using Write = std::function<void(std::string_view)>;
@@ -38,13 +39,13 @@ class ProgressBar {
 
   void update(const render::Progress& progress);
 
-  /// What is shown in place of the stage from the next update on.
+  /// Sets the text that is shown in place of the stage from the next update on.
   void set_label(std::string label);
 
-  /// Writes a message in a line of its own; the bar comes back below it with the next update.
+  /// Writes a message in a line of its own. The bar comes back below it with the next update.
   void message(std::string_view text);
 
-  /// Takes the bar away.
+  /// Removes the bar from the terminal.
   void clear();
 
  private:

@@ -12,7 +12,8 @@ namespace {
 constexpr int kWidestBar = 40;
 constexpr int kNarrowestBar = 6;
 
-/// Kernels of a former run are loaded sooner.
+/// The time from which kernels count as being compiled. Kernels of a former run are loaded
+/// sooner.
 constexpr double kLeastCompileSeconds = 2.0;
 
 bool is_compiling(const ProgressView& view) {
@@ -83,7 +84,7 @@ std::string terminal_line(const ProgressView& view, int columns, bool color) {
   const std::string tails[] = {percent(view) + rate(view) + left(view), percent(view) + left(view),
                                percent(view)};
   for (const std::string& tail : tails) {
-    // A bar takes its width, two brackets and two spaces.
+    // A bar takes up its width, two brackets and two spaces.
     const int bar_room = room - width_of(head) - width_of(tail) - 4;
     if (bar_room >= kNarrowestBar) {
       return fmt::format("{} {} {}", head,

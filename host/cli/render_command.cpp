@@ -26,7 +26,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Not resolved yet.
+/// Returns the unresolved scene with all options applied.
 scene::Scene scene_to_render(const RenderOptions& options) {
   SceneOptions input = options.input;
   // Options win over --set.
@@ -59,10 +59,10 @@ std::vector<std::uint8_t> encode(const image::Film& film, PictureFormat format,
 struct Opened {
   std::unique_ptr<render::Session> session;
   std::vector<opencl::Device> devices;
-  double seconds = 0.0;  // that finding them took
+  double seconds = 0.0;  // time that finding the devices took
 };
 
-/// A session whose kernels are on their way.
+/// Opens a session, which begins to load or compile its kernels.
 Opened open_session(const RenderOptions& options, PictureFormat format) {
   const Stopwatch watch;
   render::Options session_options = session_options_of(options.device);
@@ -73,8 +73,9 @@ Opened open_session(const RenderOptions& options, PictureFormat format) {
   return opened;
 }
 
-/// The end of the process is near, and gives back all of a session at once what its destructor, and
-/// the driver's compiler with it, would give back in small pieces: some 40 ms.
+/// Keeps the session until the process ends. The system then frees all of its memory at once,
+/// which saves some 40 ms. The destructor, and with it the driver's compiler, would free the
+/// memory in small pieces.
 void keep_to_the_end(std::unique_ptr<render::Session> session) {
   [[maybe_unused]] static const render::Session* const kept = session.release();
 }
@@ -103,8 +104,9 @@ int render(const RenderOptions& options) {
   seconds.reading = phase.restart();
   require_encodable(options, scene.image, format);
   render::require_room_for_land(scene);
-  // Drivers are loaded while the ground is laid out. oneTBB is woken first: what it loads, and what
-  // a new thread of its asks of the loader, would wait for them.
+  // Drivers are loaded while the ground is laid out. oneTBB is started first. Otherwise the
+  // libraries that it loads, and the requests of its new threads to the loader, would wait for
+  // the drivers.
   tbb::parallel_for(0, tbb::this_task_arena::max_concurrency(), [](int) {});
   auto opening = std::async(std::launch::async, [&] { return open_session(options, format); });
   world::resolve(scene);

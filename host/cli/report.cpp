@@ -20,7 +20,7 @@ double mebibytes(std::uint64_t bytes) {
   return static_cast<double>(bytes) / 0x1p20;
 }
 
-/// What each of several devices did.
+/// Returns a line about the work of each device.
 std::string devices_text(const render::Stats& stats) {
   std::string text;
   for (const render::DeviceStats& one : stats.devices) {

@@ -6,28 +6,29 @@
 #include "image/film.hpp"
 #include "render/session.hpp"
 
-/// What a render did, in words.
+/// These functions describe the work of a render in words.
 namespace aerostat::cli {
 
-/// "1,234,567"
+/// Returns a number with groups of digits, such as "1,234,567".
 std::string grouped(std::uint64_t number);
 
-/// The largest memory the process had in use so far, as the system counts it, in bytes.
+/// Returns the largest memory that the process has used so far, in bytes, as the system counts
+/// it.
 std::uint64_t peak_memory_bytes();
 
-/// The lines of --stats, each ended.
+/// Returns the lines of --stats, each with a line end.
 std::string stats_text(const render::Stats& stats, std::uint64_t peak_bytes);
 
-/// Seconds of a render command outside of the session.
+/// The seconds that a render command spends outside of the session.
 struct CommandSeconds {
-  double reading = 0.0;   // the scene file
-  double device = 0.0;    // finding it
-  double placing = 0.0;   // the terrain's relief, and what stands above it
-  double encoding = 0.0;  // from film to file format
+  double reading = 0.0;   // reading the scene file
+  double device = 0.0;    // finding the device
+  double placing = 0.0;   // making the terrain's relief and placing objects above it
+  double encoding = 0.0;  // turning the film into the file's format
   double writing = 0.0;
 };
 
-/// One line for --stats.
+/// Returns one line of --stats.
 std::string seconds_text(const CommandSeconds& seconds);
 
 }  // namespace aerostat::cli

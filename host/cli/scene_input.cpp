@@ -21,7 +21,7 @@ namespace aerostat::cli {
 namespace {
 
 constexpr const char* kStandardInput = "standard input";
-constexpr std::size_t kMostBytes = std::size_t{32} << 20;  // more than a scene may have
+constexpr std::size_t kMostBytes = std::size_t{32} << 20;  // more than the largest allowed scene
 
 std::string text_of_stdin() {
   std::string text;
@@ -39,7 +39,8 @@ std::string text_of_stdin() {
   return text;
 }
 
-/// By whatever name: the output would destroy it.
+/// Refuses to write to the scene's own file, whatever its name, because the output would destroy
+/// it.
 void refuse_own_input(const std::filesystem::path& output, const SceneOptions& input) {
   const std::filesystem::path scene =
       is_standard(input.scene) ? "/dev/stdin" : scene::find_scene(input.scene);

@@ -6,29 +6,30 @@
 #include "cli/options.hpp"
 #include "scene/scene.hpp"
 
-/// What the commands share: their input and their data on stdout.
+/// These functions read the input of all commands and write data to stdout.
 namespace aerostat::cli {
 
-/// Reads the scene and applies the overrides. Throws as scene::read_file does.
+/// Reads the scene and applies the overrides. Throws the errors of scene::read_file.
 scene::Scene read_scene(const SceneOptions& options);
 
-/// Reads the scene, applies the overrides and resolves it. Throws as scene::read_file and
-/// world::resolve do.
+/// Reads the scene, applies the overrides and resolves it. Throws the errors of scene::read_file
+/// and world::resolve.
 scene::Scene load_scene(const SceneOptions& options);
 
-/// The scene as messages call it.
+/// Returns the name of the scene for messages.
 std::string name_of_scene(const SceneOptions& options);
 
-/// The file to write for a name on the command line: standard output for "-". Throws Error{usage}
-/// if that is a terminal and `is_binary`, or if it is the scene file by whatever name, which the
-/// output would destroy, and as require_writable does.
+/// Returns the file to write for a name on the command line, which is standard output for "-".
+/// Throws Error{usage} if standard output is a terminal and `is_binary` is true. Throws
+/// Error{usage} if the file is the scene file under any name, because the output would destroy
+/// it. Throws the errors of require_writable.
 std::filesystem::path output_file(const std::filesystem::path& output, const SceneOptions& input,
                                   bool is_binary);
 
-/// An output as messages call it.
+/// Returns the name of an output for messages.
 std::string name_of_output(const std::filesystem::path& output);
 
-/// Writes data to stdout; throws Error{io} if it does not arrive.
+/// Writes data to stdout. Throws Error{io} if the data cannot be written.
 void write_stdout(const std::string& text);
 
 }  // namespace aerostat::cli
