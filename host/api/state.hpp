@@ -5,7 +5,7 @@
 #include "image/film.hpp"
 #include "scene/source.hpp"
 
-/// What the public classes hold.
+/// The contents of the public classes.
 namespace aerostat {
 
 struct Scene::State {
@@ -14,7 +14,7 @@ struct Scene::State {
 
 struct Film::State {
   image::Film film;
-  scene::Image image;  // how the scene wants it developed
+  scene::Image image;  // settings that turn the film into a picture
 };
 
 }  // namespace aerostat

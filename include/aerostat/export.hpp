@@ -1,7 +1,7 @@
 #pragma once
 
-/// AEROSTAT_API marks what the shared library shows to the programs that link it, AEROSTAT_HIDDEN
-/// what it does not show of a class that it shows.
+/// AEROSTAT_API marks the names that the shared library exports. AEROSTAT_HIDDEN marks the
+/// members of an exported class that the library does not export.
 #if defined(__GNUC__)
 #define AEROSTAT_API __attribute__((visibility("default")))
 #define AEROSTAT_HIDDEN __attribute__((visibility("hidden")))
