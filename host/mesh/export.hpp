@@ -7,35 +7,39 @@
 
 #include "mesh/mesh.hpp"
 
-/// Meshes as files for other programs. The functions return a file's bytes and touch no disk.
+/// These functions write meshes in file formats of other programs. They return the bytes of a
+/// file and do not touch the disk.
 namespace aerostat::mesh {
 
 /// One object of an exported world. The mesh must outlive the call.
 struct ExportObject {
   std::uint32_t id = 0;
-  std::string name;  // no white space
+  std::string name;  // has no white space
   const TriangleMesh* mesh = nullptr;
 };
 
-/// `origin` is what positions count from; if it is not null, a comment of the file says so: single
-/// precision would not hold their sum.
+/// Returns the bytes of a binary little-endian PLY file.
 ///
-/// Binary little-endian PLY: vertices with `x y z nx ny nz` (float) and, if any object has colours,
-/// `red green blue` (uchar, sRGB-encoded, white where an object has none); faces with
+/// Vertices have `x y z nx ny nz` (float). If any object has colours, they also have `red green
+/// blue` (uchar, sRGB-encoded), which are white for an object without colours. Faces have
 /// `vertex_indices` (uchar count, int) and `object_id` (uint). Objects follow each other in the
-/// given order, so do their vertices and triangles. Throws Error{internal} on an inconsistent mesh
-/// (see check) or more than 2^31 - 1 vertices.
+/// given order, and so do their vertices and triangles. Positions count from `origin`. If that is
+/// not null, a comment of the file names it, because single precision could not hold the sums.
+///
+/// Throws Error{internal} on an inconsistent mesh (see check) or on more than 2^31 - 1 vertices.
 std::vector<std::uint8_t> ply_bytes(std::span<const ExportObject> objects,
                                     const dvec3& origin = dvec3(0.0));
 
-/// Wavefront OBJ: per object an `o` line with its name, `v` and `vn` lines whose decimals read back
-/// as the same floats, `f a//a b//b c//c` lines with indices counted through the whole file.
-/// Colours are left out, the format has none. Throws as ply_bytes does.
+/// Returns the bytes of a Wavefront OBJ file. Each object has an `o` line with its name. Its `v`
+/// and `vn` lines have decimals that read back as the same floats. Its `f a//a b//b c//c` lines
+/// have indices that count through the whole file. Colours are left out, because the format has
+/// none. Positions count from `origin`, which a comment names if it is not null. Throws the
+/// errors of ply_bytes.
 std::vector<std::uint8_t> obj_bytes(std::span<const ExportObject> objects,
                                     const dvec3& origin = dvec3(0.0));
 
-/// What the comment says: "origin X Y Z", shortest decimals that read back as the same doubles;
-/// empty for a null vector.
+/// Returns the text of the comment about the origin: "origin X Y Z" with the shortest decimals
+/// that read back as the same doubles. Returns an empty text for a null vector.
 std::string origin_text(const dvec3& origin);
 
 }  // namespace aerostat::mesh

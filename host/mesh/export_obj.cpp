@@ -10,11 +10,12 @@
 namespace aerostat::mesh {
 namespace {
 
-// The longest of a kind: three floats such as -1.17549435e-38, or six numbers of ten digits.
+// The longest line has three floats such as -1.17549435e-38 or six numbers of ten digits.
 constexpr std::size_t kLongestLine = 96;
 constexpr std::size_t kTypicalLine = 40;
 
-/// Builds one line in place and appends it, so that no number is allocated.
+/// Builds one line in a buffer of its own and appends it, so that no memory is allocated for a
+/// number.
 class LineWriter {
  public:
   explicit LineWriter(std::vector<std::uint8_t>& text) : text_(text) {}

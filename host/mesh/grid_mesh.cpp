@@ -28,14 +28,16 @@ std::uint32_t padded(std::uint32_t cells) {
   return (cells + AERO_GRID_BLOCK - 1) / AERO_GRID_BLOCK * AERO_GRID_BLOCK;
 }
 
-/// Copies lines and repeats the last one; returns where they end.
+/// Copies the lines and repeats the last one up to the padded number. Returns the end of the
+/// copies.
 float* put_lines(std::span<const float> lines, std::uint32_t padded_cells, float* to) {
   float* const end = to + padded_cells + 1;
   std::fill(std::copy(lines.begin(), lines.end(), to), end, lines.back());
   return end;
 }
 
-/// Rounded to the nearest as std::lround does, in loops that are vectorised.
+/// Returns 32767 times the share, rounded to the nearest integer as by std::lround. Loops with
+/// this function can be vectorised.
 AEROSTAT_INLINE std::uint32_t as_short(float share) {
   const double scaled = share * 32767.0f;
   const auto nearest = static_cast<std::int32_t>(scaled + (scaled < 0.0 ? -0.5 : 0.5));
@@ -72,7 +74,7 @@ GridMesh::GridMesh(std::span<const float> x, std::span<const float> z)
 
 void GridMesh::set(std::uint32_t i, std::uint32_t j, float height, const vec3& normal) {
   const float word = packed(normal);
-  // The rim's vertices are repeated to fill up the last blocks.
+  // The vertices at the rim are repeated to fill up the last blocks.
   const std::uint32_t last_i = i == columns_ ? padded_columns_ : i;
   const std::uint32_t last_j = j == rows_ ? padded_rows_ : j;
   for (std::uint32_t row = j; row <= last_j; ++row) {
@@ -94,7 +96,7 @@ void GridMesh::set_row(std::uint32_t j, std::span<const float> heights,
     for (std::int32_t i = 0; i < count; ++i)
       to_normals[i] = packed({from[3 * i], from[3 * i + 1], from[3 * i + 2]});
   });
-  // The rim's vertices are repeated to fill up the last blocks.
+  // The vertices at the rim are repeated to fill up the last blocks.
   std::fill(to_heights + heights.size(), to_heights + stride_, heights.back());
   std::fill(to_normals + normals.size(), to_normals + stride_, to_normals[normals.size() - 1]);
   for (std::uint32_t row = j + 1; j == rows_ && row <= padded_rows_; ++row) {

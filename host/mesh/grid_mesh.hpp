@@ -10,25 +10,27 @@
 
 namespace aerostat::mesh {
 
-/// A surface of heights over the cells of a grid, in 8 bytes a vertex: kernels/shared/height_grid.h
-/// says how it lies in memory and how cells are split into triangles. Vertex (i, j) lies on the
-/// i-th line of x and the j-th of z.
+/// A surface of heights over the cells of a grid, with 8 bytes for each vertex. Vertex (i, j)
+/// lies on the i-th line of x and the j-th line of z. kernels/shared/height_grid.h describes the
+/// layout in memory and the triangles of a cell.
 class GridMesh {
  public:
   GridMesh() = default;
-  /// A grid over these lines (metres, ascending, at least two of each), whose vertices have no
-  /// value yet. Throws Error{internal} on other lines or more than 16384 cells along a side.
+  /// Makes a grid over these lines, whose vertices have no value yet. The lines are in metres and
+  /// ascending, at least two of each. Throws Error{internal} on other lines or on more than 16384
+  /// cells along a side.
   GridMesh(std::span<const float> x, std::span<const float> z);
 
   std::uint32_t columns() const { return columns_; }
   std::uint32_t rows() const { return rows_; }
   std::uint64_t triangles() const { return std::uint64_t{2} * columns_ * rows_; }
 
-  /// Sets a vertex; `normal` is a unit vector with normal.y > 0, kept to some 3e-5. Different
-  /// vertices may be set from different threads.
+  /// Sets a vertex. `normal` is a unit vector with normal.y > 0, which is stored with an error of
+  /// some 3e-5. Different vertices may be set from different threads.
   void set(std::uint32_t i, std::uint32_t j, float height, const vec3& normal);
 
-  /// The same for a whole row, columns() + 1 vertices of it.
+  /// Sets a whole row of columns() + 1 vertices. Different rows may be set from different
+  /// threads.
   void set_row(std::uint32_t j, std::span<const float> heights, std::span<const vec3> normals);
 
   float x(std::uint32_t i) const { return x_[i]; }
@@ -37,7 +39,7 @@ class GridMesh {
   vec3 position(std::uint32_t i, std::uint32_t j) const { return {x(i), height(i, j), z(j)}; }
   vec3 normal(std::uint32_t i, std::uint32_t j) const;
 
-  /// What the kernels read.
+  /// Returns the words that the kernels read.
   std::span<const float> words() const { return words_; }
 
  private:
@@ -50,8 +52,8 @@ class GridMesh {
   Array<float> words_;
 };
 
-/// The grid as triangles: vertex (i, j) at j (columns + 1) + i, cell (i, j) at
-/// 2 (j columns + i) and the one after.
+/// Returns the grid as triangles. Vertex (i, j) has the index j (columns + 1) + i. The triangles
+/// of cell (i, j) have the indices 2 (j columns + i) and 2 (j columns + i) + 1.
 TriangleMesh to_triangles(const GridMesh& grid);
 
 }  // namespace aerostat::mesh

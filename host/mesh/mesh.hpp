@@ -7,11 +7,11 @@
 
 namespace aerostat::mesh {
 
-/// An indexed triangle mesh in metres, right-handed, y up; front faces wind counter-clockwise.
-/// `normals` (unit) has one entry per position. `colors` (linear Rec. 709 albedo) has one entry
-/// per position or is empty, which means white. `places` are coordinates on the surface, by which a
-/// look that is finer than the triangles is laid out; one per position or none, which means that
-/// there is no such look. A sharp edge or a change of colour has its vertices twice.
+/// An indexed triangle mesh in metres, right-handed, with y up. Front faces wind
+/// counter-clockwise. `normals` has one unit vector for each position. `colors` has one linear
+/// Rec. 709 albedo for each position, or is empty, which means white. `places` has surface
+/// coordinates for detail that is finer than the triangles: one for each position, or none if
+/// there is no such detail. The vertices along a sharp edge or a change of colour exist twice.
 struct TriangleMesh {
   std::vector<vec3> positions;
   std::vector<vec3> normals;
@@ -22,15 +22,16 @@ struct TriangleMesh {
   bool empty() const { return triangles.empty(); }
 };
 
-/// Appends `part` to `whole`; where only one of them has colours or places, white and 0 are
-/// filled in.
+/// Appends `part` to `whole`. If only one of them has colours or places, the other one gets white
+/// or 0.
 void append(TriangleMesh& whole, const TriangleMesh& part);
 
-/// Area-weighted vertex normals from the triangles, replacing what was there. Vertices that no
-/// triangle of positive area uses get +y.
+/// Computes area-weighted vertex normals from the triangles and replaces the old normals.
+/// Vertices without a triangle of positive area get +y.
 void compute_normals(TriangleMesh& mesh);
 
-/// Throws Error{internal} if an index is out of range or an attribute's length is wrong.
+/// Checks a mesh. Throws Error{internal}, with `name`, if an index is out of range or if the
+/// length of an attribute is wrong.
 void check(const TriangleMesh& mesh, const char* name);
 
 }  // namespace aerostat::mesh
