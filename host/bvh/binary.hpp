@@ -8,13 +8,13 @@
 
 namespace aerostat::bvh {
 
-/// Levels of the binary tree below its root, at most: what 3 * 21 levels fold into, 21 wide nodes
-/// of eight children, needs 148 stack entries.
+/// The largest number of levels of the binary tree below its root. 3 * 21 levels fold into a
+/// chain of 21 wide nodes of eight children, which needs 148 stack entries.
 inline constexpr int kMaxDepth = 63;
 
-/// An inner node. A subtree over n primitives has n - 1 of them, in depth-first order: the left
-/// child of the node at i is at i + 1, the right one at i + left_count; a child over one primitive
-/// has no node.
+/// An inner node. A subtree over n primitives has n - 1 nodes in depth-first order. The left
+/// child of the node at i is at i + 1, and the right child is at i + left_count. A child over one
+/// primitive has no node.
 struct BinaryNode {
   float lo[3];
   std::uint32_t left_count;
@@ -22,7 +22,7 @@ struct BinaryNode {
   std::uint32_t plan;
 };
 
-/// A subtree: its node (none if it holds one primitive) and its range of primitives.
+/// A subtree: its first node and its range of primitives. A subtree of one primitive has no node.
 struct Subtree {
   std::uint32_t node = 0;
   std::uint32_t first = 0;
@@ -39,14 +39,14 @@ struct BinaryTree {
   }
 };
 
-/// Whether a subtree at this depth must be halved to end above kMaxDepth: an uneven split could
-/// leave a child of nearly as many primitives one level lower.
+/// Returns whether a subtree at this depth must be halved so that its leaves do not lie below
+/// kMaxDepth. An uneven split could leave a child of nearly as many primitives one level lower.
 inline bool must_halve(int depth, std::uint32_t count) {
   return depth + 1 + std::bit_width(count - 1) > kMaxDepth;
 }
 
-/// Builds the tree down to single primitives and reorders these to its leaves' order. Each node
-/// carries the plan of its collapse.
+/// Builds the tree down to single primitives and reorders these to the order of its leaves. Each
+/// node carries the plan of its collapse.
 BinaryTree build_binary(PrimitiveSet& primitives, const BuildOptions& options);
 
 }  // namespace aerostat::bvh

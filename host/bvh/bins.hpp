@@ -6,24 +6,26 @@
 #include "planes.hpp"
 #include "primitive.hpp"
 
-/// The surface area heuristic over bins (Wald, "On fast construction of SAH-based bounding volume
-/// hierarchies", 2007). Functions of vectors are inlined into the loops of loops.cpp.
+/// These functions search for the best plane by the surface area heuristic over bins (Wald, "On
+/// fast construction of SAH-based bounding volume hierarchies", 2007). Those on vectors are
+/// inlined into the loops of loops.cpp.
 namespace aerostat::bvh {
 
 inline constexpr int kMostBins = 32;
 
-/// Primitives whose bins are worked out before any of them is used: loads and stores whose places
-/// are known early need not wait for each other.
+/// The number of primitives whose bins are computed before any of them is used. Loads and stores
+/// whose places are known early need not wait for each other.
 inline constexpr std::size_t kBlock = 32;
 
-/// What lies in the bins of one number, by axis. A power of two in size: it is found by a shift.
+/// The contents of the bins of one number, by axis. The size is a power of two, so that a bin is
+/// found by a shift.
 struct alignas(128) Bin {
   Float8 box[3];
   Int4 held;
 };
 
 struct Bins {
-  Bins() = default;  // of unknown content
+  Bins() = default;  // leaves the contents unknown
   explicit Bins(int bins) : count(bins) {
     for (int i = 0; i < bins; ++i) {
       for (Float8& planes : bin[i].box) planes = no_planes();
@@ -35,7 +37,8 @@ struct Bins {
   Bin bin[kMostBins];
 };
 
-/// Maps centroids to bins. An axis whose extent floats cannot divide has scale 0: all in one bin.
+/// Maps centroids to bins. An axis whose extent cannot be divided in floats has scale 0, which
+/// puts all centroids into one bin.
 struct BinMap {
   Float4 origin;
   Float4 scale = broadcast(0.0f);
@@ -53,8 +56,8 @@ struct BinMap {
 
 /// A plane between two bins of an axis.
 struct Plane {
-  int axis = -1;  // -1: none parts the primitives, or costs are beyond what floats can measure
-  int bin = 0;    // the first one of the right side
+  int axis = -1;  // -1: no plane parts the primitives, or costs exceed the range of floats
+  int bin = 0;    // first bin of the right side
 };
 
 template <bool kWide>
@@ -80,8 +83,8 @@ AEROSTAT_INLINE void fill_bins(Bins& bins, const Primitive* first, std::size_t c
   }
 }
 
-/// What one side of the planes before bin `i` costs, by axis; no number where the side is empty,
-/// of which an area is infinite: less than nothing.
+/// The cost of one side of the planes before bin `i`, by axis. The cost of an empty side is NaN,
+/// because its area is infinite and its count is 0. NaN is never less than another cost.
 template <bool kWide>
 struct Side {
   Float8 box[3] = {no_planes(), no_planes(), no_planes()};
@@ -96,7 +99,8 @@ struct Side {
   }
 };
 
-/// The plane of least cost; of equal ones the first, by axis and then by bin.
+/// Returns the plane of least cost. Among planes of equal cost, it is the first by axis and then
+/// by bin.
 template <bool kWide>
 AEROSTAT_INLINE Plane search_plane(const Bins& bins) {
   Float4 right_cost[kMostBins];
@@ -125,7 +129,7 @@ AEROSTAT_INLINE Plane search_plane(const Bins& bins) {
   return plane;
 }
 
-/// The boxes of both sides of a plane.
+/// Computes the boxes of both sides of a plane.
 template <bool kWide>
 AEROSTAT_INLINE void bound_sides(const Bins& bins, const Plane& plane, Box (&bounds)[2]) {
   Float8 sides[2] = {no_planes(), no_planes()};

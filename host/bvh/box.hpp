@@ -8,7 +8,8 @@
 
 #include "core/math.hpp"
 
-/// Boxes in four-float vectors, for the builder's inner loops. The fourth lane is always ignored.
+/// These functions handle boxes as vectors of four floats for the builder's inner loops. The
+/// fourth lane is always ignored.
 namespace aerostat::bvh {
 
 using Float4 = float __attribute__((vector_size(16)));
@@ -18,7 +19,8 @@ inline Float4 broadcast(float value) {
   return Float4{value, value, value, value};
 }
 
-// A vector `a < b ? a : b` compiles to compare and blend; SSE has the one instruction.
+// A vector `a < b ? a : b` compiles to a comparison and a blend. SSE has a single instruction for
+// it.
 #ifdef __SSE2__
 inline Float4 min4(Float4 a, Float4 b) {
   return _mm_min_ps(a, b);
@@ -35,7 +37,7 @@ inline Float4 max4(Float4 a, Float4 b) {
 }
 #endif
 
-/// An axis-aligned box; starts empty.
+/// An axis-aligned box, which is empty at first.
 struct Box {
   Float4 lo = broadcast(kInfinity);
   Float4 hi = broadcast(-kInfinity);
@@ -48,12 +50,12 @@ struct Box {
     lo = min4(lo, other.lo);
     hi = max4(hi, other.hi);
   }
-  /// Half of the surface area; meaningless for an empty box.
+  /// Returns half of the surface area. The result is meaningless for an empty box.
   float half_area() const {
     const Float4 d = hi - lo;
     return d[0] * (d[1] + d[2]) + d[1] * d[2];
   }
-  /// Half of the centre: differences of two never overflow.
+  /// Returns half of the centre. Differences of two half centres never overflow.
   Float4 half_centre() const { return lo * 0.25f + hi * 0.25f; }
   int widest_axis() const {
     const Float4 d = hi - lo;
@@ -62,9 +64,9 @@ struct Box {
   }
 };
 
-/// Reads the box of a 32-byte record { float lo[3]; <4 bytes>; float hi[3]; <4 bytes> }. The
-/// payload is blanked: read as floats, small integers are subnormal numbers, which are slow to
-/// multiply.
+/// Reads the box of a 32-byte record { float lo[3]; <4 bytes>; float hi[3]; <4 bytes> }. The four
+/// other bytes are set to zero. As floats, small integers would be subnormal numbers, which are
+/// slow to multiply.
 template <typename Record>
 Box load_box(const Record& record) {
   static_assert(sizeof(Record) == 32);

@@ -8,7 +8,7 @@
 namespace aerostat::bvh {
 namespace {
 
-// Subtrees of this size are folded by one task each.
+// One task folds each subtree of fewer primitives than this.
 constexpr std::uint32_t kTaskCount = std::uint32_t{1} << 15;
 
 constexpr bool is_inner(std::uint32_t child) {
@@ -26,14 +26,14 @@ struct Children {
   void push(const Subtree& s) { item[static_cast<std::size_t>(count++)] = s; }
 };
 
-// A wide node to be made: from which subtree, at which index, with how much stack left.
+// A wide node to be made: its subtree, its index and the number of stack entries that are left.
 struct Job {
   Subtree subtree;
   std::uint32_t index = 0;
   int budget = 0;
 };
 
-// A subtree left to a task of its own, and the child slot that will refer to it.
+// A subtree that is left to a task of its own, and the child slot that will refer to it.
 struct Deferred {
   Job job;
   std::uint32_t parent = 0;
@@ -45,8 +45,8 @@ class Folder {
   Folder(const BinaryTree& tree, const PrimitiveSet& primitives, const BuildOptions& options)
       : tree_(tree), primitives_(primitives), options_(options) {}
 
-  // Makes all nodes under `root` but those of deferred subtrees, which begin below `defer_below`
-  // primitives (0: nothing is deferred).
+  // Makes all nodes under `root` except those of deferred subtrees. A subtree of fewer than
+  // `defer_below` primitives is deferred. The value 0 defers none.
   std::vector<AeroBvhNode> fold(Job root, std::uint32_t defer_below,
                                 std::vector<Deferred>& deferred) const {
     std::vector<AeroBvhNode> nodes;
@@ -157,7 +157,7 @@ struct NodeSums {
   }
 };
 
-// Blocks have a fixed size, so that sums do not depend on how threads share them out.
+// Blocks have a fixed size, so that sums do not depend on the distribution of blocks to threads.
 constexpr std::size_t kSumBlock = 4096;
 
 double half_area(const AeroBvhNode& node, int slot) {
@@ -184,7 +184,8 @@ NodeSums sum_children(const AeroBvhNode& node, const BuildOptions& options) {
   return sums;
 }
 
-// Children come after their parents, so backwards every child is known before its parent.
+// Returns the stack entries that the tree needs. Children come after their parents, so that in
+// reverse order every child is known before its parent.
 std::uint32_t measure_stack(const std::vector<AeroBvhNode>& nodes) {
   std::vector<std::uint16_t> need(nodes.size());
   for (std::size_t i = nodes.size(); i-- > 0;) {

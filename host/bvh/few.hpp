@@ -4,10 +4,11 @@
 
 #include "planes.hpp"
 
-/// The cheapest ways to part three or four boxes, of all there are.
+/// These functions find the cheapest way to part three or four boxes among all ways.
 namespace aerostat::bvh {
 
-/// An order of up to four boxes, and how many of them, from the first on, make the left side.
+/// An order of up to four boxes and the number of boxes, from the first on, that make the left
+/// side.
 struct Parting {
   std::uint8_t order[4];
   std::uint8_t left_count;
@@ -19,8 +20,9 @@ inline constexpr Parting kPartingsOfFour[] = {
     {{0, 1, 2, 3}, 1}, {{1, 0, 2, 3}, 1}, {{2, 0, 1, 3}, 1}, {{3, 0, 1, 2}, 1},
     {{0, 1, 2, 3}, 2}, {{0, 2, 1, 3}, 2}, {{0, 3, 1, 2}, 2}};
 
-/// Costs, none below zero, whose last bits hold the numbers of their lanes, from `first` on: their
-/// order is that of the costs, so far as it matters.
+/// Returns costs, which must not be negative, as integers whose last three bits hold the numbers
+/// of the lanes, from `first` on. The integers are in the order of the costs, apart from
+/// differences in those three bits.
 AEROSTAT_INLINE Int4 numbered(Float4 cost, std::int32_t first) {
   return (reinterpret_cast<Int4>(cost) & ~7) | (Int4{0, 1, 2, 3} + first);
 }

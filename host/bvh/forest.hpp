@@ -10,29 +10,30 @@ namespace aerostat::bvh {
 
 inline constexpr int kWidth = AERO_BVH_WIDTH;
 
-/// How a binary subtree is best covered by at most i + 1 wide subtrees (inner nodes or leaves), in
-/// lanes i = 0 .. kWidth - 2: the tables of Ylitie, Karras and Laine, "Efficient incoherent ray
-/// traversal on GPUs through compressed wide BVHs" (2017), section 3.1, with the stack that each
-/// choice needs. The last lane says nothing.
+/// The best ways to cover a binary subtree with at most i + 1 wide subtrees (inner nodes or
+/// leaves), in lanes i = 0 .. kWidth - 2. They are the tables of Ylitie, Karras and Laine,
+/// "Efficient incoherent ray traversal on GPUs through compressed wide BVHs" (2017), section 3.1,
+/// with the stack that each way needs. The last lane is not used.
 struct Forest {
-  Float8 cost;  // surface area times cost; more slots are never dearer
+  Float8 cost;  // surface area times cost; more slots never cost more
   Int8 stack;   // most stack entries that one of the subtrees needs
-  Int8 used;    // subtrees in fact used
+  Int8 used;    // number of subtrees that are used
 };
 static_assert(kWidth == 8, "a lane for each number of slots");
 
-/// The choices that a Forest stands for, kept in 32 bits per binary node.
+/// The choices that lead to a Forest, packed in 32 bits for each binary node.
 class Plan {
  public:
   Plan() = default;
   explicit Plan(std::uint32_t bits) : bits_(bits) {}
   std::uint32_t bits() const { return bits_; }
 
-  /// How many of `slots` (2 .. kWidth) the left child gets; 0: the subtree is best taken as one.
+  /// Returns how many of `slots` (2 .. kWidth) slots the left child gets. Returns 0 if the
+  /// subtree is best taken as one.
   int left_slots(int slots) const { return static_cast<int>(bits_ >> (3 * (slots - 2))) & 7; }
-  /// Whether the subtree, given one slot, is a leaf rather than a wide node.
+  /// Returns whether the subtree, given one slot, is a leaf and not a wide node.
   bool is_leaf() const { return ((bits_ >> 21) & 1u) != 0; }
-  /// The stack entries that the subtree needs as a wide node.
+  /// Returns the stack entries that the subtree needs as a wide node.
   int stack() const { return static_cast<int>(bits_ >> 22); }
 
   void set_leaf() { bits_ |= 1u << 21; }
@@ -42,20 +43,22 @@ class Plan {
   std::uint32_t bits_ = 0;
 };
 
-/// Stack entries of a node that pushes all its children and descends into the worst one.
+/// Returns the stack entries of a node that pushes all its children and descends into the worst
+/// one.
 constexpr int stack_of_node(int children, int deepest_child) {
   return children - 1 + (deepest_child > 1 ? deepest_child : 1);
 }
 
-/// The forest of a single triangle.
+/// Returns the forest of a single triangle.
 AEROSTAT_INLINE Forest single_forest(float half_area, const BuildOptions& options) {
   return {Float8{} + half_area * options.intersection_cost, Int8{}, Int8{} + 1};
 }
 
-/// The best ways to give so many slots as a lane says to two children: by cost, of equal ones the
-/// one that gives the left child the fewest.
+/// The best ways to divide slots between two children. Lane i holds the least cost for i + 1
+/// slots. Among ways of equal cost, the one that gives the left child the fewest slots is best.
 struct Shares {
-  // Where no cost is a number, halves of the slots, and no less stack than they may need.
+  // If no cost is finite, each child gets half of the slots, and the stack is at least what the
+  // children may need.
   Float8 cost = Float8{} + kInfinity;
   Int8 left{0, 1, 1, 2, 2, 3, 3, 4};
   Int8 stack;
@@ -66,7 +69,7 @@ struct Shares {
     stack = __builtin_shufflevector(deeper, deeper, 0, 0, 0, 0, 0, 0, 0, 0);
   }
 
-  /// Tries to give the left child kLeft slots.
+  /// Considers the ways that give the left child kLeft slots.
   template <int kLeft>
   AEROSTAT_INLINE void consider(const Forest& l, const Forest& r) {
     constexpr int kLane = kLeft - 1;
@@ -81,7 +84,7 @@ struct Shares {
   }
 
  private:
-  // Moves lanes up by kBy and fills up from `fill`.
+  // Moves lanes up by kBy and fills the first lanes from `fill`.
   template <int kBy, typename Vector>
   static AEROSTAT_INLINE Vector moved(const Vector& fill, const Vector& v) {
     return __builtin_shufflevector(fill, v, 8 - kBy, 9 - kBy, 10 - kBy, 11 - kBy, 12 - kBy,
@@ -89,7 +92,8 @@ struct Shares {
   }
 };
 
-/// The forest of a binary node over `count` triangles, and the choices that lead to it.
+/// Returns the forest of a binary node over `count` triangles, and stores the choices that lead
+/// to it in `plan`.
 AEROSTAT_INLINE Forest combine(const Forest& left, const Forest& right, float half_area,
                                std::uint32_t count, const BuildOptions& options, Plan& plan) {
   Shares shares(left, right);

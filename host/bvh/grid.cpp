@@ -14,10 +14,10 @@
 namespace aerostat::bvh {
 namespace {
 
-/// Stack entries that a node of patches needs.
+/// The stack entries that a node of patches needs.
 constexpr int kBlockStack = AERO_BVH_WIDTH;
 
-/// A tree over the blocks of a grid, whose leaves then become the blocks' nodes.
+/// Builds a tree over the blocks of a grid and replaces its leaves by the nodes of the blocks.
 class GridBuilder {
  public:
   GridBuilder(const mesh::GridMesh& grid, const BuildOptions& options)
@@ -63,7 +63,8 @@ class GridBuilder {
     }
   }
 
-  // The nodes over the blocks, whose numbers in the new order stand in the leaves.
+  // Returns the nodes over the blocks. The leaves hold the numbers of the blocks in their new
+  // order.
   std::vector<AeroBvhNode> top() {
     BuildOptions options = options_;
     options.max_leaf_triangles = 1;
@@ -86,7 +87,8 @@ class GridBuilder {
     for (std::uint32_t n = first; n-- > 0;) know_slopes(nodes, n);
   }
 
-  // Children come after their parents, so backwards every child is known before its parent.
+  // Computes the slopes of the children of a node. Children come after their parents, so that in
+  // reverse order every child is known before its parent.
   static void know_slopes(std::vector<AeroBvhNode>& nodes, std::uint32_t n) {
     for (int slot = 0; slot < AERO_BVH_WIDTH; ++slot) {
       if (nodes[n].child[slot] == AERO_BVH_EMPTY) continue;
@@ -98,7 +100,8 @@ class GridBuilder {
     }
   }
 
-  // What measure() cannot know: a patch is a node without memory, over cells of two triangles.
+  // Adds the statistics of patches and cells, which measure() cannot know. A patch is a node
+  // without memory over cells of two triangles.
   void add_cells(Bvh& bvh) const {
     double area_cost = 0.0;
     for (const BlockPlan& plan : plans_) {
@@ -114,7 +117,7 @@ class GridBuilder {
   const BuildOptions& options_;
   std::uint32_t across_, count_;
   std::vector<BlockPlan> plans_;
-  std::unique_ptr<AeroBvhNode[]> block_nodes_;  // by block
+  std::unique_ptr<AeroBvhNode[]> block_nodes_;  // indexed by block
   PrimitiveSet blocks_;
 };
 

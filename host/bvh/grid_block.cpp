@@ -15,10 +15,10 @@ struct Shape {
   std::uint32_t width, height;
 };
 
-/// What a patch covers, by AERO_PATCH_...
+/// The cells that a patch of each shape covers, indexed by AERO_PATCH_...
 constexpr std::array<Shape, 2> kShapes{{{4, 2}, {2, 4}}};
 
-/// First cell of a patch within its block.
+/// The first cell of a patch within its block.
 struct Corner {
   std::uint32_t i, j;
 };

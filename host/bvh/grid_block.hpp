@@ -10,29 +10,31 @@
 
 namespace aerostat::bvh {
 
-/// Blocks of a grid: 8 x 8 cells each, those at the far rims perhaps fewer.
+/// The number of cells along a side of a block. Blocks at the far rims may have fewer cells.
 inline constexpr std::uint32_t kBlockSide = 8;
 
-/// How a block is cut into patches.
+/// The way in which a block is cut into patches.
 struct BlockPlan {
   std::uint32_t shape = 0;    // AERO_PATCH_...
-  std::uint32_t patches = 0;  // that hold a cell
-  float patch_area = 0.0f;    // sums of half surface areas
+  std::uint32_t patches = 0;  // number of patches that hold a cell
+  float patch_area = 0.0f;    // sum of the half surface areas of the patches
+  /// Sum of the half surface areas of the cells.
   float cell_area = 0.0f;
 };
 
-/// The boxes of a block's cells and what can be made of them.
+/// The boxes of a block's cells, from which its patches and its node are made.
 class GridBlock {
  public:
-  /// The block whose first cell is (i, j). Throws Error{bad_data} if a height is not finite.
+  /// Reads the block whose first cell is (i, j). Throws Error{bad_data} if a height is not
+  /// finite.
   GridBlock(const mesh::GridMesh& grid, std::uint32_t i, std::uint32_t j);
 
   const Box& bounds() const { return bounds_; }
 
-  /// The cut of least surface area.
+  /// Returns the cut whose patches have the least surface area.
   BlockPlan plan() const;
 
-  /// The node over the patches of a cut.
+  /// Returns the node over the patches of a cut.
   AeroBvhNode node(const BlockPlan& plan) const;
 
  private:

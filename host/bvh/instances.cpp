@@ -11,7 +11,8 @@
 namespace aerostat::bvh {
 namespace {
 
-/// A model's tree, relative to a triangle: what it costs a ray to enter an instance.
+/// The cost for a ray to enter the tree of an instance's model, in the unit of
+/// BuildOptions::traversal_cost.
 constexpr float kInstanceCost = 10.0f;
 
 Box as_box(const Bounds& bounds, std::size_t number) {

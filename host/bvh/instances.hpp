@@ -6,9 +6,10 @@
 
 namespace aerostat::bvh {
 
-/// A tree over instances of models: leaf k stands for instance k, whose box in the world is
-/// bounds[k]. It has no slots. Runs on all cores and gives the same tree on any number of them.
-/// Throws Error{bad_data} if there are more than 2^27 or a box is empty or not finite.
+/// Builds a tree over instances of models. Leaf k stands for instance k, whose box in the world
+/// is bounds[k]. The tree has no slots. All cores work on it, and the result does not depend on
+/// their number. Throws Error{bad_data} if there are more than 2^27 instances or if a box is
+/// empty or not finite.
 Bvh build_instances(std::span<const Bounds> bounds);
 
 }  // namespace aerostat::bvh

@@ -24,7 +24,7 @@ bool is_slot_leaf(aero_uint child) {
   return (child & AERO_BVH_LEAF) != 0 && (child & AERO_BVH_PATCH) == 0;
 }
 
-// A tree as the nodes above it see it.
+// A tree and the first triangle, node and slot that it has in the result.
 struct Entry {
   const Bvh* tree = nullptr;
   std::uint32_t first_triangle = 0;
@@ -32,7 +32,7 @@ struct Entry {
   std::uint32_t first_slot = 0;
 };
 
-// What a subtree of the common top is to its parent.
+// The data of a subtree of the common top that its parent needs.
 struct Top {
   Bounds bounds;
   std::uint32_t reference = 0;
@@ -42,7 +42,7 @@ struct Top {
 
 class Joiner {
  public:
-  /// The entries behind the first `trees` are models.
+  /// Takes the trees to join. The entries after the first `trees` are models.
   Joiner(std::vector<Entry> entries, std::size_t trees)
       : entries_(std::move(entries)), trees_(trees) {}
 
@@ -84,7 +84,7 @@ class Joiner {
     return {{}, 0, 1, 0.0};
   }
 
-  // Makes the nodes above trees [begin, end). References to trees are their numbers until
+  // Makes the nodes above the trees [begin, end). References to trees are their numbers until
   // place_trees() knows how many nodes come before them.
   Top raise(std::size_t begin, std::size_t end) {
     if (end - begin == 1) return top_of_tree(begin);
@@ -151,7 +151,7 @@ class Joiner {
 
   std::vector<Entry> entries_;
   std::size_t trees_;
-  std::vector<std::uint32_t> tree_children_;  // per node of the top: which slots hold trees
+  std::vector<std::uint32_t> tree_children_;  // for each node of the top, the slots that hold trees
   JoinedBvh result_;
 };
 

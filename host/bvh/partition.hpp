@@ -15,8 +15,9 @@ AEROSTAT_INLINE void exchange(Primitive& a, Primitive& b) {
   std::memcpy(&b, &from_a, sizeof(b));
 }
 
-/// Centroids of both sides of a plane, whose bounds each take in a point that cannot widen them
-/// where a primitive is not theirs: which side comes next cannot be foretold.
+/// The bounds of the centroids on both sides of a plane. A primitive is taken into both bounds,
+/// but as an empty box into the bounds of the other side. There is no branch, because the
+/// processor could not predict which side comes next.
 template <bool kWide>
 struct SideCentroids {
   Float8 sides[2] = {no_planes(), no_planes()};
@@ -32,9 +33,9 @@ struct SideCentroids {
   }
 };
 
-/// Partitions in place, gathers the bounds of both sides' centroids on the way and returns how many
-/// are to the left of the plane. Nothing branches on where a primitive goes: each changes places
-/// with the first one known to be right (or itself).
+/// Partitions in place, gathers the bounds of the centroids of both sides, and returns the number
+/// of primitives left of the plane. No branch depends on the side of a primitive. Each primitive
+/// is exchanged with the first one that is known to lie on the right, or with itself.
 template <bool kWide>
 AEROSTAT_INLINE std::size_t partition(Primitive* first, std::size_t count, const BinMap& map,
                                       const Plane& plane, Box (&centroids)[2]) {
@@ -48,7 +49,8 @@ AEROSTAT_INLINE std::size_t partition(Primitive* first, std::size_t count, const
     const std::size_t n = std::min(count - begin, kBlock);
     bool goes_left[kBlock];
     for (std::size_t i = 0; i < n; ++i) {
-      // Not below 0, so that comparing it is comparing the bin it is cut to.
+      // The scaled place is not below 0, so that comparing it is the same as comparing the bin
+      // that it is cut to.
       const float place = block[i].lo[axis] * 0.25f + block[i].hi[axis] * 0.25f;
       goes_left[i] = (place - origin) * scale < bin;
     }

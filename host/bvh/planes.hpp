@@ -6,9 +6,10 @@
 #include "box.hpp"
 #include "core/simd.hpp"
 
-/// Boxes as single vectors, for the builder's innermost loops: lo.xyz, 0, -hi.xyz, 0. The union of
-/// two boxes is one minimum. All functions are inlined into loops that are compiled for several
-/// widths; kWide says whether the processor has vectors of eight.
+/// These functions handle boxes as single vectors (lo.xyz, 0, -hi.xyz, 0) for the builder's
+/// innermost loops. The union of two boxes is one minimum. All functions are inlined into loops
+/// that are compiled for several vector widths. kWide tells whether the processor has vectors of
+/// eight floats.
 namespace aerostat::bvh {
 
 using Float8 = float __attribute__((vector_size(32), aligned(32)));
@@ -30,16 +31,16 @@ AEROSTAT_INLINE Float8 no_planes() {
   return Float8{} + kInfinity;
 }
 
-/// The planes of the box around both.
+/// Returns the planes of the box around both boxes.
 template <bool kWide>
 AEROSTAT_INLINE Float8 united(const Float8& a, const Float8& b) {
-  // Without vectors of eight the compiler would take this one number at a time.
+  // Without vectors of eight floats, the compiler would compare one number at a time.
   if constexpr (!kWide)
     return joined(min4(low_half(a), low_half(b)), min4(high_half(a), high_half(b)));
   return a < b ? a : b;
 }
 
-/// Reads the box of a record as load_box does.
+/// Reads the box of a record in the layout that load_box describes.
 template <typename Record>
 AEROSTAT_INLINE Float8 load_planes(const Record& record) {
   static_assert(sizeof(Record) == 32);
@@ -65,7 +66,7 @@ AEROSTAT_INLINE Float4 size_of(const Float8& planes) {
   return -high_half(planes) - low_half(planes);
 }
 
-/// Half of the surface area of four boxes; of an empty one, infinity.
+/// Returns half of the surface areas of four boxes. The area of an empty box is infinite.
 AEROSTAT_INLINE Float4 half_areas(const Float8& a, const Float8& b, const Float8& c,
                                   const Float8& d) {
   const Float4 size[4] = {size_of(a), size_of(b), size_of(c), size_of(d)};
@@ -79,7 +80,7 @@ AEROSTAT_INLINE Float4 half_areas(const Float8& a, const Float8& b, const Float8
   return x * (y + z) + y * z;
 }
 
-/// The same of one box.
+/// Returns half of the surface area of one box. The area of an empty box is infinite.
 AEROSTAT_INLINE float half_area(const Float8& planes) {
   const Float4 size = size_of(planes);
   return size[0] * (size[1] + size[2]) + size[1] * size[2];

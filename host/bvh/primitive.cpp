@@ -11,7 +11,7 @@
 namespace aerostat::bvh {
 namespace {
 
-// Blocks have a fixed size, so that nothing depends on how threads share them out.
+// Blocks have a fixed size, so that nothing depends on the distribution of blocks to threads.
 constexpr std::size_t kBlock = 16384;
 
 struct BlockResult {
@@ -75,7 +75,7 @@ class Collector {
   Primitive* out_;
 };
 
-// Closes the gaps that dropped triangles left at the ends of blocks.
+// Closes the gaps that dropped triangles have left at the ends of blocks.
 void merge(PrimitiveSet& set, const std::vector<BlockResult>& blocks) {
   for (std::size_t b = 0; b < blocks.size(); ++b) {
     const BlockResult& block = blocks[b];
@@ -98,7 +98,7 @@ void merge(PrimitiveSet& set, const std::vector<BlockResult>& blocks) {
 
 Verdict judge(const vec3& a, const vec3& b, const vec3& c) {
   if (!is_finite(a) || !is_finite(b) || !is_finite(c)) return Verdict::non_finite;
-  // In double no product of floats overflows or vanishes: zero means zero.
+  // In double, no product of floats overflows or vanishes, so that only a true zero is zero.
   const dvec3 normal = glm::cross(dvec3(b) - dvec3(a), dvec3(c) - dvec3(a));
   const bool flat = normal.x == 0.0 && normal.y == 0.0 && normal.z == 0.0;
   return flat ? Verdict::degenerate : Verdict::good;

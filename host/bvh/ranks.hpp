@@ -21,14 +21,14 @@ struct Lanes<true> {
   using Int = Int8;
 };
 
-/// Up to kMost numbers, and how many of them come before each.
+/// Up to kMost numbers, and for each of them how many come before it in ascending order.
 template <bool kWide, int kMost>
 struct Ranks {
   alignas(32) float key[kMost];
   alignas(32) std::int32_t rank[kMost];
 
-  /// Compares all with all, so that there is no branch to mispredict; of equal ones the first comes
-  /// first.
+  /// Computes the ranks of the first `n` numbers. Each is compared with all, so that there is no
+  /// branch to mispredict. Equal numbers keep their order.
   AEROSTAT_INLINE void count(int n) {
     using Float = typename Lanes<kWide>::Float;
     using Int = typename Lanes<kWide>::Int;

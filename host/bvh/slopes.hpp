@@ -9,11 +9,12 @@
 
 namespace aerostat::bvh {
 
-/// The least and the greatest rise of some ground along x and z, for each metre.
+/// The least and the greatest rise of some ground along x and z, in metres for each metre.
 class Slopes {
  public:
-  /// A cell's, from the heights of its corners (i, j), (i + 1, j), (i, j + 1), (i + 1, j + 1): its
-  /// triangles rise like two of its edges. A cell of no width gives slopes that nobody knows.
+  /// Takes in the slopes of a cell, from the heights of its corners (i, j), (i + 1, j), (i, j +
+  /// 1) and (i + 1, j + 1). Each triangle rises like two of the edges. A cell of no width makes
+  /// the slopes unknown.
   void grow(float a, float b, float c, float d, float width, float depth) {
     grow(x_, (b - a) / width);
     grow(x_, (d - c) / width);
@@ -21,7 +22,7 @@ class Slopes {
     grow(z_, (d - b) / depth);
   }
 
-  /// As AeroBvhNode holds them, rounded outward.
+  /// Returns the slopes as AeroBvhNode holds them, rounded outward.
   std::uint32_t packed() const {
     return byte(x_.lo, -1.0f) | byte(x_.hi, 1.0f) << 8 | byte(z_.lo, -1.0f) << 16 |
            byte(z_.hi, 1.0f) << 24;
@@ -48,7 +49,8 @@ class Slopes {
 
   static bool fits(const Range& range) { return range.lo >= -kMost && range.hi <= kMost; }
 
-  // Rounded by one hundredth more than to the next step: more than all errors of the quotients.
+  // Rounds to the next step outward after adding a hundredth of a step. That is more than all
+  // errors of the quotients.
   static std::uint32_t byte(float slope, float outward) {
     const float steps = slope * AERO_SLOPE_STEPS + AERO_SLOPE_ZERO + 0.01f * outward;
     return static_cast<std::uint32_t>(outward > 0.0f ? std::ceil(steps) : std::floor(steps));
@@ -57,7 +59,7 @@ class Slopes {
   Range x_, z_;
 };
 
-/// Packed slopes that hold both.
+/// Returns packed slopes that hold both.
 inline std::uint32_t united_slopes(std::uint32_t a, std::uint32_t b) {
   if (a == AERO_SLOPE_UNKNOWN || b == AERO_SLOPE_UNKNOWN) return AERO_SLOPE_UNKNOWN;
   std::uint32_t both = 0;

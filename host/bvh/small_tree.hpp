@@ -9,11 +9,12 @@
 
 namespace aerostat::bvh {
 
-/// Ranges up to this size become trees by testing every position along each axis instead of a few
-/// bins, and every way to part three or four.
+/// The largest range that becomes a tree by testing every position along each axis instead of a
+/// few bins, and every way to part three or four primitives.
 inline constexpr int kSmallCount = 16;
 
-/// The subtree over a few primitives: parted from above, then costed from below.
+/// A subtree over a few primitives. They are parted from the root down, and costs are computed
+/// from the leaves up.
 template <bool kWide>
 class SmallTree {
  public:
@@ -24,7 +25,7 @@ class SmallTree {
     }
   }
 
-  /// `depth` is that of the root.
+  /// Parts the primitives down to single ones. `depth` is the depth of the root.
   AEROSTAT_INLINE void part(int depth) {
     Segment open[kSmallCount] = {{0, count_, 0, depth}};
     for (int n = 1; n > 0;) {
@@ -37,7 +38,7 @@ class SmallTree {
     }
   }
 
-  /// Writes the nodes.
+  /// Computes the costs and writes the nodes to `out` and the forest of the root to `forest`.
   AEROSTAT_INLINE void cost(const BuildOptions& options, BinaryNode* out, Forest& forest) const {
     Forest forests[kSmallCount - 1];
     Float8 planes[kSmallCount - 1];
@@ -60,7 +61,7 @@ class SmallTree {
     forest = forests[0];
   }
 
-  /// Brings the primitives into the order of the tree's leaves.
+  /// Reorders the primitives to the order of the tree's leaves.
   AEROSTAT_INLINE void reorder(Primitive* first) const {
     Primitive copy[kSmallCount];
     std::memcpy(copy, first, static_cast<std::size_t>(count_) * sizeof(Primitive));
@@ -68,7 +69,7 @@ class SmallTree {
   }
 
  private:
-  /// A range of the primitives, and the node that is to part it.
+  /// A range of the primitives and the node that will part it.
   struct Segment {
     int begin, count, node, depth;
   };
@@ -79,7 +80,7 @@ class SmallTree {
 
   AEROSTAT_INLINE const Float8& at(int i) const { return planes_[order_[i]]; }
 
-  // Reorders a segment and returns how many come to the left.
+  // Reorders a segment and returns how many primitives come to the left.
   AEROSTAT_INLINE int part(const Segment& s) {
     const int i = s.begin;
     if (s.count == 2) return 1;
@@ -96,7 +97,7 @@ class SmallTree {
     return parting.left_count;
   }
 
-  // Every primitive is a bin of its own along each axis.
+  // Parts a segment by a search in which every primitive is a bin of its own along each axis.
   AEROSTAT_INLINE int sweep(const Segment& s, bool halve) {
     Ranks<kWide, kSmallCount> ranks[3];
     Bins bins;
@@ -122,7 +123,7 @@ class SmallTree {
 
   int count_;
   Float8 planes_[kSmallCount];
-  std::uint8_t order_[kSmallCount + 2];  // parting three copies four
+  std::uint8_t order_[kSmallCount + 2];  // longer, because parting three copies four
   Node nodes_[kSmallCount - 1];
 };
 

@@ -12,13 +12,13 @@
 namespace aerostat::bvh {
 namespace {
 
-// From here on a range is worth all cores. Its chunks depend on its size alone: the result must not
-// depend on the number of threads.
+// Ranges of at least this size are split on all cores. Their chunks depend only on the size of
+// the range, because the result must not depend on the number of threads.
 constexpr std::size_t kParallelCount = std::size_t{1} << 17;
 constexpr std::size_t kMinChunk = std::size_t{1} << 14;
 constexpr std::size_t kMaxChunks = 64;
 
-// Below some size more bins find no better planes.
+// Returns the number of bins for a range. In small ranges, more bins find no better planes.
 int bins_for(std::size_t count) {
   return count > 256 ? kMostBins : kMostBins / 2;
 }
@@ -68,7 +68,8 @@ struct Interval {
   std::size_t begin, end;
 };
 
-// Swaps the n-th element of `a` with the n-th of `b`, over lists of as many elements in all.
+// Swaps the n-th element of list `a` with the n-th of list `b`. Both lists have the same number
+// of elements in all.
 void swap_lists(std::span<Primitive> range, std::vector<Interval> a, std::vector<Interval> b) {
   struct Swap {
     std::size_t from, to, count;
@@ -88,7 +89,8 @@ void swap_lists(std::span<Primitive> range, std::vector<Interval> a, std::vector
   });
 }
 
-// Partitions each chunk, then swaps what lies on the wrong side of the common middle.
+// Partitions each chunk and then swaps the primitives that lie on the wrong side of the common
+// middle.
 Parts partition_parallel(std::span<Primitive> range, const BinMap& map, const Plane& plane,
                          const Box (&bounds)[2], const Chunks& chunks) {
   std::vector<Parts> partial(chunks.count);

@@ -14,14 +14,15 @@ struct Parts {
   Box centroids[2];
 };
 
-/// Splits by binned surface area heuristic (Wald, "On fast construction of SAH-based bounding
-/// volume hierarchies", 2007): reorders the range so that the left part comes first. Ranges of many
-/// primitives use all cores; the result does not depend on how many. Empty if no plane between bins
-/// parts the centroids (all equal, or spread beyond what floats can measure).
+/// Splits a range by the binned surface area heuristic (Wald, "On fast construction of SAH-based
+/// bounding volume hierarchies", 2007). The range is reordered so that the left part comes first.
+/// Ranges of many primitives use all cores, and the result does not depend on their number.
+/// Returns nothing if no plane between bins parts the centroids, because they are all equal or
+/// spread beyond the range of floats.
 std::optional<Parts> split_binned(std::span<Primitive> range, const Box& centroids);
 
-/// Splits into halves by centroid along the widest axis; the fallback that always works. Two
-/// primitives at least.
+/// Splits a range into halves by centroid along the widest axis. This is the fallback that always
+/// works. The range must have at least two primitives.
 Parts split_halves(std::span<Primitive> range, const Box& centroids);
 
 }  // namespace aerostat::bvh
