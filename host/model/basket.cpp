@@ -16,6 +16,7 @@ namespace {
 
 using mesh::TriangleMesh;
 
+/// The albedos of the basket's materials. Chosen by eye.
 const vec3 kPlywood{0.46f, 0.32f, 0.18f};
 const vec3 kRunnerWood{0.17f, 0.095f, 0.045f};
 const vec3 kRope{0.36f, 0.27f, 0.15f};

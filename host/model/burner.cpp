@@ -14,6 +14,7 @@ using mesh::TriangleMesh;
 
 /// The distance of a burner's axis from the middle along x, in metres. Chosen by eye.
 constexpr double kPlaceX = 0.15;
+/// The other sizes of a burner, of a gas cylinder and of a flame, in metres. Chosen by eye.
 constexpr double kMountZ = 0.10;
 constexpr double kCanBottom = kFrameHeight + 0.14;
 constexpr double kCanTop = kCanBottom + 0.30;
@@ -25,6 +26,7 @@ constexpr double kCylinderRadius = 0.120;
 constexpr double kFlameBottom = kCanBottom + 0.08;
 constexpr double kFlameHeight = 1.05;
 constexpr double kFlameRadius = 0.088;
+/// The albedos of brass and of the red lever. Chosen by eye.
 const vec3 kBrass{0.45f, 0.29f, 0.09f};
 const vec3 kLeverRed{0.42f, 0.02f, 0.015f};
 

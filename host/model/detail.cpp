@@ -10,6 +10,7 @@
 namespace aerostat::model {
 namespace {
 
+/// The tolerance as a share of a pixel. Chosen by eye.
 constexpr double kPixelShare = 0.125;
 /// The finest tolerance above 0, in metres.
 constexpr double kFinest = 0x1p-12;

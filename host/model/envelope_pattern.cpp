@@ -20,6 +20,8 @@ constexpr double kChevronRise = 1.25;
 constexpr double kSpiralTurns = 0.4;
 /// The approximate width of one band of the spiral in gores. Chosen by eye.
 constexpr int kSpiralGores = 2;
+/// The plain panels at the mouth and at the disc, and the panels of a checker and of a rainbow
+/// band. Chosen by eye.
 constexpr int kPlainPanelsBelow = 2;
 constexpr int kPlainPanelsAbove = 1;
 constexpr int kCheckerPanels = 2;

@@ -22,6 +22,7 @@ constexpr double kVentHalf = 0.0022;
 constexpr double kVentGap = 0.012;
 /// The tolerance in metres from which vents are left out. Chosen by eye.
 constexpr double kThinnestVent = 0.03;
+/// The albedos of the valve lines, the sandbags and the pouches. Chosen by eye.
 const vec3 kLineRed{0.45f, 0.02f, 0.02f};
 const vec3 kCanvas{0.40f, 0.34f, 0.23f};
 const vec3 kPouch{0.20f, 0.165f, 0.105f};

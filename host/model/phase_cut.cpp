@@ -6,6 +6,7 @@
 namespace aerostat::model {
 namespace {
 
+/// The distance from a whole number within which a phase becomes that number. Chosen by eye.
 constexpr double kSnap = 0.005;
 
 /// Returns the point of an edge at which the phase is `phase`. It is always computed from the lower

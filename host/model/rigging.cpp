@@ -16,6 +16,7 @@ namespace {
 
 using mesh::TriangleMesh;
 
+/// The radii of wires, tubes, sleeves and hoses in metres. Chosen by eye.
 constexpr double kFlyingWireRadius = 0.0030;
 constexpr double kBasketWireRadius = 0.0032;
 constexpr double kMouthRingRadius = 0.012;

@@ -13,6 +13,7 @@ namespace {
 using mesh::TriangleMesh;
 
 constexpr double kPi = std::numbers::pi;
+/// Half the width and half the height of the rim in metres. Chosen by eye.
 constexpr double kHalfWidth = 0.050;
 constexpr double kHalfHeight = 0.045;
 /// The number of pieces of leather around the rim.
@@ -20,6 +21,7 @@ constexpr int kLengths = 12;
 constexpr int kMostSides = 28;
 /// The tolerance in metres from which stitches and seams are left out.
 constexpr double kStitchFrom = 0.001;
+/// The depth and the reach of a seam, and the distance between stitches, in metres. Chosen by eye.
 constexpr double kSeamDepth = 0.0045;
 constexpr double kSeamReach = 0.009;
 constexpr double kStitchSpacing = 0.011;

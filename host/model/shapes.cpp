@@ -11,6 +11,7 @@ namespace aerostat::model {
 namespace {
 
 constexpr double kTwoPi = 2.0 * std::numbers::pi;
+/// The cosine of the bend of a profile from which its edge is sharp. It is that of 35 degrees.
 constexpr double kSharpBendCosine = 0.82;
 
 using mesh::TriangleMesh;

@@ -12,6 +12,7 @@ namespace {
 using mesh::TriangleMesh;
 
 constexpr double kPi = std::numbers::pi;
+/// The distance between stakes and the height of a weaver in metres. Chosen by eye.
 constexpr double kStakePitch = 0.046;
 constexpr double kWeaverHeight = 0.016;
 /// Half the thickness of a weaver in metres. Chosen by eye.
@@ -23,6 +24,7 @@ constexpr double kPlainFrom = 0.002;
 /// The length of a willow rod in metres. Chosen by eye.
 constexpr double kSplice = 1.1;
 constexpr float kMeanShade = 0.72f;
+/// The albedos of the willow rods. Chosen by eye.
 const vec3 kHoney{0.54f, 0.35f, 0.165f};
 const vec3 kPale{0.62f, 0.44f, 0.23f};
 const vec3 kRusset{0.40f, 0.235f, 0.115f};

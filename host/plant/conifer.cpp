@@ -32,6 +32,7 @@ constexpr Conifer kConifers[] = {
     {14.0, 2.0, 0.05, 0.95, 0.42, 0.14, {0.041f, 0.064f, 0.036f}},
     {21.0, 3.3, 0.16, 0.80, 0.38, 0.32, {0.053f, 0.068f, 0.029f}},
 };
+/// The albedos of bark and snow. Chosen by eye.
 const vec3 kBark{0.100f, 0.084f, 0.070f};
 const vec3 kSnow{0.80f, 0.82f, 0.85f};
 

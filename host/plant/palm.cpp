@@ -22,6 +22,7 @@ struct Palm {
 constexpr Palm kPalms[] = {{9.6, 2.2, 4.6, {0.068f, 0.112f, 0.026f}},
                            {12.0, 1.0, 4.8, {0.062f, 0.108f, 0.030f}},
                            {6.6, 2.6, 4.2, {0.075f, 0.118f, 0.026f}}};
+/// The albedos of the trunk, of dry fronds and of nuts. Chosen by eye.
 const vec3 kTrunk{0.20f, 0.17f, 0.135f};
 const vec3 kDry{0.20f, 0.135f, 0.06f};
 const vec3 kNut{0.11f, 0.105f, 0.03f};

@@ -13,6 +13,7 @@
 namespace aerostat::plant {
 namespace {
 
+/// The albedos of stone and snow. Chosen by eye.
 const vec3 kStone{0.19f, 0.183f, 0.175f};
 const vec3 kSnow{0.80f, 0.82f, 0.85f};
 

@@ -15,8 +15,10 @@
 namespace aerostat::render {
 namespace {
 
+/// The largest shrink of a look, and the cells of a coarse land on each side. Chosen by eye.
 constexpr int kMostShrink = 16;
 constexpr int kRoughCells = 192;
+/// The times of a launch and of the first look in seconds. Chosen by eye.
 constexpr double kLaunch_s = 0.02;
 constexpr double kFirstLook_s = 0.05;
 /// The patience for the first look at a rough scene, in seconds. Carving and building the land take

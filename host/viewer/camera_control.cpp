@@ -15,6 +15,7 @@ namespace {
 using scene::HeightReference;
 using scene::Override;
 
+/// The distance of the sky in metres when the camera aims at it. Chosen by eye.
 constexpr double kSkyDistance_m = 2000.0;
 
 /// Returns a value as text, rounded to a centimetre, which is too fine to be seen.

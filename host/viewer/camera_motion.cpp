@@ -10,6 +10,7 @@ namespace aerostat::viewer {
 namespace {
 
 constexpr double kLeastDistance_m = 0.5;
+/// The steepest direction of view in radians. It keeps the eye off the poles.
 constexpr double kSteepest_rad = 89.0 * std::numbers::pi / 180.0;
 
 /// A vector given by its length and two angles in radians.

@@ -12,6 +12,8 @@
 namespace aerostat::viewer {
 namespace {
 
+/// The distances in metres between new balloons, and from a balloon up to a new lamp. Chosen by
+/// eye.
 constexpr double kApart_m = 60.0;
 constexpr double kLampAbove_m = 30.0;
 

@@ -9,6 +9,8 @@
 namespace aerostat::viewer {
 namespace {
 
+/// The most characters of a message, and of a word before it gets a place to break at. Chosen by
+/// eye.
 constexpr qsizetype kLongest = 600, kLongestWord = 120;
 /// The least width of a button in pixels. If there is little room, the names of devices are cut
 /// off. Chosen by eye.

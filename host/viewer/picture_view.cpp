@@ -14,6 +14,7 @@ namespace {
 constexpr int kFlightTick_ms = 33;
 /// The turn for one press of an arrow key, as a share of the picture's height. Chosen by eye.
 constexpr double kKeyTurn = 0.04;
+/// The factor of the distance to the target for one notch of the wheel. Chosen by eye.
 constexpr double kDollyPerNotch = 0.85;
 
 bool flies(int key) {
