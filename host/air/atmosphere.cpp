@@ -9,8 +9,8 @@ namespace {
 constexpr double kPi64 = std::numbers::pi;
 
 constexpr double kOzoneHeight = 25e3, kOzoneReach = 15e3;
-// Optical depth of 300 Dobson units in each channel: the Chappuis band averaged like
-// kWavelengths_um.
+// The optical depth of 300 Dobson units in each channel. It is the Chappuis band, averaged in the
+// way of kWavelengths_um.
 constexpr dvec3 kOzoneDepth{0.0396, 0.0249, 0.0};
 
 double bounded(double exponent) {
@@ -21,7 +21,7 @@ double ozone_density(double height) {
   return std::max(0.0, 1.0 - std::abs(height - kOzoneHeight) / kOzoneReach);
 }
 
-/// Mean of exp(-x) over x from a to b, both at least -60.
+/// Returns the mean of exp(-x) over x from a to b, both at least -60.
 double mean_exponential(double a, double b) {
   if (std::max(a, b) > 60.0) {
     const double least = std::min(a, b), rise = std::abs(b - a);
@@ -34,7 +34,7 @@ double mean_exponential(double a, double b) {
   return middle * std::sinh(half) / half;
 }
 
-/// Antiderivative of the fog's density 1 / (1 + exp(x)) over x.
+/// Returns the antiderivative over x of the fog's density 1 / (1 + exp(x)).
 double fog_column(double x) {
   return x > 0.0 ? -std::log1p(std::exp(-x)) : x - std::log1p(std::exp(x));
 }
@@ -117,7 +117,7 @@ double haze_phase(double cosine, double asymmetry) {
 
 double distance_to_height(double from, double cosine, double to) {
   const double r = kGroundRadius + from;
-  // (R + to)^2 - r^2, without the difference of large squares.
+  // The height (R + to)^2 - r^2 is computed without the difference of large squares.
   const double rise = (to - from) * (2.0 * kGroundRadius + to + from);
   const double square = r * r * cosine * cosine + rise;
   if (square < 0.0) return std::numeric_limits<double>::infinity();

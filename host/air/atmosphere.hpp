@@ -3,25 +3,27 @@
 #include "core/math.hpp"
 #include "scene/scene.hpp"
 
-/// The air around the planet: what it is made of at each height, and how that scatters light.
-/// Heights in metres above the sea, lengths in metres, colours linear Rec. 709.
+/// These types and functions describe the air around the planet: its composition at each height
+/// and the way it scatters light. Heights are in metres above the sea, lengths in metres, and
+/// colours in linear Rec. 709.
 namespace aerostat::air {
 
 inline constexpr double kGroundRadius = 6360e3;
-inline constexpr double kTopHeight = 100e3;  // above it there is nothing
+inline constexpr double kTopHeight = 100e3;  // there is no air above this height
 inline constexpr double kSunRadius = 0.5 * 0.53 * (std::numbers::pi / 180.0);  // of its disc, rad
 
-/// Rayleigh's optical depth of the whole air straight up, by the wavelength in micrometres: 0.0971
-/// at 0.55. Source: B. A. Bodhaine et al., "On Rayleigh Optical Depth Calculations", J. Atmos.
-/// Oceanic Technol. 16 (1999), equation 30.
+/// Returns Rayleigh's optical depth of the whole air straight up. The wavelength is in
+/// micrometres, and the depth at 0.55 is 0.0971. Source: B. A. Bodhaine et al., "On Rayleigh
+/// Optical Depth Calculations", J. Atmos. Oceanic Technol. 16 (1999), equation 30.
 double rayleigh_depth(double wavelength_um);
 
-/// The wavelengths that stand for red, green and blue. Averaged over the sun's spectrum (5800 K)
-/// and the colour matching functions, exp(-m rayleigh_depth) in linear Rec. 709 follows these three
-/// within 3 % for one to ten airs m.
+/// The wavelengths that stand for red, green and blue, in micrometres. The transmittance exp(-m
+/// rayleigh_depth) at these three follows the one in linear Rec. 709, averaged over the sun's
+/// spectrum (5800 K) and the colour matching functions, within 3 % for air masses m from one to
+/// ten.
 inline constexpr dvec3 kWavelengths_um{0.645, 0.550, 0.442};
 
-/// How dense each part of the air is, relative to what its coefficients speak of.
+/// The density of each part of the air, relative to the density for which its coefficients hold.
 struct Density {
   double molecules = 0.0;
   double haze = 0.0;
@@ -29,19 +31,20 @@ struct Density {
   double fog = 0.0;
 };
 
-/// Fills valleys up to `top`, thins out above it over `softness`.
+/// A layer of fog that fills valleys up to `top` and thins out above it over `softness`.
 struct FogLayer {
-  double extinction = 0.0;  // per metre deep inside, 0 = no fog
+  double extinction = 0.0;  // per metre, deep inside; 0 = no fog
   double top = 0.0;
   double softness = 1.0;
 
   bool operator==(const FogLayer&) const = default;
 };
 
-/// Coefficients per metre: molecules and haze at the sea, ozone at its thickest, 25 km up.
+/// Coefficients per metre. Those of molecules and haze hold at the sea, that of ozone where it is
+/// densest, 25 km up.
 struct Atmosphere {
-  dvec3 molecules{0.0};        // scattering = extinction
-  dvec3 haze_scattering{0.0};  // by droplets and dust
+  dvec3 molecules{0.0};        // scattering, which is equal to extinction
+  dvec3 haze_scattering{0.0};  // scattering by droplets and dust
   dvec3 haze_extinction{0.0};
   dvec3 ozone{0.0};  // absorption
   double molecules_height = 8400.0;
@@ -50,9 +53,10 @@ struct Atmosphere {
   FogLayer fog;
   dvec3 ground_albedo{0.2};
 
-  /// At a height; below the sea as at the sea.
+  /// Returns the densities at a height. Below the sea, they are those at the sea.
   Density density(double height) const;
-  /// The mean over heights that go evenly from one to the other: exact for molecules, haze and fog.
+  /// Returns the mean densities over heights that change evenly from one to the other. They are
+  /// exact for molecules, haze and fog.
   Density mean_density(double from, double to) const;
   dvec3 extinction(const Density& density) const;
   dvec3 scattering(const Density& density) const;
@@ -60,25 +64,27 @@ struct Atmosphere {
   bool operator==(const Atmosphere&) const = default;
 };
 
-/// The haze's extinction at green and that of the molecules make 3.912 / visibility (H.
-/// Koschmieder, 1924: contrast falls to 2 %); where the molecules alone are more, there is no haze.
+/// Returns the air of a scene. At green, haze and molecules have an extinction of 3.912 /
+/// visibility, so that contrast falls to 2 % (H. Koschmieder, 1924). There is no haze where the
+/// extinction of the molecules alone is larger.
 Atmosphere atmosphere_of(const scene::Scene& scene);
 
-/// Share of scattered light per steradian by the cosine of the angle of deflection: Rayleigh's, of
-/// molecules.
+/// Returns the phase function of molecules (Rayleigh): the share of scattered light per
+/// steradian, by the cosine of the angle of deflection.
 double rayleigh_phase(double cosine);
 
-/// Of droplets, `asymmetry` -1 to 1 being the mean cosine nearly. Source: W. M. Cornette and J. G.
-/// Shanks, "Physically reasonable analytic expression for the single-scattering phase function",
-/// Applied Optics 31 (1992).
+/// Returns the phase function of droplets, per steradian. `asymmetry`, -1 to 1, is nearly the
+/// mean cosine. Source: W. M. Cornette and J. G. Shanks, "Physically reasonable analytic
+/// expression for the single-scattering phase function", Applied Optics 31 (1992).
 double haze_phase(double cosine, double asymmetry);
 
-/// Metres from a height along a direction, whose cosine with the upright is given, to the sphere of
-/// another height; infinite where it is not met. From outside the nearer point, from inside the
-/// only one.
+/// Returns the metres from one height along a direction to the sphere of another height, or
+/// infinity if the sphere is not met. `cosine` is the cosine of the direction with the upright.
+/// From outside, the nearer of two points counts. From inside, there is only one.
 double distance_to_height(double from, double cosine, double to);
 
-/// Height after a way of `distance`.
+/// Returns the height after a path of `distance`, which starts at the height `from` in the
+/// direction of `cosine`.
 double height_after(double from, double cosine, double distance);
 
 }  // namespace aerostat::air

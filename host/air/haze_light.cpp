@@ -10,23 +10,25 @@ namespace {
 
 constexpr double kPi64 = std::numbers::pi;
 constexpr int kLayers = 96, kSuns = 8;
-// Optical depths between which the one solution fades into the other. Chosen by eye: the usual
-// scenes have less than a tenth, and there both agree within a tenth unless the sun is low.
+// The optical depths between which one solution fades into the other. Chosen by eye. The usual
+// scenes have a depth below a tenth, where both solutions agree within a tenth unless the sun is
+// low.
 constexpr double kThin = 0.12, kThick = 0.4;
-// Of the even part at most goes up or down beyond it: farther the linear law would go below 0.
+// The largest share of the even part that light going up or down may differ by. With more, the
+// linear law could fall below 0.
 constexpr double kMostSlant = 0.8;
-// Way of light from all sides through a level layer, per its thickness.
+// The mean path of diffuse light through a level layer, divided by the thickness of the layer.
 constexpr double kDiffuseWay = 1.66;
 
-/// Mean of exp(-x) over x from a to b.
+/// Returns the mean of exp(-x) over x from a to b.
 double mean_transmittance(double a, double b) {
   const double least = std::min(a, b), rise = std::abs(b - a);
   return std::exp(-least) * (rise > 1e-6 ? -std::expm1(-rise) / rise : 1.0);
 }
 
-/// What one layer does to one channel, and what is lit in it.
+/// The effect of one layer on one channel, and the light in the layer.
 struct Layer {
-  double scattered = 0.0, absorbed = 0.0;  // optical depths, scattering counted as even
+  double scattered = 0.0, absorbed = 0.0;  // optical depths; scattering counts as even
   double source = 0.0;                     // light that falls in, mean over all directions
 
   double depth() const { return scattered + absorbed; }
@@ -36,13 +38,15 @@ struct Ground {
   double albedo = 0.0, irradiance = 0.0;
 };
 
-/// Mean light and flux (/ 4 pi, upwards) of each layer, from the ground up.
+/// The mean light and the flux (divided by 4 pi, positive upwards) of each layer, from the ground
+/// up.
 struct Diffusion {
   std::array<double, kLayers> mean{}, flux{};
 };
 
-/// Between the middles of layers flux is the difference of their means over 3 times the depth
-/// between; above the last, nothing comes down; at the ground, what arrives goes up again.
+/// Solves the diffusion of light through the layers. Between the middles of two layers, the flux
+/// is the difference of their means divided by 3 times the depth between them. No light comes
+/// down through the top. At the ground, the share `albedo` of the arriving light goes up again.
 Diffusion solve(const std::array<Layer, kLayers>& layers, const Ground& ground) {
   const double kept = 1.0 - ground.albedo;
   const double to_ground = 2.0 * (1.0 + ground.albedo) + 1.5 * layers[0].depth() * kept;
@@ -53,7 +57,7 @@ Diffusion solve(const std::array<Layer, kLayers>& layers, const Ground& ground) 
     open[i] = 1.0 / (1.5 * (layers[i - 1].depth() + layers[i].depth()) + 1e-4);
   }
   open[kLayers] = 1.0 / (2.0 + 1.5 * layers[kLayers - 1].depth());
-  // Elimination from the ground up: no row has a difference that could lose its digits.
+  // The elimination goes from the ground up. No row has a difference that could lose digits.
   Diffusion light;
   std::array<double, kLayers> rest, passed;
   double leak = open[0], inflow = from_ground;
@@ -100,7 +104,7 @@ std::vector<HazeLight::Field> HazeLight::column(const Atmosphere& air, const Sun
                                                 double sun_cosine, const ClearLight& clear) const {
   const dvec3 reduced = reduced_haze_extinction(air);
   const dvec3 absorption = air.haze_extinction - air.haze_scattering;
-  // Of the light of the clear air above what comes down to a height.
+  // Returns the part of the light of the clear air above that comes down to a height.
   const auto skylight = [&](double height) {
     const double column = air.mean_density(height, kTopHeight).haze * (kTopHeight - height);
     return clear(height, sun_cosine) * glm::exp(-kDiffuseWay * column * reduced);

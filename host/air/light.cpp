@@ -8,23 +8,26 @@
 namespace aerostat::air {
 namespace {
 
-/// From where on a sun at this elevation is seen over the horizon; far down if it stands above it.
+/// Returns the height from which a sun at this elevation is seen over the horizon. Returns a
+/// height far below the ground if the sun is above the horizon.
 double height_of_sight(double elevation) {
   if (elevation >= 0.0) return -1e6;
   return kGroundRadius * (1.0 / std::cos(elevation) - 1.0);
 }
 
-/// Where the columns towards the sun are taken: among the heights of a landscape that see it.
+/// Returns the height at which the columns towards the sun are taken. It is among the heights of
+/// a landscape that see the sun.
 double reference_height(double elevation) {
   return std::max(0.0, height_of_sight(elevation)) + 500.0;
 }
 
-/// The same for haze: inside it.
+/// Returns the height at which the columns of haze towards the sun are taken. It is inside the
+/// haze.
 double haze_reference_height(double elevation, double haze_height) {
   return std::max(0.0, height_of_sight(elevation)) + std::min(500.0, 0.5 * haze_height);
 }
 
-/// The parabola through three values at 0, a and b.
+/// Returns the coefficients of the parabola through three values at 0, a and b.
 std::array<dvec3, 3> parabola(const dvec3& f0, double a, const dvec3& fa, double b,
                               const dvec3& fb) {
   const dvec3 slope_a = (fa - f0) / a, slope_b = (fb - f0) / b;
@@ -32,8 +35,9 @@ std::array<dvec3, 3> parabola(const dvec3& f0, double a, const dvec3& fa, double
   return {f0, slope_a - bend * a, bend};
 }
 
-/// The air of the last scene asked for: it knows no eye, and takes three times as long as the sky
-/// that an eye sees.
+/// Returns the scattering of a scene and keeps the last result for the next call. The scattering
+/// does not depend on the eye, and takes three times as long to compute as the sky that an eye
+/// sees.
 std::shared_ptr<const Scattering> scattering_of(const scene::Scene& scene) {
   static std::mutex mutex;
   static std::shared_ptr<const Scattering> kept;
@@ -57,7 +61,8 @@ Light::Light(const scene::Scene& scene, const Scattering& air)
   const double height = reference_height(elevation);
   const Columns way = air.sun_paths().columns(height, sun);
   const double haze_from = haze_reference_height(elevation, atmosphere.haze_height);
-  // At the sea each column is longer by as much as the air is denser there.
+  // The depths hold at the sea, where the air is denser than at the height of the columns by
+  // these factors.
   depth_molecules = atmosphere.molecules * way.molecules *
                     std::exp(std::min(height / atmosphere.molecules_height, 60.0));
   depth_haze = atmosphere.haze_extinction * air.sun_paths().columns(haze_from, sun).haze *
@@ -77,7 +82,7 @@ void Light::take_around(const Scattering& air, double eye_height) {
   double middle = 0.4 * kAroundTop, top = kAroundTop;
   const auto height_of = [&](double x) { return thick_haze ? -haze_height * std::log1p(-x) : x; };
   if (thick_haze) {
-    // Right at the eye, whose surroundings hide all else.
+    // The parabola passes through the value at the eye, whose surroundings hide everything else.
     top = around_top = -std::expm1(-std::min(3.0, kAroundTop / haze_height));
     const double eye = -std::expm1(-std::max(eye_height, 0.0) / haze_height);
     middle = std::clamp(eye, 0.05 * top, 0.8 * top);

@@ -11,14 +11,16 @@ namespace {
 constexpr double kPi64 = std::numbers::pi;
 constexpr double kEven = 1.0 / (4.0 * kPi64);
 
-// Heights go by squares up to kHighest.
+// The square roots of the heights, up to kHighest, are evenly spaced.
 constexpr int kHeights = 16, kSuns = 8;
 constexpr double kHighest = 60e3, kSunReach = HazeLight::kSunReach;
 constexpr int kRings = 8, kSectors = 4, kSteps = 20;
-// Of what light a scattering sends on in the same place at most; the sum of all orders is finite.
+// The largest share of light that a scattering may keep in the same place, so that the sum of all
+// orders is finite.
 constexpr double kMostKept = 0.97;
 
-/// A direction of a sphere of rings of equal area, half of it: the sun's plane is a mirror.
+/// Returns a direction on a sphere of rings of equal area. Half of the sphere is enough, because
+/// the light is symmetric about the plane of the sun.
 dvec3 sphere_direction(int ring, int sector) {
   const double y = 1.0 - (2.0 * ring + 1.0) / kRings;
   const double level = std::sqrt(1.0 - y * y);
@@ -26,16 +28,18 @@ dvec3 sphere_direction(int ring, int sector) {
   return {level * std::cos(azimuth), y, level * std::sin(azimuth)};
 }
 
-/// How far along a step of an optical depth the light that leaves it at its start was scattered on
-/// average: right for sources that change evenly along the step.
+/// Returns the mean place, as a share of a step, where the light that leaves the step at its
+/// start was scattered. The step has the given optical depth. The place is right for sources that
+/// change evenly along the step.
 double mean_place(double depth) {
   return depth < 0.01 ? 0.5 - depth / 12.0 : 1.0 / depth - 1.0 / std::expm1(depth);
 }
 
-/// Calls `visit(share, mean, height, sun_cosine)` for each step: share is what of an even source in
-/// it arrives at the start, per extinction; height and sun are those of its middle or, if steps
-/// `hide` their own ends, where its light was scattered on average. Returns the transmittance of
-/// the way.
+/// Calls `visit(share, mean, height, sun_cosine)` for each step of a path. `share` is the light
+/// of an even source in the step that arrives at the start, per extinction. The height and the
+/// cosine of the sun are those of the middle of the step. If steps `hide` their own ends, they
+/// are those of the mean place where the light was scattered. Returns the transmittance of the
+/// path.
 template <class Visit>
 dvec3 march(const Atmosphere& air, const dvec3& sun, const Way& way, int steps, bool hide,
             const Visit& visit) {
@@ -62,8 +66,8 @@ dvec3 march(const Atmosphere& air, const dvec3& sun, const Way& way, int steps, 
   return through;
 }
 
-/// Light of a source that is even in direction: what two scatterings bring, then all that follow as
-/// a geometric series of the share that one more scattering keeps.
+/// Returns the light of a source that is even in direction. It is the light of two scatterings,
+/// and that of all later ones as a geometric series of the share that one more scattering keeps.
 dvec3 light_around(const Atmosphere& air, const SunPaths& paths, double height, double sun_cosine) {
   const dvec3 sun{std::sqrt(std::max(0.0, 1.0 - sun_cosine * sun_cosine)), sun_cosine, 0.0};
   dvec3 second(0.0), kept(0.0);
@@ -92,10 +96,11 @@ double eased(double t) {
   return t * t * (3.0 - 2.0 * t);
 }
 
-/// Three wavelengths stand for the spectrum where light passes ten airs or so. That of a sun at the
-/// horizon passes many more, and green, which molecules and ozone dim least of the three, takes
-/// over as it does under no real sky: of it there is little more than of red or of blue, and what
-/// is left in the deep twilight is grey. The luminance stays.
+/// Returns light without the false hue of a low sun. Three wavelengths stand for the spectrum
+/// well for air masses up to about ten. A sun at the horizon passes many more, and then green
+/// dominates as under no real sky, because molecules and ozone dim it least of the three. Green
+/// is limited to little more than red or blue, and the light of deep twilight becomes grey. The
+/// luminance stays the same.
 dvec3 without_false_hue(const dvec3& light, double sun_sine) {
   constexpr dvec3 kLuminance{0.2126, 0.7152, 0.0722};
   constexpr double kMostGreen = 1.04;
@@ -103,7 +108,7 @@ dvec3 without_false_hue(const dvec3& light, double sun_sine) {
   const double luminance = glm::dot(light, kLuminance);
   if (above >= 4.0 || luminance < 1e-290) return light;
   dvec3 hue = light;
-  // What is green by its own colour stays so by half.
+  // Light that is green by its own colour keeps at least half of its green.
   hue.y = std::min(hue.y, std::max(kMostGreen * std::max(hue.x, hue.z), 0.5 * hue.y));
   hue = glm::mix(light, hue * (luminance / glm::dot(hue, kLuminance)), eased((4.0 - above) / 4.0));
   return glm::mix(hue, dvec3(luminance), eased((-11.0 - above) / 4.0));
@@ -133,7 +138,7 @@ Scattering::Scattering(const Atmosphere& air, const dvec3& sun)
       thick_share_(thick_haze_share(air)),
       scattered_extinction_(
           glm::mix(air.haze_extinction, reduced_haze_extinction(air), thick_share_)) {
-  // Fog is too thin a layer for the light of all the air.
+  // Fog is too thin a layer to matter for the light of all the air.
   Atmosphere clear = air;
   clear.fog = {};
   tbb::parallel_for(0, kHeights * kSuns, [&](int i) {

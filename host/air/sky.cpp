@@ -11,7 +11,7 @@ namespace {
 constexpr double kPi64 = std::numbers::pi;
 constexpr int kSteps = 40;
 constexpr int kRows = SkyTable::kRowsAbove + SkyTable::kRowsBelow;
-// Directions over which light is summed: rings of equal area.
+// The directions over which light is summed. They lie in rings of equal area.
 constexpr int kRings = 64, kSectors = 64;
 
 dvec3 ring_direction(int ring, int sector, double lowest, double highest) {
@@ -26,7 +26,7 @@ dvec3 level_part(const dvec3& direction) {
   return length < 1e-9 ? dvec3(1.0, 0.0, 0.0) : dvec3(direction.x, 0.0, direction.z) / length;
 }
 
-/// The nine functions of ambient_light times what they weigh in the irradiance.
+/// Returns the nine functions of ambient_light in a direction.
 std::array<double, 9> basis(const dvec3& d) {
   return {1.0,
           d.y,
@@ -39,10 +39,10 @@ std::array<double, 9> basis(const dvec3& d) {
           d.x * d.x - d.y * d.y};
 }
 
-/// Light of the night's own: airglow and stars, 22 magnitudes per square arcsecond or 1.7e-4 cd/m^2
-/// (A. Crumey, "Human contrast threshold and astronomical visibility", MNRAS 442, 2014), of the
-/// sun's 133.1 klx. Grey, though starlight is a little warm. By day it is left out; thinner air
-/// glows less.
+/// Returns the light of the night itself: airglow and stars. It is 22 magnitudes per square
+/// arcsecond or 1.7e-4 cd/m^2 (A. Crumey, "Human contrast threshold and astronomical visibility",
+/// MNRAS 442, 2014), divided by the sun's 133.1 klx. It is grey, although starlight is a little
+/// warm. It is left out by day, and thinner air glows less.
 dvec3 night_light(const Atmosphere& air, double sun_sine) {
   constexpr double kNight = 1.7e-4 / 133100.0;
   const double t = std::clamp(-sun_sine / std::sin(6.0 * kPi64 / 180.0), 0.0, 1.0);
@@ -68,7 +68,8 @@ SkyTable::SkyTable(const Scattering& air, double height)
 
 double SkyTable::sine_of(int row) const {
   if (row < kRowsAbove) {
-    // The lowest row grazes the ground; rounding must not let it meet it.
+    // The lowest row grazes the ground. The lower bound keeps rounding from making it meet the
+    // ground.
     const double v = std::max(static_cast<double>(row), 1e-3) / (kRowsAbove - 1);
     return v * v * (1.0 + horizon_sine_) - horizon_sine_;
   }
@@ -128,7 +129,8 @@ dvec3 SkyTable::irradiance() const {
 }
 
 std::array<dvec3, 9> ambient_light(const SkyTable& sky) {
-  // Squares of the harmonics' factors, times the cosine lobe's share 1, 2/3, 1/4 of each degree.
+  // Each weight is the square of a harmonic's factor times the share of its degree in the cosine
+  // lobe (1, 2/3 or 1/4).
   constexpr double k0 = 1.0 / (4.0 * kPi64), k1 = 3.0 / (4.0 * kPi64) * (2.0 / 3.0);
   constexpr double k2 = 15.0 / (4.0 * kPi64) * 0.25, k20 = 5.0 / (16.0 * kPi64) * 0.25;
   constexpr double k22 = 15.0 / (16.0 * kPi64) * 0.25;

@@ -7,9 +7,9 @@
 
 namespace aerostat::air {
 
-/// The sky as an eye sees it: light from every direction, in rows of equal height over the horizon
-/// and columns of equal azimuth from the sun. What haze scatters once is kept apart, without its
-/// phase, so that the table stays smooth at the sun.
+/// The sky as an eye sees it. The table holds light from every direction, in rows of equal height
+/// over the horizon and columns of equal azimuth from the sun. Light that haze scatters once is
+/// kept apart, without its phase function, so that the table is smooth at the sun.
 class SkyTable {
  public:
   static constexpr int kColumns = 24;    // u = sin(azimuth from the sun / 2), 0 to 1
@@ -21,17 +21,17 @@ class SkyTable {
     dvec3 haze{0.0};
   };
 
-  /// For an eye at `height`. Directions below the horizon see the ground of the planet, lit by sun
-  /// and sky.
+  /// Computes the sky for an eye at `height`. Directions below the horizon see the ground of the
+  /// planet, lit by sun and sky.
   SkyTable(const Scattering& air, double height);
 
-  /// Sine of the angle by which the horizon lies below level.
+  /// Returns the sine of the angle by which the horizon lies below level.
   double horizon_sine() const { return horizon_sine_; }
-  /// Of rows from the horizon up, then rows from the horizon down.
+  /// Returns the cells: the rows from the horizon up, then the rows from the horizon down.
   const std::vector<Cell>& cells() const { return cells_; }
-  /// Radiance of a direction (unit), without the sun's disc.
+  /// Returns the radiance of a unit direction, without the sun's disc.
   dvec3 radiance(const dvec3& direction) const;
-  /// Irradiance of level ground by the sky.
+  /// Returns the irradiance of level ground by the sky.
   const dvec3& irradiance_from_above() const { return from_above_; }
 
  private:
@@ -46,9 +46,11 @@ class SkyTable {
   dvec3 from_above_{0.0};
 };
 
-/// Irradiance / pi of a plane by its normal (x, y, z), from the sky and the ground below: c0 + c1 y
-/// + c2 z + c3 x + c4 xy + c5 yz + c6 (3 zz - 1) + c7 xz + c8 (xx - yy). Source: R. Ramamoorthi and
-/// P. Hanrahan, "An Efficient Representation for Irradiance Environment Maps" (SIGGRAPH 2001).
+/// Returns the coefficients of the irradiance / pi, by sky and ground, of a plane with the normal
+/// (x, y, z):
+///   c0 + c1 y + c2 z + c3 x + c4 xy + c5 yz + c6 (3 zz - 1) + c7 xz + c8 (xx - yy)
+/// Source: R. Ramamoorthi and P. Hanrahan, "An Efficient Representation for Irradiance
+/// Environment Maps" (SIGGRAPH 2001).
 std::array<dvec3, 9> ambient_light(const SkyTable& sky);
 
 }  // namespace aerostat::air

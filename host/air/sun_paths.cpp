@@ -9,10 +9,10 @@ namespace aerostat::air {
 namespace {
 
 constexpr int kHeights = 64, kDirections = 128, kSteps = 48;
-// The table's rows are too far apart for haze of smaller scale heights.
+// The scale height below which the rows of the table are too far apart for haze.
 constexpr double kResolvedHeight = 500.0;
 
-// Metres to the horizon that is seen from the top.
+// Returns the distance in metres from a height to the horizon that is seen from there.
 double horizon_of(double height) {
   return std::sqrt(height * (2.0 * kGroundRadius + height));
 }
@@ -21,7 +21,7 @@ Columns integrate(const Atmosphere& air, double height, double cosine, double di
   Columns sum;
   double before = 0.0, low = height;
   for (int i = 1; i <= kSteps; ++i) {
-    // Short steps where the air is dense: at the near end.
+    // Steps are short at the near end, where the air is dense.
     const double share = static_cast<double>(i) / kSteps;
     const double now = distance * share * share;
     const double high = height_after(height, cosine, now);
@@ -35,7 +35,8 @@ Columns integrate(const Atmosphere& air, double height, double cosine, double di
   return sum;
 }
 
-/// A line of sight by its distance to the top, between the shortest and that over the horizon.
+/// Returns the cosine with the upright of a line of sight. Its distance to the top of the air
+/// lies at `share` between the shortest distance and the one along the horizon.
 double cosine_at(double height, double share) {
   const double top = horizon_of(kTopHeight);
   const double least = kTopHeight - height, most = horizon_of(height) + top;
