@@ -3,47 +3,53 @@
 
 #include "layout.h"
 
-/* The sunlit air over a landscape. Light is per irradiance of the sun outside the air, heights and
- * lengths in metres above the sea, coefficients per metre, colours linear Rec. 709. */
+/* Describes the sunlit air over a landscape. Light is given per irradiance of the sun outside the
+ * air. Heights are in metres above the sea, lengths in metres, coefficients per metre, and colours
+ * in linear Rec. 709. */
 
-/* The eye's sky: columns by u = sin(azimuth from the sun / 2), 0 to 1; rows by the height s = y +
- * horizon_sine over the horizon, above s = v^2 (1 + horizon_sine), below s = -v^2 (1 -
- * horizon_sine). */
+/* The sky as the eye sees it is a table. Its columns go by u = sin(azimuth from the sun / 2), from
+ * 0 to 1. Its rows go by v, from 0 to 1, and s = y + horizon_sine, where y is the direction's
+ * upward component:
+ *   s = v^2 (1 + horizon_sine)     above the horizon
+ *   s = -v^2 (1 - horizon_sine)    below the horizon */
 #define AERO_SKY_COLUMNS 24
 #define AERO_SKY_ROWS_ABOVE 40
 #define AERO_SKY_ROWS_BELOW 16
 #define AERO_SKY_CELLS 1344
 
-/* Radiance = add + haze * (the haze's phase). */
+/* A cell of the sky's table. Its radiance is add + haze * (the haze's phase function). */
 typedef struct AeroSkyCell {
   aero_float add[3], haze[3];
 } AeroSkyCell;
 
 AERO_ASSERT_LAYOUT(AeroSkyCell, 24);
 
-/* Fills valleys up to `top`, thins out above it over `softness`. */
+/* Fog that fills valleys up to `top` and thins out above it over `softness`. */
 typedef struct AeroFog {
-  aero_float extinction; /* deep inside, 0 = no fog */
+  aero_float extinction; /* deep inside the fog; 0: no fog */
   aero_float top, softness;
   aero_float billow, billow_width;
-  aero_float sun_way; /* way towards the sun per height */
+  aero_float sun_way; /* metres towards the sun for each metre of height */
 } AeroFog;
 
 AERO_ASSERT_LAYOUT(AeroFog, 24);
 
 typedef struct AeroAir {
-  aero_float molecules[3];                           /* scattering at the sea */
-  aero_float haze_scattering[3], haze_extinction[3]; /* at the sea */
-  aero_float molecules_height, haze_height;          /* over which they fall to 1/e */
+  aero_float molecules[3];                           /* scattering at sea level */
+  aero_float haze_scattering[3], haze_extinction[3]; /* at sea level */
+  aero_float molecules_height, haze_height; /* heights over which the densities fall to 1/e */
   aero_float haze_asymmetry;
-  aero_float depth_molecules[3], depth_haze[3]; /* towards the sun from the sea */
+  aero_float depth_molecules[3], depth_haze[3]; /* optical depths from sea level to the sun */
   aero_float depth_ozone[3];
   aero_float scattered_depth_haze[3]; /* depth_haze for light that the air scatters */
-  aero_float sun_heights[2]; /* none of the disc is seen below the first, all above the second */
-  /* Light of later orders, even[0] + even[1] x + even[2] x^2, and what haze sends up beyond that
-   * per cosine. x is the height or, where thick_haze is not 0, 1 - the haze's density. */
+  /* None of the sun's disc is seen from below the first height, and all of it from above the
+   * second. */
+  aero_float sun_heights[2];
+  /* Light of later orders: around[0] + around[1] x + around[2] x^2 in all directions alike, and
+   * around_slant, in the same form, is what haze sends up beyond that per cosine. x is the height,
+   * or 1 minus the haze's density if thick_haze is not 0. */
   aero_float around[3][3], around_slant[3][3];
-  aero_float around_least[3]; /* of the even part */
+  aero_float around_least[3]; /* the least value of `around` */
   aero_float around_top;      /* the greatest x */
   aero_float thick_haze;
   aero_float ambient[9][3]; /* irradiance / pi by the normal, in spherical harmonics */

@@ -8,21 +8,22 @@
 #define AERO_LENS_PANORAMA 2
 #define AERO_LENS_ORTHOGRAPHIC 3
 
-/* A camera; its position counts from where those of meshes do. Image point (x, y), in pixels from
- * the top left corner, is the vector p = corner + x step_x + y step_y from `origin`. A pinhole's
- * ray goes from there through p, one unit of depth ahead; a thin lens's from a point of its disc
- * across the axis through focus p. An orthographic ray goes from p ahead; where there is nothing
- * for `lead` metres before the eye, `origin` lies that much ahead of it. A panorama has no use for
- * p. */
+/* A camera. Its position counts from the same origin as those of meshes. The image point (x, y), in
+ * pixels from the top left corner, is the vector
+ *   p = corner + x step_x + y step_y
+ * from `origin`. A pinhole's ray goes from `origin` through p, which is one unit of depth ahead. A
+ * thin lens's ray goes from a point of its disc, which is centred at `origin`, through focus * p.
+ * An orthographic ray begins at p and goes along `forward`. If nothing lies within `lead` metres
+ * before the eye, `origin` lies that much ahead of the eye. A panorama does not use p. */
 typedef struct AeroCamera {
   aero_float origin[3];
   aero_float corner[3];
   aero_float step_x[3];
   aero_float step_y[3];
-  aero_float right[3], up[3], forward[3]; /* unit */
-  aero_float aperture;                    /* of a thin lens: its radius, metres */
-  aero_float focus;                       /* of a thin lens: depth of the sharp plane, metres */
-  aero_float lead;                        /* of parallel rays */
+  aero_float right[3], up[3], forward[3]; /* unit vectors */
+  aero_float aperture;                    /* radius of a thin lens, metres */
+  aero_float focus;                       /* depth of a thin lens's sharp plane, metres */
+  aero_float lead;                        /* metres from the eye to the start of parallel rays */
   aero_uint lens;                         /* AERO_LENS_... */
 } AeroCamera;
 
@@ -32,24 +33,25 @@ AERO_ASSERT_LAYOUT(AeroCamera, 100);
 #define AERO_FILTER_TENT 1
 #define AERO_FILTER_GAUSSIAN 2
 
-/* What changes from frame to frame but not within it. */
+/* Parameters that change from frame to frame but not within a frame. */
 typedef struct AeroFrame {
   AeroCamera camera;
-  aero_uint width, height; /* of the image, pixels */
+  aero_uint width, height; /* size of the image, pixels */
   aero_uint filter;        /* AERO_FILTER_... */
-  aero_uint samples;       /* per pixel in all; 1 takes the pixel's centre */
-  aero_uint sample_stride; /* coprime to samples: the order in which strata are taken */
-  aero_uint sample_shift;  /* of the pattern, from the seed; 2^32 is once around */
-  aero_uint progressive;   /* 1: the first samples of a pixel must do without the rest */
+  aero_uint samples;       /* samples of a pixel in all; 1 takes its centre */
+  aero_uint sample_stride; /* coprime to `samples`; the order of the strata */
+  aero_uint sample_shift;  /* shift of the pattern by the seed; 2^32 is a full turn */
+  aero_uint progressive;   /* 1: a pixel may stop after its first samples */
   aero_float pixel_angle;  /* radians across one pixel in the middle of the image */
-  aero_float pixel_width;  /* metres across one pixel beside what its angle makes of the distance */
-  aero_float filter_scale; /* of the filter: 1, or less where one pixel is taken of several */
+  aero_float pixel_width;  /* metres across one pixel, added to its angle times distance */
+  aero_float filter_scale; /* scale of the filter: 1, or less if a pixel is made of several */
 } AeroFrame;
 
 AERO_ASSERT_LAYOUT(AeroFrame, 140);
 
-/* The work of one launch: blocks of pixels, one packet of lanes each. A packet holds 2^log2_w x
- * 2^log2_h pixels with 2^log2_samples samples each; their product is LANES. */
+/* The work of one launch: blocks of pixels, each of which is one packet of lanes. A packet holds
+ * 2^log2_w x 2^log2_h pixels with 2^log2_samples samples each, and the product of these numbers is
+ * LANES. */
 typedef struct AeroTile {
   aero_uint x0, y0; /* first pixel */
   aero_uint x1, y1; /* end of the pixels to be written */
@@ -69,7 +71,8 @@ typedef struct AeroWindow {
 
 AERO_ASSERT_LAYOUT(AeroWindow, 16);
 
-/* What every rendering kernel is launched with. The tile lies inside the film's window. */
+/* Arguments with which every rendering kernel is launched. The tile lies inside the film's
+ * window. */
 typedef struct AeroLaunch {
   AeroFrame frame;
   AeroTile tile;

@@ -3,31 +3,32 @@
 
 #include "layout.h"
 
-/* Samples are taken in batches of so many, from whose spread the noise of a pixel is judged; from
- * AERO_LEAST_SAMPLES on, and every as many further, pixels whose noise is small are converged. */
+/* Samples are taken in batches of AERO_BATCH_SAMPLES, and the noise of a pixel is judged by the
+ * spread of its batches. After AERO_LEAST_SAMPLES samples, and after each further
+ * AERO_LEAST_SAMPLES, pixels with little noise are marked as converged. */
 #define AERO_BATCH_SAMPLES 4
 #define AERO_LEAST_SAMPLES 16
 
-/* Sums over the samples of one pixel, and what its nearest sample met. Cleared to distance = +inf
- * and zero elsewhere. */
+/* Sums over the samples of one pixel, and the values of its nearest sample. A cleared pixel has a
+ * distance of +inf and zeros elsewhere. */
 typedef struct AeroFilmPixel {
   aero_float radiance[3];
-  aero_float coverage; /* samples that hit something */
+  aero_float coverage; /* number of samples that hit something */
   aero_float distance;
   aero_float normal[3];
   aero_uint object;
   aero_uint samples;
   aero_uint converged; /* 1: takes no further samples */
-  aero_float batch;    /* luminance of the batch under way */
-  aero_float squares;  /* of the luminances of whole batches */
+  aero_float batch;    /* luminance of the unfinished batch */
+  aero_float squares;  /* sum of the squared luminances of whole batches */
 } AeroFilmPixel;
 
 AERO_ASSERT_LAYOUT(AeroFilmPixel, 52);
 
-/* When a pixel of a film is sure: noise^2 <= scale (luminance + floor). */
+/* The condition under which a pixel is sure: noise^2 <= scale (luminance + floor). */
 typedef struct AeroConvergence {
   aero_float scale, floor;
-  aero_uint width, height; /* of the film, pixels */
+  aero_uint width, height; /* size of the film, pixels */
 } AeroConvergence;
 
 AERO_ASSERT_LAYOUT(AeroConvergence, 16);

@@ -3,15 +3,15 @@
 
 #include "layout.h"
 
-/* A model that stands in the world, turned, scaled and moved: a point v of the model lies at
- * position + axes (columns) v. The columns are perpendicular and equally long. */
+/* A model that stands in the world, turned, scaled and moved. A point v of the model lies at
+ * position + axes v, where the columns of axes are perpendicular and equally long. */
 typedef struct AeroInstance {
   aero_float axes[3][3]; /* [column][component] */
   aero_float position[3];
   aero_float scale;   /* length of a column */
   aero_float tint[3]; /* multiplies the colours of the model's vertices */
-  aero_uint root;     /* of the model's tree */
-  aero_float lo[3];   /* its box in the world, as the tree holds it */
+  aero_uint root;     /* root node of the model's tree */
+  aero_float lo[3];   /* box in the world, as the tree holds it */
   aero_float hi[3];
 } AeroInstance;
 

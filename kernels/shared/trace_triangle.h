@@ -3,7 +3,8 @@
 
 #include "layout.h"
 
-/* What an intersection test reads, in the order of the tree's leaves; metres, world space. */
+/* A triangle as an intersection test reads it, in metres and world space. Triangles are in the
+ * order of the tree's leaves. */
 typedef struct AeroTriangle {
   aero_float v0[3];
   aero_float v1[3];
