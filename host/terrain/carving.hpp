@@ -2,8 +2,8 @@
 
 namespace aerostat::terrain {
 
-/// How finely water carves a relief. Coarse takes a sixth of the time: the same ranges and main
-/// valleys, whose branches are other ones. For a first look.
+/// The resolution at which water carves a relief. Coarse is for a first look and takes a sixth of
+/// the time. It gives the same ranges and main valleys, but other branches of the valleys.
 enum class Carving { fine, coarse };
 
 }  // namespace aerostat::terrain

@@ -14,7 +14,8 @@
 namespace aerostat::terrain {
 namespace {
 
-/// Height that one node in a thousand exceeds: a single summit says little about a range.
+/// Returns the height that one node in a thousand exceeds. A single summit would tell little
+/// about a range.
 float peak_height(const RimmedGrid& grid, const Rimmed<float>& heights) {
   std::vector<float> values;
   values.reserve(static_cast<std::size_t>(grid.nodes) * static_cast<std::size_t>(grid.nodes));
@@ -25,7 +26,7 @@ float peak_height(const RimmedGrid& grid, const Rimmed<float>& heights) {
   return *rank;
 }
 
-/// The valleys of one level.
+/// Carves the valleys of one level.
 class Carver {
  public:
   Carver(const DrainageOptions& options, const HeightGrid& grid, const std::vector<Bedrock>& rock)
@@ -52,7 +53,8 @@ class Carver {
     for (int round = 0; round < rounds; ++round) {
       stop_if_asked(stop_);
       if (round == 0) {
-        // Only what comes from outside has basins: raised ground falls from node to receiver.
+        // Only ground that comes from outside has basins. Raised ground falls from each node to
+        // its receiver.
         const auto ranks = flood_ranks(grid_, heights_, rock_.outlets);
         const auto directions =
             receivers_by_rank(grid_, heights_, ranks, rock_.outlets, options_.seed);

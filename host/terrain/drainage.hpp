@@ -7,18 +7,18 @@
 
 namespace aerostat::terrain {
 
-/// What the ground is like at a point, for the relief that rivers cut.
+/// The properties of the ground at a point, for the relief that rivers cut.
 struct Bedrock {
-  float uplift = 1.0f;    // relative rate, >= 0; more of it makes steeper, higher ground
+  float uplift = 1.0f;    // relative rate, >= 0; more uplift makes steeper, higher ground
   float steepest = 0.8f;  // tangent at which slopes fail
-  float outlet_m = 0.0f;  // height, if it is an outlet
+  float outlet_m = 0.0f;  // height of an outlet
   bool outlet = false;    // rivers end here
 };
 
 struct DrainageOptions {
-  int coarse_nodes = 33;                         // per side, at the first level
-  std::vector<int> rounds = {20, 14, 10, 6, 3};  // per level; each level doubles the resolution
-  int levels_left_out = 0;                       // of the last ones
+  int coarse_nodes = 33;                         // nodes along a side, at the first level
+  std::vector<int> rounds = {20, 14, 10, 6, 3};  // for each level; a level doubles the resolution
+  int levels_left_out = 0;                       // number of last levels to leave out
   double size_m = 40000.0;
   double height_m = 2400.0;     // one point in a thousand is higher
   float concavity = 0.5f;       // slope ~ area^-concavity
@@ -28,17 +28,20 @@ struct DrainageOptions {
   std::uint32_t seed = 1;
 };
 
-/// Of five: a grid of 129 nodes a side for a first look.
+/// The number of levels, out of five, that are left out for a first look. The grid then has 129
+/// nodes along a side.
 inline constexpr int kCoarseLevelsLeftOut = 2;
 
-/// Mountains in balance between uplift and the rivers that cut them: valleys join on their way to
-/// the outlets, ridges divide them. Stream power law in its steady state,
-///     slope = k uplift / discharge^concavity, at most `steepest`,
-/// solved over the drainage tree as in Cordonnier et al., "Large scale terrain generation from
-/// tectonic uplift and fluvial erosion" (2016), basins filled by priority flood (Barnes et al.
-/// 2014). k is chosen to reach `height_m`, and the result scaled to meet it; `bedrock` fills one
-/// entry per point. Where it names no outlet at all, the first corner is one. Every other node lies
-/// above one of its neighbours. Runs on all cores; the bits do not depend on how many.
+/// Computes mountains in balance between uplift and the rivers that cut them. Valleys join on
+/// their way to the outlets, and ridges divide them. The stream power law in its steady state
+/// gives the slope, which is at most `steepest`:
+///   slope = k uplift / discharge^concavity
+/// It is solved over the drainage tree as in Cordonnier et al., "Large scale terrain generation
+/// from tectonic uplift and fluvial erosion" (2016). Basins are filled by priority flood (Barnes
+/// et al. 2014). k is chosen to reach `height_m`, and the result is scaled to meet it. `bedrock`
+/// fills one entry for each point. If it names no outlet, the first corner is one. Every other
+/// node lies above one of its neighbours. All cores are used, and the bits do not depend on their
+/// number.
 HeightGrid carve_valleys(const DrainageOptions& options,
                          const std::function<void(const Points&, Bedrock*)>& bedrock);
 

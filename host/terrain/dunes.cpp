@@ -9,17 +9,18 @@
 namespace aerostat::terrain {
 namespace {
 
-// Dry sand comes to rest at about 33 degrees; a slip face lies at that angle.
+// The tangent of 33 degrees, at which dry sand comes to rest. A slip face lies at that angle.
 constexpr float kReposeTangent = 0.649f;
 
-/// What one set of dunes adds: a height, and how far a point is onto a slip face (0 to 1).
+/// The contribution of one set of dunes: a height, and how far a point lies on a slip face (0 to
+/// 1).
 struct DuneBlock {
   Block height;
   Block slip;
 };
 
-/// One set of transverse dunes. The phase advances by 1 from crest to crest along the wind and is
-/// bent by noise; the width of the slip face follows from the local height and the local gradient
+/// One set of transverse dunes. The phase grows by 1 from crest to crest along the wind and is
+/// bent by noise. The width of the slip face follows from the local height and the local gradient
 /// of the phase, so that its slope is the angle of repose wherever the crest runs.
 class DuneSet {
  public:
@@ -32,8 +33,8 @@ class DuneSet {
   float height_m_;
   float wind_x_;
   float wind_z_;
-  NoiseLayer spread_;     // varies the distance of crests
-  NoiseLayer sinuosity_;  // bends them
+  NoiseLayer spread_;     // varies the distance between crests
+  NoiseLayer sinuosity_;  // bends the crests
   std::vector<Octave> size_;
 };
 
@@ -48,18 +49,19 @@ DuneSet::DuneSet(const scene::Dunes& dunes, double scale, double turn_deg, std::
   wind_z_ = static_cast<float>(-std::cos(azimuth));
 }
 
-/// Height of a windward side at share t of its length: concave at the foot, convex below the crest,
-/// straight on beyond it.
+/// Returns the height of a windward side at share t of its length. The side is concave at the
+/// foot and convex below the crest. It continues in a straight line beyond the crest.
 float windward(float t) {
   constexpr float kCurved = 0.65f;
   if (t > 1.0f) return 1.0f + (1.0f - kCurved) * (t - 1.0f);
   return mix(t, t * t * (3.0f - 2.0f * t), kCurved);
 }
 
-/// Share of a slip face, at its end, that curves into the plain.
+/// The share of a slip face, at its foot, that curves into the plain.
 constexpr float kFoot = 0.25f;
 
-/// Height of a slip face at share t of its length, from the crest down; straight on before it.
+/// Returns the height of a slip face at share t of its length, from the crest down. The face
+/// continues in a straight line above the crest.
 float slip_face(float t) {
   const float left = 1.0f - t;
   const float rise = left >= kFoot ? left - 0.5f * kFoot : 0.5f * left * left / kFoot;
@@ -81,17 +83,17 @@ void DuneSet::evaluate(const Points& points, DuneBlock& out) const {
     const float gz = wind_z_ * per_m + kSpread * spread_dz[i] + kBend * bend_dz[i];
     const float gradient = std::sqrt(gx * gx + gz * gz);
     const float t = phase - std::floor(phase);
-    // Crests come to an end where the size falls to nothing; closely packed dunes are lower.
+    // Crests end where the size falls to zero. Closely packed dunes are lower.
     const float height = height_m_ * ramp(-0.55f, 0.6f, size[i]) *
                          std::min(1.0f, 1.2f * per_m / std::max(gradient, 1e-6f));
     const float face =
         std::clamp(height * gradient / (kReposeTangent * (1.0f - 0.5f * kFoot)), 1e-4f, 0.6f);
     const float up = t / (1.0f - face);
     const float down = (t - (1.0f - face)) / face;
-    // A crest sharper than the samples are dense would turn into a row of teeth.
+    // A crest that is too sharp for the spacing of the samples would turn into a row of teeth.
     const float rounding =
         std::min(1.5f * kReposeTangent * points.spacing[i], 0.5f * height) + 1e-3f;
-    // So would a slip face of hardly more than one cell.
+    // A slip face of hardly more than one cell would turn into a row of teeth, too.
     const float share = band_share(0.35f * wavelength_m_, points.spacing[i]);
     out.height[i] = share * smooth_min(height * windward(up), height * slip_face(down), rounding) +
                     (1.0f - share) * 0.45f * height;
@@ -146,7 +148,8 @@ void DuneSea::heights(const Points& points, Block& height) const {
   add_hills(points, height);
 }
 
-/// Table hills: noise lifted above a threshold, with a scree foot, a cliff and a flat top.
+/// Adds table hills, which are noise above a threshold, with a scree foot, a cliff and a flat
+/// top.
 void DuneSea::add_hills(const Points& points, Block& height) const {
   Points bent = points;
   warp_.apply(bent);

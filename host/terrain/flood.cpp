@@ -12,14 +12,15 @@ namespace {
 
 constexpr int kLast = std::numeric_limits<int>::max();
 
-/// Heights' bits such that they order like integers, above the node's place.
+/// Returns a key whose upper half orders like the height and whose lower half is the place of the
+/// node.
 std::uint64_t key_of(float height, int place) {
   const auto bits = std::bit_cast<std::uint32_t>(height + 0.0f);
   const std::uint32_t ordered = (bits >> 31) != 0 ? ~bits : bits | 0x80000000u;
   return std::uint64_t{ordered} << 32 | static_cast<std::uint32_t>(place);
 }
 
-/// Sorts by the upper half; what is equal there keeps its order.
+/// Sorts keys by their upper halves. Keys with equal upper halves keep their order.
 void radix_sort(std::vector<std::uint64_t>& keys) {
   constexpr int kDigit = 11, kValues = 1 << kDigit;
   std::vector<std::uint64_t> sorted(keys.size());
@@ -33,7 +34,8 @@ void radix_sort(std::vector<std::uint64_t>& keys) {
   }
 }
 
-/// A set of numbers of which the least is taken, quickly where they rise in the long run.
+/// A set of numbers from which the least is taken. This is fast if the least number rises in the
+/// long run.
 class RisingSet {
  public:
   explicit RisingSet(std::size_t count) : words_((count + 63) / 64 + 1, 0) {}
@@ -43,7 +45,7 @@ class RisingSet {
     word_ = std::min<std::size_t>(word_, number / 64);
   }
 
-  /// The least number, which stays in the set; kLast if there is none.
+  /// Returns the least number, which stays in the set, or kLast if the set is empty.
   int least() {
     while (word_ < words_.size() && words_[word_] == 0) ++word_;
     if (word_ == words_.size()) return kLast;
@@ -71,7 +73,7 @@ class Flood {
 
   Rimmed<int> run(const Rimmed<std::uint8_t>& outlets) {
     RisingSet waiting(sorted_.size());
-    // Nodes of basins that the water runs into at its present level.
+    // The nodes of basins that the water runs into at its present level.
     std::priority_queue<int, std::vector<int>, std::greater<>> running;
     Rimmed<int> ranks(heights_.size(), kLast);
     Rimmed<std::uint8_t> seen(heights_.size(), 1);

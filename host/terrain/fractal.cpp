@@ -19,7 +19,7 @@ float amplitude_sum(const std::vector<Octave>& octaves) {
   return sum > 0.0f ? sum : 1.0f;
 }
 
-/// The least and the most of what is not negative.
+/// The least and the greatest of some values that are not negative.
 struct Range {
   float least = 0.0f, most = 0.0f;
 };
@@ -27,7 +27,8 @@ struct Range {
 Range range_of(const Block& values, int count) {
   Range range;
   in_vectors([&]() AEROSTAT_INLINE_LAMBDA {
-    // The bits order as the values do, and compilers find the least of integers in vectors.
+    // The bits have the same order as the values, and compilers can vectorise the least of
+    // integers.
     std::int32_t least = std::numeric_limits<std::int32_t>::max(), most = 0;
     for (int i = 0; i < count; ++i) {
       least = std::min(least, std::bit_cast<std::int32_t>(values[i]));
@@ -38,7 +39,8 @@ Range range_of(const Block& values, int count) {
   return range;
 }
 
-/// Shares of a layer at each point, whose spacings lie in `range`; false if it vanishes at all.
+/// Computes the share of a layer at each point, whose spacings lie in `range`. Returns false if
+/// the layer vanishes everywhere.
 bool band_shares(const NoiseLayer& layer, const Points& points, const Range& range, Block& share) {
   const float wavelength_m = layer.wavelength_m;
   if (band_share(wavelength_m, range.least) <= 0.0f) {
@@ -96,7 +98,7 @@ void fbm(const std::vector<Octave>& octaves, const Points& points, Block& value)
 void fbm(const std::vector<Octave>& octaves, const Points& points, Block& value, Block& dx,
          Block& dz) {
   const float scale = kNoiseScale / amplitude_sum(octaves);
-  // In one place each, so that compilers see that they lie apart.
+  // Each group of arrays is in one object, so that compilers see that they do not overlap.
   struct {
     Block value, dx, dz;
   } sum, noise;
@@ -122,7 +124,7 @@ void fbm(const std::vector<Octave>& octaves, const Points& points, Block& value,
 }
 
 void ridged(const std::vector<Octave>& octaves, float offset, const Points& points, Block& value) {
-  // A faded octave is replaced by its average, so that distant ground does not sink.
+  // A faded octave is replaced by its mean, so that distant ground does not sink.
   const float mean = (offset - 0.25f) * (offset - 0.25f);
   const float scale = 1.0f / (amplitude_sum(octaves) * std::max(offset * offset, 1e-3f));
   std::fill_n(value.begin(), points.count, 0.0f);

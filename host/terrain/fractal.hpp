@@ -6,45 +6,48 @@
 #include "noise.hpp"
 #include "scene/scene.hpp"
 
-/// Sums of noise layers after Musgrave (Ebert et al., "Texturing and Modeling", chapter 16).
+/// These functions sum noise layers after Musgrave (Ebert et al., "Texturing and Modeling",
+/// chapter 16).
 namespace aerostat::terrain {
 
-/// A layer of a fractal sum.
+/// One layer of a fractal sum.
 struct Octave {
   NoiseLayer layer;
   float amplitude = 1.0f;
 };
 
-/// The octaves of a fractal: wavelengths first_m, first_m / lacunarity, ...; amplitudes 1, gain,
-/// gain^2, ...
+/// Returns the octaves of a fractal. The wavelengths are first_m, first_m / lacunarity and so on.
+/// The amplitudes are 1, gain, gain^2 and so on.
 std::vector<Octave> make_octaves(const scene::Fractal& fractal, double first_m, std::uint32_t seed);
 
-/// Layers of two octaves with lacunarity 2 and gain 1/2: for masks and distortions.
+/// Returns `count` octaves with lacunarity 2 and gain 1/2, for masks and distortions.
 std::vector<Octave> make_soft_octaves(double first_m, std::uint32_t seed, int count = 2);
 
-/// How much of a wavelength can be shown at a sample spacing: 1 from four samples per wave, 0 up
-/// to two (Nyquist's limit).
+/// Returns the share of a wave that can be shown at a sample spacing. It is 1 from four samples
+/// per wave on and 0 up to two (Nyquist's limit).
 inline float band_share(float wavelength_m, float spacing_m) {
   return std::clamp(0.5f * wavelength_m / std::max(spacing_m, 1e-6f) - 1.0f, 0.0f, 1.0f);
 }
 
-/// sum a_i n_i / sum a_i, within [-1, 1] (the noise is scaled up to fill it).
+/// Computes the sum of a_i n_i divided by the sum of a_i. The noise is scaled so that the result
+/// fills [-1, 1].
 void fbm(const std::vector<Octave>& octaves, const Points& points, Block& value);
 
-/// The same with derivatives by x and z, per metre.
+/// Computes the fBm value and its derivatives by x and z, per metre.
 void fbm(const std::vector<Octave>& octaves, const Points& points, Block& value, Block& dx,
          Block& dz);
 
-/// Ridged multifractal: each octave is s = (offset - |n|)^2, weighted by the octaves before it,
-/// clamp(2 s w, 0, 1), so that heights are rough and valleys smooth. Scaled to about [0, 1].
+/// Computes a ridged multifractal, scaled to about [0, 1]. Each octave is s = (offset - |n|)^2.
+/// Its weight is w = clamp(2 s w, 0, 1) of the octave before it, so that heights are rough and
+/// valleys smooth.
 void ridged(const std::vector<Octave>& octaves, float offset, const Points& points, Block& value);
 
-/// Derivatives of where points are moved to by where they were.
+/// The derivatives of the moved points by the original points.
 struct Jacobian {
   Block x_by_x, x_by_z, z_by_x, z_by_z;
 };
 
-/// Moves the points by amplitude_m times two independent fractals, in x and in z.
+/// Moves points by amplitude_m times two independent fractals, one in x and one in z.
 class Distortion {
  public:
   Distortion() = default;

@@ -10,27 +10,28 @@
 namespace aerostat::terrain {
 namespace {
 
-/// A wave around each point: its cosine and sine, and the direction across it.
+/// The sum of the waves around each point: cosine and sine.
 struct Waves {
   Block cosine, sine;
 };
 
-/// The slope that an octave finds: the direction across it, how deep gullies are there and how much
-/// of that is to be seen.
+/// The slope that an octave finds at each point: the direction across it, the depth of gullies
+/// there, and the share of that depth that can be shown.
 struct Fall {
   Block side_x, side_z, depth, share;
 };
 
-/// One octave's lattice and what its waves run across.
+/// The lattice of one octave's waves.
 struct Wave {
-  float scale;  // squares per metre
+  float scale;  // squares of the lattice per metre
   float shift;
   std::uint32_t seed;
 };
 
-/// Cosine and sine of a turn's fraction in [-1/2, 1/2]; error below 2e-3, continuous at the ends.
+/// Computes cosine and sine of a fraction of a turn in [-1/2, 1/2]. The error is below 2e-3, and
+/// the functions are continuous at the ends.
 AEROSTAT_INLINE void wave_of(float turn, float& cosine, float& sine) {
-  // A parabola bent to the sine, of half turns.
+  // The sine of each half turn is approximated by a parabola that is bent towards it.
   const float s = 8.0f * turn * (1.0f - 2.0f * std::fabs(turn));
   sine = s * (0.775f + 0.225f * std::fabs(s));
   float quarter = turn + 0.25f;
@@ -46,7 +47,7 @@ struct Square {
   float u, v, side_x, side_z;
 };
 
-/// Adds the wave around the random point of the square i, j further on.
+/// Adds the wave around the random point of the square that lies i, j squares farther on.
 template <int i, int j>
 AEROSTAT_INLINE void add_wave(const Square& at, float& cosines, float& sines) {
   const std::uint32_t hash = lattice_hash(at.seed, at.ix + i, at.iz + j);
@@ -80,7 +81,7 @@ AEROSTAT_INLINE void wave_loop(const Wave& wave, const Points& points, const Fal
     iz -= static_cast<std::int32_t>(static_cast<float>(iz) > z);
     const float u = x - static_cast<float>(ix), v = z - static_cast<float>(iz);
     float cosines = 0.0f, sines = 0.0f;
-    // Written out: compilers vectorise no loop within this one.
+    // The calls are written out because compilers do not vectorise a loop within this one.
     const Square at{w.seed, ix, iz, u, v, fall.side_x[k], fall.side_z[k]};
     add_wave<-1, -1>(at, cosines, sines);
     add_wave<0, -1>(at, cosines, sines);
@@ -98,19 +99,21 @@ AEROSTAT_INLINE void wave_loop(const Wave& wave, const Points& points, const Fal
   std::copy_n(sum.sine.begin(), points.count, out.sine.begin());
 }
 
-/// A wave's height by its phase, from 1 on the crest to -1 on the floor, and its slope by the
-/// phase in radians. `round` > 0 takes the edge off the crest.
+/// The height of a wave at a phase, from 1 on the crest to -1 on the floor, and its slope by the
+/// phase in radians.
 struct Profile {
   float height, slope;
 };
 
+/// Returns the profile of a rib from the cosine and sine of the phase. `round` > 0 rounds off the
+/// crest.
 AEROSTAT_INLINE Profile ribbed(float cosine, float sine, float round) {
-  // |sin(phase / 2)|: a crest like a roof, a floor like a trough.
+  // The term |sin(phase / 2)| gives a crest like a roof and a floor like a trough.
   const float half = std::sqrt(std::max(0.5f * (1.0f - cosine), 0.0f) + round);
   return {1.0f - 2.0f * half, -0.5f * sine / half};
 }
 
-/// False if nothing is to be seen.
+/// Finds the slope that gullies follow. Returns false if no gully can be shown.
 AEROSTAT_INLINE bool find_fall(const Points& points, const Block& strength, const Slopes& ground,
                                float width, float relative_depth, Fall& fall) {
   int some = 0;
@@ -121,7 +124,7 @@ AEROSTAT_INLINE bool find_fall(const Points& points, const Block& strength, cons
     const float inverse = 1.0f / std::max(steep, 1e-6f);
     fall.side_x[i] = -ground.dz[i] * inverse;
     fall.side_z[i] = ground.dx[i] * inverse;
-    // Gentle ground has none; walls keep to what is their due.
+    // Gentle ground has no gullies. The depth on walls is limited.
     fall.depth[i] = 0.5f * relative_depth * width * std::min(steep * steep / (steep + 0.35f), 1.1f);
   }
   return some != 0;
@@ -132,7 +135,7 @@ AEROSTAT_INLINE void cut(const Points& points, const Fall& fall, const Waves& wa
   constexpr float kTwoPi = 6.28318531f;
   for (int i = 0; i < points.count; ++i) {
     const float size = std::sqrt(waves.cosine[i] * waves.cosine[i] + waves.sine[i] * waves.sine[i]);
-    // Where waves cancel out, neither is the right one: the slope is left even.
+    // Where waves cancel out, neither of them fits, and the slope is left even.
     const float kept = 1.0f / std::max(size, 0.25f);
     const float full = std::min(4.0f * size, 1.0f);
     const float round = 0.02f + 0.2f * points.spacing[i] / width;
@@ -154,7 +157,7 @@ void Gullies::add(const Points& points, const Block& strength, Slopes& ground) c
   double width_m = widest_m_;
   for (int octave = 0; octave < octaves_; ++octave, width_m *= 0.5) {
     const auto width = static_cast<float>(width_m);
-    // One wave in every square.
+    // There is one wave in every square.
     const Wave wave{1.0f / width, 0.31f * static_cast<float>(octave),
                     seed_ + 0x9E3779B9u * static_cast<std::uint32_t>(octave)};
     in_vectors([&]() AEROSTAT_INLINE_LAMBDA {

@@ -12,19 +12,20 @@ struct Slopes {
   Block height, dx, dz;
 };
 
-/// Gullies and the ribs between them, as running water leaves them on slopes of rock: waves across
-/// the fall line, whose crests are sharp and whose floors are round. Each octave follows the fall
-/// line that the octaves before it have made, so that gullies branch. Every point is worked out on
-/// its own: waves are laid around one random point in every square of a lattice and blended where
-/// they meet.
+/// Gullies and the ribs between them, as running water leaves them on slopes of rock. They are
+/// waves across the fall line, with sharp crests and round floors. Each octave follows the fall
+/// line of the ground with all octaves before it, so that gullies branch. Every point is computed
+/// on its own. Waves are laid around one random point in every square of a lattice and blended
+/// where they meet.
 class Gullies {
  public:
-  /// `widest_m` from rib to rib at first, half of that in every further octave; `depth` from crest
-  /// to floor, relative to the width on ground of slope 1.
+  /// Takes the distance `widest_m` from rib to rib in metres for the first octave. Each further
+  /// octave has half of that. `depth` is the height from crest to floor, relative to the width,
+  /// on ground of slope 1.
   Gullies(double widest_m, int octaves, float depth, std::uint32_t seed);
 
-  /// Adds them to the ground; `strength` scales their depth at each point. What is too fine for a
-  /// point's spacing is left out.
+  /// Adds gullies to the ground. `strength` scales their depth at each point. Gullies that are
+  /// too fine for a point's spacing are left out.
   void add(const Points& points, const Block& strength, Slopes& ground) const;
 
  private:

@@ -11,7 +11,7 @@
 namespace aerostat::terrain {
 namespace {
 
-/// Of the four control values around a point.
+/// The weights of the four control values around a point.
 struct Weights {
   float w0, w1, w2, w3;
 };
@@ -27,7 +27,7 @@ AEROSTAT_INLINE Weights spline_slope(float t) {
   return {-0.5f * s * s, 1.5f * t * t - 2.0f * t, -1.5f * s * s + 2.0f * s, 0.5f * t * t};
 }
 
-/// Where a point lies along one axis, and the nodes of the four control values there.
+/// The place of a point along one axis, and the nodes of the four control values there.
 struct Position {
   std::int32_t n0, n1, n2, n3;
   float fraction;
@@ -42,7 +42,7 @@ AEROSTAT_INLINE Position locate(int nodes, float spacing_m, float metres) {
           p - static_cast<float>(cell)};
 }
 
-/// The spline along x at one of the four rows.
+/// The value and slope of the spline along x at one of the four rows.
 struct Along {
   float value, slope;
 };
@@ -55,7 +55,7 @@ AEROSTAT_INLINE Along along(const float* values, std::int32_t row, const Positio
           0.0f + dw.w0 * v0 + dw.w1 * v1 + dw.w2 * v2 + dw.w3 * v3};
 }
 
-/// What sample fills in.
+/// The values that sample() computes.
 struct Sampled {
   Block value, dx, dz;
 };
@@ -69,7 +69,7 @@ AEROSTAT_INLINE void sample_loop(const HeightGrid& grid, const Points& points, S
     const Position pz = locate(nodes, spacing_m, points.z[k]);
     const Weights wx = spline(px.fraction), wz = spline(pz.fraction);
     const Weights dwx = spline_slope(px.fraction), dwz = spline_slope(pz.fraction);
-    // Written out: compilers vectorise no loop within this one.
+    // The calls are written out because compilers do not vectorise a loop within this one.
     const Along r0 = along(values, pz.n0 * nodes, px, wx, dwx);
     const Along r1 = along(values, pz.n1 * nodes, px, wx, dwx);
     const Along r2 = along(values, pz.n2 * nodes, px, wx, dwx);
@@ -97,7 +97,8 @@ HeightGrid make_grid(int nodes, double size_m) {
 void sample(const HeightGrid& grid, const Points& points, Block& value, Block& dx, Block& dz) {
   Sampled all;
   in_vectors([&]() AEROSTAT_INLINE_LAMBDA {
-    // What is written is local: otherwise it might be the grid.
+    // The results are written to a local object, so that compilers see that no store changes the
+    // grid.
     Sampled out;
     sample_loop(grid, points, out);
     all = out;
@@ -108,8 +109,8 @@ void sample(const HeightGrid& grid, const Points& points, Block& value, Block& d
 }
 
 HeightGrid sharpen(const HeightGrid& grid) {
-  // One step of iteration towards the interpolating spline: what the spline takes off a node is
-  // added to it.
+  // This is one step of iteration towards the interpolating spline. The amount that the spline
+  // takes off a node is added to it.
   HeightGrid sharp = grid;
   const int last = grid.nodes - 1;
   tbb::parallel_for(0, grid.nodes, [&](int j) {

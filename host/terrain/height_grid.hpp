@@ -6,11 +6,11 @@
 
 namespace aerostat::terrain {
 
-/// Values on a square grid around the origin, node (i, j) at (origin + i, origin + j) * spacing.
+/// Values on a square grid around the origin. Node (i, j) lies at (x(i), x(j)).
 struct HeightGrid {
-  int nodes = 0;  // per side
+  int nodes = 0;  // nodes along a side
   float spacing_m = 1.0f;
-  std::vector<float> values;  // row by row, z outwards
+  std::vector<float> values;  // row by row, with rising z
 
   float x(int i) const {
     return (static_cast<float>(i) - 0.5f * static_cast<float>(nodes - 1)) * spacing_m;
@@ -21,18 +21,20 @@ struct HeightGrid {
   }
 };
 
-/// A grid of the given number of nodes that covers a square of `size_m`; values are 0.
+/// Makes a grid with the given number of nodes along a side that covers a square of `size_m`. All
+/// values are 0.
 HeightGrid make_grid(int nodes, double size_m);
 
-/// Uniform cubic B-spline through the grid's control values: continuous curvature, never beyond
-/// the range of the values. Outside the grid the nearest rim counts. dx and dz are its derivatives.
+/// Evaluates a uniform cubic B-spline through the grid's control values. It has continuous
+/// curvature and stays in the range of the values. Outside the grid, the nearest value at the rim
+/// counts. dx and dz are its derivatives.
 void sample(const HeightGrid& grid, const Points& points, Block& value, Block& dx, Block& dz);
 
-/// Control values whose spline comes closer to `grid`'s values: it rounds off crests less. May
-/// leave their range.
+/// Returns control values whose spline comes closer to the values of `grid`, so that it rounds
+/// off crests less. They may leave the range of the values.
 HeightGrid sharpen(const HeightGrid& grid);
 
-/// The values at twice the resolution: 2 n - 1 nodes per side.
+/// Returns the values at twice the resolution, with 2 n - 1 nodes along a side.
 HeightGrid refine(const HeightGrid& grid);
 
 }  // namespace aerostat::terrain

@@ -10,11 +10,12 @@
 namespace aerostat::terrain {
 namespace {
 
-// Depths of a fringing reef: a sandy lagoon, the reef's flat, then the fore reef falls away.
+// The depths, in metres, of a fringing reef: the sandy lagoon, the flat of the reef, and the sea
+// behind the fore reef. Chosen by eye.
 constexpr float kLagoonDepth = 7.0f;
 constexpr float kReefDepth = 2.2f;
 constexpr float kDeep = 160.0f;
-constexpr double kWidestGully = 0.075;  // of the feature
+constexpr double kWidestGully = 0.075;  // share of the feature's wavelength
 constexpr float kGullyDepth = 0.4f;
 
 class Island : public Relief {
@@ -42,7 +43,7 @@ class Island : public Relief {
   float radius_m_;
   float island_x_ = 0.0f;
   float island_z_ = 0.0f;
-  float origin_x_ = 0.0f;  // where the distortion takes the terrain's centre
+  float origin_x_ = 0.0f;  // place to which the distortion moves the terrain's centre
   float origin_z_ = 0.0f;
   float bay_z_ = 0.0f;
   float bay_m_ = 0.0f;
@@ -59,7 +60,7 @@ Island::Island(const scene::Terrain& t, Carving carving)
       gullies_(kWidestGully * t.feature_m, 4, kGullyDepth, t.seed ^ 0x27D4EB2Fu),
       radius_m_(0.22f * static_cast<float>(t.size_m)) {
   const float turn = static_cast<float>(lattice_hash(t.seed, 7, 11) >> 8) / 16777216.0f;
-  // The island lies ahead (-z) and to one side; the bay opens around the centre.
+  // The island lies ahead (-z) and to one side. The bay opens around the centre.
   const float angle = (turn < 0.5f ? -1.0f : 1.0f) * (0.35f + 0.5f * std::fabs(turn - 0.5f));
   bay_m_ = 0.2f * static_cast<float>(t.feature_m);
   bay_z_ = 0.3f * bay_m_;
@@ -87,7 +88,8 @@ Island::Island(const scene::Terrain& t, Carving carving)
       sharpen(carve_valleys(options, [this](const Points& p, Bedrock* rock) { survey(p, rock); }));
 }
 
-/// Metres from the shore, positive on land; only roughly a distance, but with a slope near 1.
+/// Computes the metres from the shore, positive on land. They are only roughly a distance, but
+/// their slope is near 1.
 void Island::shore_distance(const Points& points, Block& inland) const {
   Block coast;
   fbm(coast_, points, coast);
@@ -105,7 +107,8 @@ void Island::shore_distance(const Points& points, Block& inland) const {
   }
 }
 
-/// Width of the flat land behind the beach: none at headlands, most in the bay.
+/// Computes the width of the flat land behind the beach. It is zero at headlands and greatest in
+/// the bay.
 void Island::plain_width(const Points& points, Block& width) const {
   fbm(plain_, points, width);
   for (int i = 0; i < points.count; ++i) {
@@ -135,7 +138,8 @@ void Island::survey(const Points& points, Bedrock* rock) const {
   }
 }
 
-/// Height of the ground under water: a sandy lagoon with patches, the reef's flat, the fore reef.
+/// Returns the height of the ground under water: a sandy lagoon with patches, the flat of the
+/// reef and the fore reef.
 float Island::sea_bed(float offshore, float reef_at, float bumps) const {
   const float shelf = kLagoonDepth + 2.5f * bumps;
   const float inner = smooth_min(0.06f * offshore, shelf, 5.0f);
@@ -144,7 +148,7 @@ float Island::sea_bed(float offshore, float reef_at, float bumps) const {
   return -mix(flat, kDeep, ramp(reef_at, 2.0f * reef_at + 400.0f, offshore));
 }
 
-/// The hills that the rivers have carved, with their gullies.
+/// Computes the heights of the hills that rivers have carved, with their gullies.
 void Island::hills(const Points& points, const Points& bent, const Jacobian& bends,
                    Block& height) const {
   Slopes ground;
@@ -181,7 +185,7 @@ void Island::heights(const Points& points, Block& height) const {
       height[i] = sea_bed(-inland[i], 1.2f * widest + 1.6f * plain[i], bumps[i]);
       continue;
     }
-    // Broad, gentle beaches before flat land, short, steep ones at headlands.
+    // Beaches are broad and gentle before flat land, and short and steep at headlands.
     const float rise = mix(0.17f, 0.045f, ramp(0.0f, 0.8f, plain[i] / widest));
     const float beach = smooth_min(rise * inland[i], 2.5f + 0.008f * inland[i], 2.0f);
     height[i] = beach + (std::max(height[i], 0.0f) + 1.5f * std::max(bumps[i], 0.0f)) *

@@ -14,7 +14,7 @@ namespace {
 
 constexpr float kFloorRelief = 20.0f;  // metres; valley floors are not quite flat
 constexpr float kLeastHeight = 1.0f;
-constexpr double kWidestGully = 0.065;  // of the feature
+constexpr double kWidestGully = 0.065;  // share of the feature's wavelength
 constexpr float kGullyDepth = 0.5f;
 
 class Mountains : public Relief {
@@ -43,7 +43,8 @@ class Mountains : public Relief {
   HeightGrid carved_;
 };
 
-/// Octaves too fine for the carved grid become detail, the others shape the uplift.
+/// Splits the octaves into those that shape the uplift and those that are too fine for the carved
+/// grid, which become detail.
 void split_octaves(const scene::Terrain& t, float finest_m, std::vector<Octave>& coarse,
                    std::vector<Octave>& fine) {
   for (const Octave& octave : make_octaves(t.fractal, t.feature_m, t.seed ^ 0x51ED270Bu))
@@ -80,7 +81,8 @@ Mountains::Mountains(const scene::Terrain& terrain, Carving carving)
       sharpen(carve_valleys(options, [this](const Points& p, Bedrock* rock) { survey(p, rock); }));
 }
 
-/// Signed distance across the main valley; its river winds along a straight axis.
+/// Computes the signed distance across the main valley from its river, which winds along a
+/// straight axis.
 void Mountains::river_distance(const Points& points, Block& distance) const {
   Points on_axis = points;
   for (int i = 0; i < points.count; ++i) {
@@ -114,12 +116,12 @@ void Mountains::survey(const Points& points, Bedrock* rock) const {
   }
 }
 
-/// What the rivers have carved, with its gradient in the plane that is not bent.
+/// Computes the ground that rivers have carved, with its gradient in the plane that is not bent.
 void Mountains::carved_ground(const Points& points, Slopes& ground) const {
   Points bent = points;
   Jacobian bends;
   bends_.apply(bent, bends);
-  // In one place, so that compilers see that they lie apart.
+  // The arrays are in one object, so that compilers see that they do not overlap.
   struct {
     Block dx, dz, bent_share;
   } carved;

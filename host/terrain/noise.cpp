@@ -41,15 +41,16 @@ struct Gradient {
   Real x, y;
 };
 
-// sin t = cos(t - pi / 2): one table serves both. The index is signed because compilers gather
-// with signed indices only.
+// Returns the gradient of a lattice point. One table of cosines serves both components, because
+// sin t = cos(t - pi / 2). The index is signed because compilers use gather instructions with
+// signed indices only.
 template <class Real>
 AEROSTAT_INLINE Gradient<Real> gradient(const Real* table, std::uint32_t hash) {
   const auto angle = static_cast<std::int32_t>(hash >> (32 - kAngleBits));
   return {table[angle], table[(angle + 3 * kAngles / 4) & (kAngles - 1)]};
 }
 
-/// The gradients at the corners of a cell of the lattice, which begins at ix, iy.
+/// The gradients at the corners of the lattice cell that begins at ix, iy.
 template <class Real>
 struct Cell {
   Gradient<Real> g00, g10, g01, g11;
@@ -64,8 +65,9 @@ struct Cell {
   }
 };
 
-/// Lattice coordinates end at 2^30 either way, so that every number, and no number, has a cell. In
-/// single precision there is nothing between lattice points from 2^23 on, where the noise is 0.
+/// Limits a lattice coordinate to 2^30 either way, so that every number, and NaN too, has a cell.
+/// In single precision, there are no numbers between lattice points from 2^23 on, and the noise
+/// is 0 there.
 template <class Real>
 AEROSTAT_INLINE Real on_lattice(Real x) {
   constexpr Real kRim = 1 << 30;
@@ -73,14 +75,15 @@ AEROSTAT_INLINE Real on_lattice(Real x) {
   return above < kRim ? above : kRim;
 }
 
-// Truncation corrected to the floor, because SSE2 has no instruction for the latter.
+// Truncates and then corrects the result to the floor, because SSE2 has no instruction for the
+// floor.
 template <class Real>
 AEROSTAT_INLINE std::int32_t floor_of(Real x) {
   const auto i = static_cast<std::int32_t>(x);
   return i - static_cast<std::int32_t>(static_cast<Real>(i) > x);
 }
 
-/// The noise at u, v in a cell.
+/// Returns the noise at u, v in a cell.
 template <class Real>
 AEROSTAT_INLINE Sample<Real> blend(const Cell<Real>& cell, Real u, Real v) {
   const Real d00 = cell.g00.x * u + cell.g00.y * v;
@@ -107,8 +110,8 @@ AEROSTAT_INLINE Sample<Real> evaluate(const Real* table, Real any_x, Real any_y,
                y - static_cast<Real>(iy));
 }
 
-/// Points that are worked out together: where a lattice is wide they share a cell, whose corners
-/// are then found once.
+/// The number of points that are computed together. On a wide lattice, they share a cell, whose
+/// corners are then found only once.
 constexpr int kGroup = 16;
 
 struct Group {
@@ -137,8 +140,9 @@ struct Group {
   }
 };
 
-/// Calls `put(i, noise)` for each point. Everything that is written is local: otherwise it might be
-/// the table or the points, and no compiler would vectorise the loops.
+/// Calls `put(i, noise)` for each point. All results must be written to local objects. Otherwise
+/// compilers could not see that no store changes the table or the points, and would not vectorise
+/// the loops.
 template <class Put>
 AEROSTAT_INLINE void each_point(const NoiseLayer& l, const Points& points, const Put& put) {
   const float* table = cosines<float>();

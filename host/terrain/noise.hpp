@@ -4,27 +4,29 @@
 
 #include "points.hpp"
 
-/// Two-dimensional gradient noise after Perlin ("An image synthesizer", 1985; "Improving noise",
-/// 2002), with unit gradients of a random angle.
+/// These functions compute two-dimensional gradient noise after Perlin ("An image synthesizer",
+/// 1985; "Improving noise", 2002), with unit gradients of a random angle.
 ///
-/// With x_int = floor(x), y_int = floor(y), u = x - x_int, v = y - y_int, the gradient g of each
-/// of the four lattice corners and the offset d from that corner:
+/// Let u = x - floor(x) and v = y - floor(y). Let g be the gradient at each of the four lattice
+/// corners, and d the offset from that corner. The noise is
 ///
 ///     n = lerp(lerp(g00.d00, g10.d10, fade(u)), lerp(g01.d01, g11.d11, fade(u)), fade(v))
 ///     lerp(a, b, t) = a + t (b - a)        fade(t) = 6 t^5 - 15 t^4 + 10 t^3
 ///     g(ix, iy) = (cos t, sin t)           t = 2 pi (lattice_hash(seed, ix, iy) >> 20) / 4096
 ///
-/// It is 0 at lattice points, has a continuous second derivative, and |n| <= sqrt(1/2).
+/// The noise is 0 at lattice points and has a continuous second derivative. Its size |n| is at
+/// most sqrt(1/2).
 namespace aerostat::terrain {
 
-/// Bits of the hash that become the gradient's angle.
+/// The number of bits of the hash that give the angle of a gradient.
 inline constexpr int kAngleBits = 12;
 
-/// Bound of |n|.
+/// The largest possible |n|.
 inline constexpr double kNoiseBound = 0.70710678118654752;
 
-/// Hash of a lattice point, in 32-bit arithmetic that wraps around (the same in OpenCL C `uint`).
-/// Signed coordinates are taken modulo 2^32. Multipliers of the finalizer: C. Wellons, lowbias32.
+/// Returns the hash of a lattice point, in 32-bit arithmetic that wraps around. OpenCL C gives
+/// the same bits with `uint`. Signed coordinates are taken modulo 2^32. The multipliers of the
+/// finalizer are those of C. Wellons, lowbias32.
 constexpr std::uint32_t lattice_hash(std::uint32_t seed, std::int32_t ix, std::int32_t iy) {
   std::uint32_t h = (static_cast<std::uint32_t>(ix) * 0x9E3779B1u) ^ (seed * 0x85EBCA6Bu);
   h ^= h >> 16;
@@ -45,15 +47,15 @@ struct NoiseSample {
   double dy = 0.0;
 };
 
-/// Noise at a point of the lattice's plane; beyond 2^30 that of the rim.
+/// Returns the noise at a point of the lattice's plane. Coordinates beyond 2^30 count as 2^30.
 double perlin(double x, double y, std::uint32_t seed);
 
-/// The same with derivatives.
+/// Returns the noise at a point of the lattice's plane with its derivatives.
 NoiseSample perlin_with_slope(double x, double y, std::uint32_t seed);
 
-/// A layer of noise laid over the ground: lattice coordinates are
-/// (along_x * x - along_z * z + offset_x, along_z * x + along_x * z + offset_y),
-/// a rotation, a scaling by 1 / wavelength_m and a shift.
+/// A layer of noise laid over the ground. A rotation, a scaling by 1 / wavelength_m and a shift
+/// give the lattice coordinates:
+///   (along_x * x - along_z * z + offset_x, along_z * x + along_x * z + offset_y)
 struct NoiseLayer {
   float along_x = 1.0f;
   float along_z = 0.0f;
@@ -63,14 +65,14 @@ struct NoiseLayer {
   std::uint32_t seed = 0;
 };
 
-/// A layer whose rotation and shift come from `seed` and `index`, so that no two layers share
-/// their lattice.
+/// Returns a layer whose rotation and shift come from `seed` and `index`, so that no two layers
+/// share their lattice.
 NoiseLayer make_layer(double wavelength_m, std::uint32_t seed, std::uint32_t index);
 
-/// Noise of a layer at each point, in single precision.
+/// Computes the noise of a layer at each point, in single precision.
 void sample(const NoiseLayer& layer, const Points& points, Block& value);
 
-/// The same with derivatives by x and z, per metre.
+/// Computes the noise of a layer at each point with its derivatives by x and z, per metre.
 void sample(const NoiseLayer& layer, const Points& points, Block& value, Block& dx, Block& dz);
 
 }  // namespace aerostat::terrain

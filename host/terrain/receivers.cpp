@@ -14,18 +14,18 @@ namespace {
 
 constexpr int kBlock = 128;
 
-/// Nodes of a row, one after the other.
+/// Some neighbouring nodes of a row.
 struct Run {
-  const float* heights;  // of the first one
-  const int* ranks;      // null where heights say who comes before
-  int first;             // number of the first one among the nodes of the grid
+  const float* heights;  // height of the first node; others follow
+  const int* ranks;      // null where heights tell which node comes before
+  int first;             // number of the first node in the grid
   int count;
   std::array<int, 8> steps;
   std::array<float, 8> lengths;
   std::uint32_t seed;
 };
 
-/// The best neighbour so far.
+/// The best neighbour found so far.
 struct Choice {
   float preference;
   std::int32_t direction;

@@ -14,10 +14,10 @@ namespace aerostat::terrain {
 namespace {
 
 constexpr float kNowhere = -std::numeric_limits<float>::infinity();
-constexpr int kReach = 6;             // cells around a wall in which its foot is looked for
+constexpr int kReach = 6;             // cells around a wall in which its foot is searched
 constexpr float kWallTangent = 1.0f;  // ground steeper than this loses stones
 
-/// The least value within kReach cells along a row or a column.
+/// Returns the least value within kReach cells along a row or a column.
 Array<float> least_along(std::span<const float> values, int stride, bool rows) {
   Array<float> least(values.size());
   tbb::parallel_for(0, stride, [&](int j) {
@@ -36,7 +36,8 @@ Array<float> least_along(std::span<const float> values, int stride, bool rows) {
   return least;
 }
 
-/// Where stones come to rest against the walls: a share of the way up from the foot; nowhere else.
+/// Returns the heights at which stones come to rest against the walls. They lie at a share of the
+/// way up from the foot of the wall. Other places get kNowhere.
 Array<float> rest_heights(const GradedHeights& ground, float share) {
   const int stride = ground.stride();
   const Array<float> foot = least_along(least_along(ground.values, stride, true), stride, false);
@@ -61,8 +62,8 @@ Array<float> rest_heights(const GradedHeights& ground, float share) {
   return rest;
 }
 
-/// Lets the loose surface run out from the rows it has reached, one row after another: `step` is +1
-/// from the first, -1 from the last.
+/// Lets the loose surface run out, one row after another, from the rows that it has reached.
+/// `step` is +1 to begin at the first row and -1 to begin at the last.
 void run_out(const std::vector<float>& lines, Array<float>& loose, int step) {
   const int stride = static_cast<int>(lines.size());
   std::vector<float> along(lines.size(), 0.0f), slants(lines.size()), drops(lines.size());

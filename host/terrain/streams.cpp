@@ -14,20 +14,21 @@
 namespace aerostat::terrain {
 namespace {
 
-// Enough for every node to lie above its receiver in single precision.
+// The slope that is enough for every node to lie above its receiver in single precision.
 constexpr float kLeastSlope = 2e-4f;
 
-/// What a round of erosion goes by.
+/// The input of a round of erosion.
 struct Round {
   const DrainageOptions& options;
   const RimmedGrid& grid;
   const RimmedRock& rock;
-  const Rimmed<std::uint8_t>& sources;  // by node, a bit for each neighbour that runs into it
+  const Rimmed<std::uint8_t>& sources;  // for each node, a bit for each neighbour that runs into it
   const int* ranks;                     // may be null
   float strength;
 };
 
-/// A stream system at a time: its nodes from the mouth upwards, each after its receiver.
+/// Raises one stream system at a time. Its nodes are in order from the mouth upwards, each after
+/// its receiver.
 class System {
  public:
   System(const Round& round, Rimmed<float>& heights, std::vector<StreamNode>& room)
@@ -66,7 +67,7 @@ void System::gather(int mouth) {
   for (int number = 0; number < static_cast<int>(nodes_.size()); ++number) gather_above(number);
 }
 
-/// Appends the nodes whose water runs into this one, in their order.
+/// Appends the nodes whose water runs into this one, in the order of comes_before.
 void System::gather_above(int number) {
   const int place = nodes_[number].place;
   std::array<int, 8> found;  // directions
@@ -116,7 +117,7 @@ void System::climb() {
   }
 }
 
-/// For each node, a bit for each of its neighbours whose water runs into it.
+/// Returns for each node a bit for each of its neighbours whose water runs into it.
 Rimmed<std::uint8_t> sources_of(const RimmedGrid& grid, const Rimmed<std::uint8_t>& directions) {
   Rimmed<std::uint8_t> sources(grid.size(), 0);
   tbb::parallel_for(tbb::blocked_range<int>(0, grid.nodes, 64), [&](const auto& rows) {

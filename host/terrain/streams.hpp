@@ -7,7 +7,7 @@
 
 namespace aerostat::terrain {
 
-/// What the ground under a grid is made of, by node.
+/// The properties of the ground under a grid, for each node.
 struct RimmedRock {
   Rimmed<float> uplift, steepest;
   Rimmed<std::uint8_t> outlets;  // 1 or 0
@@ -16,25 +16,26 @@ struct RimmedRock {
 /// A node of a stream system.
 struct StreamNode {
   int place;
-  int receiver;      // its number in the system
-  float length;      // of the way to it, metres
-  float discharge;   // m^2 of catchment, weighted by uplift
-  float floor;       // half width of the valley's floor, 0 if it has none
+  int receiver;      // number of the receiver in the system
+  float length;      // distance to the receiver in metres
+  float discharge;   // catchment in m^2, weighted by uplift
+  float floor;       // half width of the valley's floor in metres, 0 if it has none
   float remoteness;  // metres from the floor's river, along the stream
   float height;
 };
 
-/// A round of erosion: from every node whose water goes nowhere upwards, along the streams, each
-/// node is put above its receiver by the slope that the water from its catchment keeps, at most the
-/// rock's. `directions` are those of receivers.hpp and form no ring. Each stream system is worked
-/// out by itself, on all cores; the bits do not depend on how many.
+/// A round of erosion. It goes upwards along the streams from every node whose water runs to no
+/// other node. Each node is put above its receiver by the slope that the water from its catchment
+/// keeps, which is at most the slope that the rock bears. Each stream system is computed on its
+/// own, on all cores, and the bits do not depend on their number.
 class Erosion {
  public:
   Erosion(const DrainageOptions& options, const RimmedGrid& grid, const RimmedRock& rock)
       : options_(options), grid_(grid), rock_(rock) {}
 
-  /// Water from side streams adds up in the order of `ranks`, last first, or of the heights if
-  /// there are none.
+  /// Raises the heights. `directions` are those of receivers.hpp and must form no ring. Water
+  /// from side streams is added in the order of `ranks`, last first, or in the order of the
+  /// heights if `ranks` is null.
   void raise(const Rimmed<std::uint8_t>& directions, const Rimmed<int>* ranks, float strength,
              Rimmed<float>& heights);
 

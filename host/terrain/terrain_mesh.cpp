@@ -16,10 +16,10 @@
 namespace aerostat::terrain {
 namespace {
 
-constexpr float kScreeShare = 0.26f;  // of a wall's height that lies under its own stones
+constexpr float kScreeShare = 0.26f;  // share of a wall's height under its own stones
 
-/// The vertices of a graded grid and a ring of further samples around them, from which the normals
-/// at the rim are made.
+/// The vertices of a graded grid with a ring of further samples around them, which the normals at
+/// the rim need.
 class Samples {
  public:
   Samples(const scene::Terrain& terrain, const HeightField& field)
@@ -35,12 +35,12 @@ class Samples {
       stop_if_asked(stop);
       sample_rows(rows * kTile);
     });
-    // Dunes slump by themselves.
+    // Dunes get no scree, because their slip faces already lie at the angle of repose.
     if (terrain.kind != scene::TerrainKind::dunes)
       lay_scree(ground_, kScreeShare * static_cast<float>(terrain.erosion));
   }
 
-  /// Row j of the mesh, which is row j + 1 with the ring.
+  /// Returns the heights of row j of the mesh, which is row j + 1 with the ring.
   std::span<const float> heights(int j) const {
     return std::span(row(j + 1) + 1, static_cast<std::size_t>(stride_) - 2);
   }
@@ -48,7 +48,7 @@ class Samples {
   std::vector<float> x() const { return lines(center_.x); }
   std::vector<float> z() const { return lines(center_.y); }
 
-  /// The normals of row j of the mesh.
+  /// Computes the normals of row j of the mesh.
   void normals(int j, std::span<vec3> normals) const {
     const float *above = row(j), *here = row(j + 1), *below = row(j + 2);
     const float* x = ground_.lines.data();
@@ -66,13 +66,13 @@ class Samples {
   }
 
  private:
-  /// Between three lines.
+  /// The two gaps between three lines.
   struct Gaps {
     float a, b;
   };
 
-  /// Slope at the middle of three lines of the parabola through three heights: second order on
-  /// unequal cells too.
+  /// Returns the slope, at the middle of three lines, of the parabola through three heights. It
+  /// is of second order on unequal cells too.
   AEROSTAT_INLINE static float slope(const Gaps& gaps, float before, float here, float after) {
     const float a = gaps.a, b = gaps.b;
     return ((after - here) * a * a + (here - before) * b * b) / (a * b * (a + b));
@@ -82,8 +82,8 @@ class Samples {
     return ground_.values.data() + static_cast<std::size_t>(j) * static_cast<std::size_t>(stride_);
   }
 
-  /// The lines without the ring around a centre. Far from it single precision cannot tell fine
-  /// cells apart: they become as wide as it can.
+  /// Returns the lines without the ring, moved to a centre. Far from the origin, single precision
+  /// cannot tell fine cells apart. Cells become as wide as it can tell apart.
   std::vector<float> lines(double center) const {
     std::vector<float> moved;
     for (std::size_t k = 1; k + 1 < ground_.lines.size(); ++k) {
@@ -99,8 +99,8 @@ class Samples {
     return 0.5f * (ground_.lines[k + 1] - ground_.lines[k - 1]);
   }
 
-  /// kTile rows from `first` on, in squares of kTile x kTile points: they lie closer together than
-  /// points of a row and more often share a cell of a noise.
+  /// Samples kTile rows from `first` on, in squares of kTile x kTile points. Such points lie
+  /// closer together than points of a row and more often share a cell of a noise.
   void sample_rows(int first) {
     const int end = std::min(first + kTile, stride_);
     Points points;
@@ -127,7 +127,7 @@ class Samples {
   dvec2 center_;
   const HeightField& field_;
   GradedHeights ground_;
-  std::vector<float> spacings_;  // of lines
+  std::vector<float> spacings_;  // spacings of the lines
 };
 
 }  // namespace

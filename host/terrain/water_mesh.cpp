@@ -9,7 +9,7 @@ namespace aerostat::terrain {
 namespace {
 
 constexpr float kShoreMargin = 0.5f;    // metres of ground above the level that still get a cell
-constexpr float kHorizonM = 100000.0f;  // the sea's edge, beyond every horizon
+constexpr float kHorizonM = 100000.0f;  // distance of the sea's edge, beyond every horizon
 constexpr float kOceanDepth = 400.0f;
 constexpr std::uint32_t kUnused = 0xffffffffu;
 
@@ -28,7 +28,7 @@ class WaterBuilder {
   mesh::TriangleMesh take() { return std::move(mesh_); }
 
  private:
-  /// Ground vertices are numbered row by row.
+  /// Returns the position of a ground vertex. Vertices are numbered row by row.
   vec3 ground(std::uint32_t vertex) const {
     return ground_.position(vertex % (cells_ + 1), vertex / (cells_ + 1));
   }
@@ -77,7 +77,8 @@ void WaterBuilder::add_cells() {
     }
 }
 
-/// Vertices of the terrain's border, once around, counter-clockwise seen from above.
+/// Returns the vertices of the terrain's border once around, counter-clockwise as seen from
+/// above.
 std::vector<std::uint32_t> WaterBuilder::rim() const {
   const std::uint32_t side = cells_ + 1;
   std::vector<std::uint32_t> loop;
@@ -88,8 +89,8 @@ std::vector<std::uint32_t> WaterBuilder::rim() const {
   return loop;
 }
 
-/// Rings of growing width from the border outwards, with the border's own vertices first: shared
-/// edges leave no crack.
+/// Adds rings of growing width from the border outwards. The first ring uses the border's own
+/// vertices, because shared edges leave no crack.
 void WaterBuilder::add_ocean() {
   const std::vector<std::uint32_t> border = rim();
   std::vector<std::uint32_t> inner(border.size());
