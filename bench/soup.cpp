@@ -130,7 +130,8 @@ std::shared_ptr<const render::HostGeometry> build_soup(std::size_t triangles, in
   scene.camera.position = {0.0, 10.0, 2.2 * static_cast<double>(kExtent)};
   scene.camera.target = {0.0, 0.0, 0.0};
   Stopwatch watch;
-  world::Objects objects{{scene::ObjectId::frame, soup_mesh(triangles, scene.balloon)}};
+  world::Objects objects{
+      {scene::ObjectId::frame, scene::MaterialId::frame, soup_mesh(triangles, scene.balloon)}};
   geometry->world.balloon = std::make_shared<const world::Objects>(std::move(objects));
   geometry->world.land = floor_below();
   geometry->world_seconds = watch.restart();

@@ -38,8 +38,8 @@ __kernel void shade_hits(const AeroLaunch launch, __global const AeroScene* scen
     if (scene->sky.ambient_reach > 0.0f) around = found[block];
     Lane3 shading_normal;
     const lane_float across = pixel_across(&task.frame, distance);
-    const Lane3 surface =
-        shade_hit(scene, &triangle, &ray, &hit, across, visible[block], &around, &shading_normal);
+    const Lane3 surface = shade_hit(scene, &meshes, &triangle, &ray, &hit, across, visible[block],
+                                    &around, &shading_normal);
     radiance = select3(met, through_air(scene, surface, &way, distance), radiance);
     normal = select3(met, shading_normal, normal);
     object = lane_select(met, triangle.object, object);

@@ -19,10 +19,10 @@ void append(TriangleMesh& whole, const TriangleMesh& part) {
   } else if (!whole.colors.empty()) {
     whole.colors.resize(whole.positions.size(), white);
   }
-  if (!part.places.empty() || !whole.places.empty()) {
-    whole.places.resize(first, vec2(0.0f));
-    whole.places.insert(whole.places.end(), part.places.begin(), part.places.end());
-    whole.places.resize(whole.positions.size(), vec2(0.0f));
+  if (!part.uvs.empty() || !whole.uvs.empty()) {
+    whole.uvs.resize(first, vec2(0.0f));
+    whole.uvs.insert(whole.uvs.end(), part.uvs.begin(), part.uvs.end());
+    whole.uvs.resize(whole.positions.size(), vec2(0.0f));
   }
   const uvec3 offset(static_cast<std::uint32_t>(first));
   const std::size_t before = whole.triangles.size();
@@ -59,8 +59,8 @@ void check(const TriangleMesh& mesh, const char* name) {
   if (!mesh.colors.empty() && mesh.colors.size() != count) {
     fail(name, fmt::format("{} colours for {} positions", mesh.colors.size(), count));
   }
-  if (!mesh.places.empty() && mesh.places.size() != count) {
-    fail(name, fmt::format("{} places for {} positions", mesh.places.size(), count));
+  if (!mesh.uvs.empty() && mesh.uvs.size() != count) {
+    fail(name, fmt::format("{} uvs for {} positions", mesh.uvs.size(), count));
   }
   for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
     const uvec3& t = mesh.triangles[i];

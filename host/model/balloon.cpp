@@ -16,6 +16,7 @@ namespace aerostat::model {
 namespace {
 
 using mesh::TriangleMesh;
+using scene::MaterialId;
 using scene::ObjectId;
 
 /// The depth of the skirt in diameters of the envelope. Chosen by eye.
@@ -61,18 +62,19 @@ std::vector<Part> balloon(const scene::Balloon& balloon, const Detail& detail) {
   const EnvelopeShape shape(balloon.diameter_m, balloon.gores);
   const EnvelopePattern pattern(balloon, shape.panels());
   std::vector<Part> parts;
-  parts.push_back({ObjectId::envelope, build_envelope(shape, pattern, detail)});
+  parts.push_back(
+      {ObjectId::envelope, MaterialId::envelope, build_envelope(shape, pattern, detail)});
   add_vents(parts.back().mesh, shape, pattern, detail);
-  parts.push_back({ObjectId::skirt, hung_skirt(shape, pattern, detail)});
+  parts.push_back({ObjectId::skirt, MaterialId::skirt, hung_skirt(shape, pattern, detail)});
   for (Part& part : parts) raise(part.mesh, mouth_height(shape.diameter()));
-  parts.push_back({ObjectId::basket, build_basket(detail)});
-  parts.push_back({ObjectId::rim, build_rim(wall_outline(), kRimHeight, detail)});
+  parts.push_back({ObjectId::basket, MaterialId::basket, build_basket(detail)});
+  parts.push_back({ObjectId::rim, MaterialId::rim, build_rim(wall_outline(), kRimHeight, detail)});
   mesh::append(parts.back().mesh, build_padding(detail));
-  parts.push_back({ObjectId::frame, build_frame(detail)});
-  parts.push_back({ObjectId::cables, build_cables(shape, detail)});
-  parts.push_back({ObjectId::floor, build_floor()});
+  parts.push_back({ObjectId::frame, MaterialId::frame, build_frame(detail)});
+  parts.push_back({ObjectId::cables, MaterialId::cables, build_cables(shape, detail)});
+  parts.push_back({ObjectId::floor, MaterialId::floor, build_floor()});
   if (balloon.burner > 0.0) {
-    parts.push_back({ObjectId::flame, build_flame(balloon.burner, detail)});
+    parts.push_back({ObjectId::flame, MaterialId::flame, build_flame(balloon.burner, detail)});
   }
   const Placement placement(balloon);
   for (Part& part : parts) placement.apply(part.mesh);

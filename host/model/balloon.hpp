@@ -12,6 +12,7 @@ namespace aerostat::model {
 /// One object of a model. Its vertex colours are its albedo, which the scene's material multiplies.
 struct Part {
   scene::ObjectId id = scene::ObjectId::envelope;
+  scene::MaterialId material = scene::MaterialId::envelope;
   mesh::TriangleMesh mesh;
 };
 

@@ -119,7 +119,7 @@ CutVertex EnvelopeBuilder::vertex(const Row& row, int gore, int cell) const {
   CutVertex result;
   result.position = vec3(shape_.fabric(owner, next ? 0.0 : share, place).position);
   result.normal = vec3(shape_.fabric(gore, share, place).normal);
-  result.place = vec2(gore + share, row.panels_up);
+  result.uv = vec2(gore + share, row.panels_up);
   if (!pattern_.crosses_panels()) return result;
   const double around = owner + (next ? 0.0 : share);
   result.phase = quantized_phase(pattern_.phase(around, row.panels_up));
@@ -142,7 +142,7 @@ vec3 EnvelopeBuilder::color(const Band& band, int gore, int phase_band) const {
 }
 
 std::uint32_t EnvelopeBuilder::add(const CutVertex& vertex, const vec3& color) {
-  mesh_.places.push_back(vertex.place);
+  mesh_.uvs.push_back(vertex.uv);
   return add_vertex(mesh_, {vertex.position, vertex.normal, color});
 }
 

@@ -40,7 +40,7 @@ void add_vent(TriangleMesh& mesh, const EnvelopeShape& shape, int gore, const ve
       const double half = kVentHalf * shape.diameter() * (0.12 + std::sin(kPi * along));
       const double share = 0.5 + side * (i - 1) * half / (turn * 0.5 * shape.diameter());
       const FabricPoint point = shape.fabric(gore, share, row);
-      mesh.places.emplace_back(gore + 0.5, 13.5);
+      mesh.uvs.emplace_back(gore + 0.5, 13.5);
       return Vertex{point.position + side * gap * point.normal, side * point.normal, color};
     });
   }

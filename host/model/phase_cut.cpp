@@ -17,7 +17,7 @@ CutVertex crossing(const CutVertex& a, const CutVertex& b, double phase) {
   const auto t = static_cast<float>((phase - low.phase) / (high.phase - low.phase));
   return {low.position + t * (high.position - low.position),
           glm::normalize(low.normal + t * (high.normal - low.normal)),
-          low.place + t * (high.place - low.place), phase};
+          low.uv + t * (high.uv - low.uv), phase};
 }
 
 /// Splits a convex polygon at `phase` into the part below and the part above.

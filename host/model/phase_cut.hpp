@@ -11,8 +11,8 @@ namespace aerostat::model {
 struct CutVertex {
   vec3 position{0.0f};
   vec3 normal{0.0f};
-  /// The place as in mesh::TriangleMesh::places.
-  vec2 place{0.0f};
+  /// The texture coordinates, as in mesh::TriangleMesh::uvs.
+  vec2 uv{0.0f};
   double phase = 0.0;
 };
 

@@ -101,14 +101,13 @@ void add_sleeve(TriangleMesh& mesh, const Upright& upright, double tolerance_m) 
   TriangleMesh cloth;
   add_grid(cloth, {sides, rows}, [&](int i, int j) {
     const double u = static_cast<double>(i % sides) / sides, v = Sleeve::kTo * j / rows;
-    cloth.places.emplace_back(sleeve.length() * v,
-                              2.0 * std::numbers::pi * kSleeveRadius * i / sides);
+    cloth.uvs.emplace_back(sleeve.length() * v, 2.0 * std::numbers::pi * kSleeveRadius * i / sides);
     const auto shade = static_cast<float>(0.62 + 0.38 * std::sqrt(Sleeve::puff(v)));
     return Vertex{sleeve.at(u, v), surface_normal(surface, u, v, 2e-3), kCover * shade};
   });
   add_sleeve_end(cloth, sleeve, 0.0, sides);
   add_sleeve_end(cloth, sleeve, Sleeve::kTo, sides);
-  cloth.places.resize(cloth.positions.size(), vec2(0.0f));
+  cloth.uvs.resize(cloth.positions.size(), vec2(0.0f));
   mesh::append(mesh, cloth);
 }
 

@@ -132,8 +132,8 @@ TriangleMesh build_rim(const Outline& middle, double height, const Detail& detai
   add_grid(mesh, {columns, sides}, [&](int i, int j) {
     const double distance = places[static_cast<std::size_t>(i % columns)];
     const double across = 2.0 * kPi * (j % sides) / sides;
-    mesh.places.emplace_back(i == columns ? middle.length() : distance,
-                             0.5 * (kHalfWidth + kHalfHeight) * 2.0 * kPi * j / sides);
+    mesh.uvs.emplace_back(i == columns ? middle.length() : distance,
+                          0.5 * (kHalfWidth + kHalfHeight) * 2.0 * kPi * j / sides);
     return Vertex{rim.at(distance, across), rim.normal(distance, across), rim.color(distance)};
   });
   if (plain) return mesh;

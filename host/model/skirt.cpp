@@ -56,7 +56,7 @@ mesh::TriangleMesh build_skirt(const EnvelopeShape& shape, const EnvelopePattern
   for (int gore = 0; gore < shape.gores(); ++gore) {
     add_grid(mesh, {cells, rows}, [&](int i, int j) {
       const double share = static_cast<double>(i) / cells, up = static_cast<double>(j) / rows;
-      mesh.places.emplace_back(gore + share, 0.5 + 0.5 * up);
+      mesh.uvs.emplace_back(gore + share, 0.5 + 0.5 * up);
       const int owner = i == cells ? (gore + 1) % shape.gores() : gore;
       const double around = owner + (i == cells ? 0.0 : share);
       return Vertex{skirt.at(around, up), skirt.normal(gore, share, up), cloth};

@@ -19,7 +19,7 @@ dvec3 mean_cloth(const scene::Scene& scene, const scene::Balloon& balloon) {
   dvec3 mean(0.0);
   for (const vec3& color : balloon.colors) mean += dvec3(glm::clamp(color, 0.0f, 1.0f));
   mean /= std::max<double>(1.0, static_cast<double>(balloon.colors.size()));
-  return mean * dvec3(scene.material(scene::ObjectId::envelope).albedo);
+  return mean * dvec3(scene.material(scene::MaterialId::envelope).albedo);
 }
 
 /// The nearest to the eye: of several, the one whose cloth is seen best.
@@ -41,7 +41,7 @@ AeroBalloon pack_balloon(const scene::Scene& scene) {
   AeroBalloon balloon{};
   const scene::Balloon* from = seen_best(scene);
   if (from == nullptr) return balloon;
-  const scene::Material& cloth = scene.material(scene::ObjectId::envelope);
+  const scene::Material& cloth = scene.material(scene::MaterialId::envelope);
   const dvec3 color = mean_cloth(scene, *from);
   const dvec3 reflected = glm::min(color * cloth.diffuse, dvec3(0.95));
   const dvec3 kept = 1.0 / (1.0 - reflected);

@@ -12,11 +12,16 @@
 namespace aerostat::pack {
 namespace {
 
-/// Several meshes as one, with the object of each triangle.
+/// What a triangle belongs to and is made of.
+struct Owner {
+  std::uint32_t object, material;
+};
+
+/// Several meshes as one, with the owner of each triangle.
 struct Soup {
   std::vector<vec3> positions;
   std::vector<uvec3> triangles;
-  std::vector<std::uint32_t> objects;
+  std::vector<Owner> owners;
 };
 
 Soup merge(const world::Objects& objects) {
@@ -26,7 +31,8 @@ Soup merge(const world::Objects& objects) {
     const auto base = static_cast<std::uint32_t>(soup.positions.size());
     soup.positions.insert(soup.positions.end(), mesh.positions.begin(), mesh.positions.end());
     for (const auto& triangle : mesh.triangles) soup.triangles.push_back(triangle + base);
-    soup.objects.resize(soup.triangles.size(), static_cast<std::uint32_t>(object.id));
+    soup.owners.resize(soup.triangles.size(), {static_cast<std::uint32_t>(object.id),
+                                               static_cast<std::uint32_t>(object.material)});
   }
   return soup;
 }
@@ -39,9 +45,9 @@ void add_vertices(const mesh::TriangleMesh& mesh, Array<AeroVertex>& vertices) {
     copy(vertex.position, mesh.positions[i]);
     copy(vertex.normal, mesh.normals[i]);
     copy(vertex.color, mesh.colors.empty() ? vec3(1.0f) : mesh.colors[i]);
-    const vec2 place = mesh.places.empty() ? vec2(0.0f) : mesh.places[i];
-    vertex.place[0] = place.x;
-    vertex.place[1] = place.y;
+    const vec2 uv = mesh.uvs.empty() ? vec2(0.0f) : mesh.uvs[i];
+    vertex.uv[0] = uv.x;
+    vertex.uv[1] = uv.y;
   });
 }
 
@@ -57,7 +63,8 @@ void add_tree(bvh::Bvh tree, const Soup& soup, PackedGroup& group) {
     copy(out.v0, soup.positions[triangle.x]);
     copy(out.v1, soup.positions[triangle.y]);
     copy(out.v2, soup.positions[triangle.z]);
-    arrays.faces[slot] = {{triangle.x, triangle.y, triangle.z}, soup.objects[order[slot]]};
+    const Owner& owner = soup.owners[order[slot]];
+    arrays.faces[slot] = {{triangle.x, triangle.y, triangle.z}, owner.object, owner.material};
   });
   tree.order = {};
   group.trees.push_back(std::move(tree));

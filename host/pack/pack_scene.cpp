@@ -12,6 +12,7 @@
 #include "pack/copy.hpp"
 #include "pack/pack_air.hpp"
 #include "pack/pack_balloon.hpp"
+#include "pack/pack_materials.hpp"
 #include "scene/local_frame.hpp"
 
 namespace aerostat::pack {
@@ -120,18 +121,6 @@ AeroWater pack_water(const scene::Water& from) {
   return water;
 }
 
-AeroMaterial pack_material(const scene::Material& from) {
-  AeroMaterial material{};
-  copy(material.albedo, from.albedo);
-  material.ambient = static_cast<float>(from.ambient);
-  material.diffuse = static_cast<float>(from.diffuse);
-  material.specular = static_cast<float>(from.specular);
-  material.shininess = static_cast<float>(from.shininess);
-  material.translucency = static_cast<float>(from.translucency);
-  copy(material.emission, from.emission);
-  return material;
-}
-
 AeroPointLight pack_light(const scene::PointLight& from, const dvec3& origin) {
   AeroPointLight light{};
   copy(light.position, from.position - origin);
@@ -164,10 +153,7 @@ std::unique_ptr<AeroScene> pack_scene(const scene::Scene& scene) {
   packed->ground = pack_ground(scene);
   packed->water = pack_water(scene.biome.water);
   packed->balloon = pack_balloon(scene);
-  static_assert(scene::kObjectCount == AERO_OBJECT_COUNT);
-  for (std::size_t i = 0; i < scene::kObjectCount; ++i) {
-    packed->materials[i] = pack_material(scene.materials[i]);
-  }
+  pack_materials(scene, packed->materials);
   for (std::size_t i = 0; i < scene.lights.size(); ++i) {
     packed->lights[i] = pack_light(scene.lights[i], scene.origin);
   }

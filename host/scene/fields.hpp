@@ -197,11 +197,11 @@ void fields(Archive& archive, Material& material) {
   archive("emission", material.emission);
 }
 
-/// Passes the materials of all objects but the sky, which is no surface.
+/// Passes all materials by their names.
 template <class Archive>
-void fields(Archive& archive, std::array<Material, kObjectCount>& materials) {
-  for (std::size_t i = 1; i < kObjectCount; ++i) {
-    archive(object_name(static_cast<ObjectId>(i)).c_str(), materials[i]);
+void fields(Archive& archive, std::array<Material, kMaterialCount>& materials) {
+  for (std::size_t i = 0; i < kMaterialCount; ++i) {
+    archive(material_name(static_cast<MaterialId>(i)).c_str(), materials[i]);
   }
 }
 

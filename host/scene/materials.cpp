@@ -38,24 +38,24 @@ Material flame() {
 
 }  // namespace
 
-std::array<Material, kObjectCount> default_materials(BiomeKind biome) {
-  std::array<Material, kObjectCount> materials{};
-  const auto at = [&materials](ObjectId id) -> Material& {
+std::array<Material, kMaterialCount> default_materials(BiomeKind biome) {
+  std::array<Material, kMaterialCount> materials{};
+  const auto at = [&materials](MaterialId id) -> Material& {
     return materials[static_cast<std::size_t>(id)];
   };
-  at(ObjectId::terrain) = terrain(biome);
-  at(ObjectId::water) = surface(vec3(1.0f), 0.6, 220.0);
-  at(ObjectId::envelope) = surface(vec3(1.0f), 0.10, 28.0, 0.3);  // coated ripstop nylon
-  at(ObjectId::envelope).diffuse = 0.85;  // transmitted light is not reflected
-  at(ObjectId::skirt) = surface(vec3(1.0f), 0.03, 14.0, 0.15);  // Nomex, which is duller
-  at(ObjectId::basket) = surface(vec3(1.0f), 0.05, 18.0);       // willow
-  at(ObjectId::rim) = surface(vec3(1.0f), 0.03, 9.0);           // padded suede
-  at(ObjectId::frame) = surface(vec3(1.0f), 0.55, 90.0);        // steel
-  at(ObjectId::cables) = surface(vec3(1.0f), 0.12, 40.0);       // steel rope
-  at(ObjectId::floor) = surface(vec3(1.0f), 0.04, 16.0);        // plywood
-  at(ObjectId::flame) = flame();
-  at(ObjectId::plant) = surface(vec3(1.0f), 0.02, 12.0, 0.35);  // light shines through leaves
-  at(ObjectId::stone) = surface(vec3(1.0f), 0.02, 12.0);
+  at(MaterialId::terrain) = terrain(biome);
+  at(MaterialId::water) = surface(vec3(1.0f), 0.6, 220.0);
+  at(MaterialId::envelope) = surface(vec3(1.0f), 0.10, 28.0, 0.3);  // coated ripstop nylon
+  at(MaterialId::envelope).diffuse = 0.85;  // transmitted light is not reflected
+  at(MaterialId::skirt) = surface(vec3(1.0f), 0.03, 14.0, 0.15);  // Nomex, which is duller
+  at(MaterialId::basket) = surface(vec3(1.0f), 0.05, 18.0);       // willow
+  at(MaterialId::rim) = surface(vec3(1.0f), 0.03, 9.0);           // padded suede
+  at(MaterialId::frame) = surface(vec3(1.0f), 0.55, 90.0);        // steel
+  at(MaterialId::cables) = surface(vec3(1.0f), 0.12, 40.0);       // steel rope
+  at(MaterialId::floor) = surface(vec3(1.0f), 0.04, 16.0);        // plywood
+  at(MaterialId::flame) = flame();
+  at(MaterialId::plant) = surface(vec3(1.0f), 0.02, 12.0, 0.35);  // light shines through leaves
+  at(MaterialId::stone) = surface(vec3(1.0f), 0.02, 12.0);
   return materials;
 }
 

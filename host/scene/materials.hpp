@@ -6,7 +6,7 @@
 
 namespace aerostat::scene::detail {
 
-/// Returns the Phong coefficients of all objects in a scene of that biome.
-std::array<Material, kObjectCount> default_materials(BiomeKind biome);
+/// Returns the table of materials of a scene of that biome.
+std::array<Material, kMaterialCount> default_materials(BiomeKind biome);
 
 }  // namespace aerostat::scene::detail

@@ -227,8 +227,8 @@ struct Fog {
   bool operator==(const Fog&) const = default;
 };
 
-/// The objects of a scene. Each object has one material. The value of the enum is the `id`
-/// channel of an EXR picture, in which 0 is the sky. The manual lists the values.
+/// The objects of a scene. The value of the enum is the `id` channel of an EXR picture, in which 0
+/// is the sky. The manual lists the values.
 enum class ObjectId : std::uint32_t {
   sky = 0,
   terrain,
@@ -247,8 +247,26 @@ enum class ObjectId : std::uint32_t {
 };
 inline constexpr std::size_t kObjectCount = static_cast<std::size_t>(ObjectId::count);
 
-/// Phong coefficients. Plain objects multiply their vertex colours by `albedo`. Terrain and water
-/// take their colours from Ground and Water.
+/// The materials that objects are made of. The value of the enum is an index into Scene::materials.
+enum class MaterialId : std::uint32_t {
+  terrain,
+  water,
+  envelope,
+  skirt,
+  basket,
+  rim,
+  frame,
+  cables,
+  floor,
+  flame,
+  plant,
+  stone,
+  count
+};
+inline constexpr std::size_t kMaterialCount = static_cast<std::size_t>(MaterialId::count);
+
+/// Phong coefficients. Most materials multiply the colours of vertices by `albedo`. Terrain and
+/// water take their colours from Ground and Water.
 struct Material {
   vec3 albedo{1.0f};
   double ambient = 1.0;
@@ -286,7 +304,7 @@ struct Scene {
   Air air;
   Haze haze;
   Fog fog;
-  std::array<Material, kObjectCount> materials;
+  std::array<Material, kMaterialCount> materials;  // by MaterialId
   Shading shading = Shading::phong;
   Quality quality = Quality::standard;
   Image image;
@@ -294,10 +312,14 @@ struct Scene {
   /// field of the file. world::resolve sets it.
   dvec3 origin{0.0};
 
-  const Material& material(ObjectId id) const { return materials[static_cast<std::size_t>(id)]; }
+  Material& material(MaterialId id) { return materials[static_cast<std::size_t>(id)]; }
+  const Material& material(MaterialId id) const { return materials[static_cast<std::size_t>(id)]; }
 };
 
-/// Returns the JSON key of an object's material, such as "envelope".
+/// Returns the name of an object in exported meshes, such as "envelope".
 std::string object_name(ObjectId id);
+
+/// Returns the JSON key of a material, such as "envelope".
+std::string material_name(MaterialId id);
 
 }  // namespace aerostat::scene

@@ -54,8 +54,9 @@ ItemPicker::ItemPicker(Kind kind, Document& document, std::function<dvec3()> nea
   connect(items_, &QComboBox::activated, this, &ItemPicker::refresh);
   connect(&document, &Document::changed, this, &ItemPicker::refresh);
   if (kind == Kind::material) {
-    for (std::size_t i = 1; i < scene::kObjectCount; ++i) {
-      const auto name = QString::fromStdString(scene::object_name(static_cast<scene::ObjectId>(i)));
+    for (std::size_t i = 0; i < scene::kMaterialCount; ++i) {
+      const auto id = static_cast<scene::MaterialId>(i);
+      const auto name = QString::fromStdString(scene::material_name(id));
       items_->addItem(word_text(name), QString("/materials/" + name));
     }
     items_->setCurrentIndex(items_->findData(QStringLiteral("/materials/envelope")));

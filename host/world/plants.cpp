@@ -11,14 +11,14 @@ namespace {
 
 constexpr std::uint32_t kDetails = 3;
 
-scene::ObjectId object_of(plant::Species species) {
+Object object_of(plant::Species species) {
   switch (species) {
     case plant::Species::boulder:
     case plant::Species::snowy_boulder:
     case plant::Species::driftwood:
-      return scene::ObjectId::stone;
+      return {scene::ObjectId::stone, scene::MaterialId::stone, {}};
     default:
-      return scene::ObjectId::plant;
+      return {scene::ObjectId::plant, scene::MaterialId::plant, {}};
   }
 }
 
@@ -74,7 +74,8 @@ std::shared_ptr<const Plants> build_plants(const scene::Scene& scene, const mesh
   tbb::parallel_for(std::size_t{0}, used.size(), [&](std::size_t i) {
     const plant::ModelKey& key = growth.models[used[i] / kDetails];
     const auto detail = static_cast<plant::Detail>(used[i] % kDetails);
-    plants->models[i] = {object_of(key.species), plant::build(key, detail)};
+    plants->models[i] = object_of(key.species);
+    plants->models[i].mesh = plant::build(key, detail);
   });
   for (scatter::Instance& instance : plants->instances) instance.model = number[instance.model];
   return plants;
@@ -91,7 +92,8 @@ bool same_plants(const scene::Scene& a, const scene::Scene& b, scatter::Where wh
 }
 
 void append_as_triangles(const Plants& plants, Objects& objects) {
-  Object grown{scene::ObjectId::plant, {}}, lying{scene::ObjectId::stone, {}};
+  Object grown{scene::ObjectId::plant, scene::MaterialId::plant, {}};
+  Object lying{scene::ObjectId::stone, scene::MaterialId::stone, {}};
   for (const scatter::Instance& instance : plants.instances) {
     const Object& model = plants.models[instance.model];
     place(model.mesh, instance, model.id == scene::ObjectId::plant ? grown.mesh : lying.mesh);

@@ -25,7 +25,8 @@ std::shared_ptr<const Land> build_land(const scene::Scene& local, Carving carvin
       terrain::terrain_mesh(local.terrain, terrain::HeightField(local.terrain, carving)));
   if (local.biome.water.enabled) {
     auto water = terrain::water_mesh(local.terrain, local.biome.water, *land->ground);
-    if (!water.empty()) land->objects.push_back({scene::ObjectId::water, std::move(water)});
+    if (!water.empty())
+      land->objects.push_back({scene::ObjectId::water, scene::MaterialId::water, std::move(water)});
   }
   return land;
 }
@@ -67,7 +68,7 @@ std::shared_ptr<const Objects> build_balloons(const scene::Scene& local, Carving
   std::vector<Objects> built(balloons.size());
   tbb::parallel_for(std::size_t{0}, balloons.size(), [&](std::size_t i) {
     for (auto& part : model::balloon(*balloons[i], balloon_detail(local, *balloons[i], carving))) {
-      built[i].push_back({part.id, std::move(part.mesh)});
+      built[i].push_back({part.id, part.material, std::move(part.mesh)});
     }
   });
   auto objects = std::make_shared<Objects>();
@@ -112,7 +113,8 @@ World build(const scene::Scene& scene, const World* previous, const scene::Scene
 Objects as_triangles(const World& world, Grown plants) {
   Objects objects;
   if (world.land) {
-    objects.push_back({scene::ObjectId::terrain, mesh::to_triangles(*world.land->ground)});
+    objects.push_back({scene::ObjectId::terrain, scene::MaterialId::terrain,
+                       mesh::to_triangles(*world.land->ground)});
     objects.insert(objects.end(), world.land->objects.begin(), world.land->objects.end());
   }
   if (world.balloon) objects.insert(objects.end(), world.balloon->begin(), world.balloon->end());

@@ -14,9 +14,10 @@
 /// From a scene to the triangles that are rendered and exported.
 namespace aerostat::world {
 
-/// One object of the world: a mesh and what it is.
+/// One object of the world: a mesh, what it is and what it is made of.
 struct Object {
   scene::ObjectId id = scene::ObjectId::terrain;
+  scene::MaterialId material = scene::MaterialId::terrain;
   mesh::TriangleMesh mesh;
 };
 

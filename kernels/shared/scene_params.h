@@ -3,35 +3,15 @@
 
 #include "air_params.h"
 #include "layout.h"
+#include "material.h"
 
 /* Lengths in metres, colours linear Rec. 709, slopes as cosines (the y of a unit normal). */
-
-/* Objects with a look of their own; the others are plain. Values of scene::ObjectId. */
-#define AERO_OBJECT_SKY 0
-#define AERO_OBJECT_TERRAIN 1
-#define AERO_OBJECT_WATER 2
-#define AERO_OBJECT_ENVELOPE 3
-#define AERO_OBJECT_SKIRT 4
-#define AERO_OBJECT_RIM 6
-#define AERO_OBJECT_FLOOR 9 /* the last of the balloon's that take light */
-#define AERO_OBJECT_PLANT 11
-#define AERO_OBJECT_COUNT 13
 
 #define AERO_MAX_POINT_LIGHTS 16
 
 #define AERO_SHADING_FLAT 0
 #define AERO_SHADING_GOURAUD 1
 #define AERO_SHADING_PHONG 2
-
-/* Phong coefficients of one object. */
-typedef struct AeroMaterial {
-  aero_float albedo[3];
-  aero_float ambient, diffuse, specular, shininess;
-  aero_float translucency;
-  aero_float emission[3];
-} AeroMaterial;
-
-AERO_ASSERT_LAYOUT(AeroMaterial, 44);
 
 typedef struct AeroPointLight {
   aero_float position[3];
@@ -129,7 +109,7 @@ typedef struct AeroScene {
   AeroGround ground;
   AeroWater water;
   AeroBalloon balloon;
-  AeroMaterial materials[AERO_OBJECT_COUNT];
+  AeroMaterial materials[AERO_MATERIAL_COUNT];
   AeroPointLight lights[AERO_MAX_POINT_LIGHTS];
   aero_uint light_count;
   aero_uint shading; /* AERO_SHADING_... */
@@ -139,6 +119,6 @@ typedef struct AeroScene {
   aero_float place[3];
 } AeroScene;
 
-AERO_ASSERT_LAYOUT(AeroScene, 296132);
+AERO_ASSERT_LAYOUT(AeroScene, 296184);
 
 #endif

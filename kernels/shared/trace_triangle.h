@@ -13,21 +13,27 @@ typedef struct AeroTriangle {
 
 AERO_ASSERT_LAYOUT(AeroTriangle, 36);
 
-/* What shading reads, in the same order: the three vertices' indices and the object. */
+/* What a picture says of who was hit: the ids of objects. Others are the host's alone. */
+#define AERO_OBJECT_SKY 0
+#define AERO_OBJECT_TERRAIN 1 /* the height grid */
+
+/* What shading reads, in the order of the tree's leaves: the indices of the three vertices, the id
+ * of the object and the number of the material in AeroScene::materials. */
 typedef struct AeroFace {
   aero_uint vertex[3];
   aero_uint object;
+  aero_uint material;
 } AeroFace;
 
-AERO_ASSERT_LAYOUT(AeroFace, 16);
+AERO_ASSERT_LAYOUT(AeroFace, 20);
 
-/* Attributes of a vertex: unit normal, linear albedo (or the water's depth in color[0]) and where
- * on a surface with a look finer than its triangles it lies. */
+/* Attributes of a vertex: unit normal, linear albedo (or the water's depth in color[0]) and texture
+ * coordinates, for materials that are finer than triangles. */
 typedef struct AeroVertex {
   aero_float position[3];
   aero_float normal[3];
   aero_float color[3];
-  aero_float place[2];
+  aero_float uv[2];
 } AeroVertex;
 
 AERO_ASSERT_LAYOUT(AeroVertex, 44);

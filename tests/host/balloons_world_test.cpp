@@ -93,7 +93,7 @@ TEST(World, PlantsFollowAFurtherBalloon) {
 TEST(BalloonLight, IsThatOfAnIntegratingSphere) {
   scene::Scene scene = small_world("");
   scene.balloon.colors = {vec3(0.5f)};
-  auto& cloth = scene.materials[static_cast<std::size_t>(scene::ObjectId::envelope)];
+  auto& cloth = scene.material(scene::MaterialId::envelope);
   cloth.albedo = vec3(1.0f);
   cloth.diffuse = 0.8;
   cloth.translucency = 0.4;

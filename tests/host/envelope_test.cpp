@@ -198,13 +198,13 @@ TEST(Envelope, FacetsStayWithinTheToleranceOfTheSurface) {
   }
 }
 
-TEST(Envelope, PlacesCountGoresAndPanels) {
+TEST(Envelope, UvsCountGoresAndPanels) {
   const scene::Balloon balloon = painted(scene::Pattern::spiral);
   const EnvelopeShape shape(balloon.diameter_m, balloon.gores);
   const mesh::TriangleMesh mesh = envelope_of(balloon);
-  ASSERT_EQ(mesh.places.size(), mesh.positions.size());
+  ASSERT_EQ(mesh.uvs.size(), mesh.positions.size());
   for (const uvec3& t : mesh.triangles) {
-    const vec2 a = mesh.places[t.x], b = mesh.places[t.y], c = mesh.places[t.z];
+    const vec2 a = mesh.uvs[t.x], b = mesh.uvs[t.y], c = mesh.uvs[t.z];
     // No triangle goes across a tape or a seam.
     const vec2 low = glm::min(glm::min(a, b), c), high = glm::max(glm::max(a, b), c);
     ASSERT_LE(high.x - std::floor(low.x + 1e-4f), 1.0f + 1e-4f);
@@ -214,7 +214,7 @@ TEST(Envelope, PlacesCountGoresAndPanels) {
   for (std::size_t i = 0; i < mesh.positions.size(); i += 31) {
     const vec3 p = mesh.positions[i];
     if (std::hypot(p.x, p.z) < 0.5f) continue;
-    const double angle = shape.tape_angle(0) + turn * static_cast<double>(mesh.places[i].x);
+    const double angle = shape.tape_angle(0) + turn * static_cast<double>(mesh.uvs[i].x);
     EXPECT_NEAR(std::remainder(std::atan2(-p.z, p.x) - angle, kTwoPi), 0.0, 1e-3);
   }
 }

@@ -140,8 +140,8 @@ TEST(SceneDefaults, ArePlausible) {
     EXPECT_LE(elevation, 25.0);
     EXPECT_FALSE(scene.balloon.colors.empty());
     EXPECT_EQ(scene.balloon.height_above, HeightReference::ground);
-    EXPECT_GT(scene.material(ObjectId::flame).emission.x, 1.0f);
-    EXPECT_DOUBLE_EQ(scene.material(ObjectId::envelope).translucency, 0.3);
+    EXPECT_GT(scene.material(MaterialId::flame).emission.x, 1.0f);
+    EXPECT_DOUBLE_EQ(scene.material(MaterialId::envelope).translucency, 0.3);
   }
 }
 
@@ -173,7 +173,7 @@ TEST(SceneText, FileOverridesDefaults) {
   ASSERT_EQ(scene.lights.size(), 2u);
   EXPECT_EQ(scene.lights[1].position, dvec3(4, 5, 6));
   EXPECT_FALSE(scene.lights[1].shadows);
-  EXPECT_DOUBLE_EQ(scene.material(ObjectId::basket).specular, 0.5);
+  EXPECT_DOUBLE_EQ(scene.material(MaterialId::basket).specular, 0.5);
   EXPECT_EQ(scene.shading, Shading::gouraud);
 }
 

@@ -11,7 +11,7 @@ namespace {
 constexpr double kPi64 = std::numbers::pi;
 
 scene::Material& ground_material(scene::Scene& scene) {
-  return scene.materials[static_cast<std::size_t>(scene::ObjectId::terrain)];
+  return scene.material(scene::MaterialId::terrain);
 }
 
 /// Phong: L = E / pi (albedo cos + k_s (r . v)^m), brightest where the mirrored sun is seen.

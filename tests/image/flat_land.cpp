@@ -45,7 +45,7 @@ scene::Scene flat_land() {
   scene.air = {0.0, 0.0, vec3(0.0f)};
   scene.haze.visibility_m = 1e12;
   scene.haze.albedo = vec3(0.0f);
-  scene.materials[static_cast<std::size_t>(scene::ObjectId::terrain)] = {};
+  scene.material(scene::MaterialId::terrain) = {};
   scene.image.width = 64;
   scene.image.height = 48;
   scene::set_quality(scene, scene::Quality::draft);

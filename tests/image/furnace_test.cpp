@@ -69,7 +69,8 @@ image::Film film_of(const std::vector<mesh::TriangleMesh>& balls) {
   const scene::Scene scene = furnace();
   render::HostGeometry geometry = *render::build_geometry(scene, nullptr);
   world::Objects objects;
-  for (const auto& mesh : balls) objects.push_back({scene::ObjectId::envelope, mesh});
+  for (const auto& mesh : balls)
+    objects.push_back({scene::ObjectId::envelope, scene::MaterialId::envelope, mesh});
   geometry.balloon = std::make_shared<pack::PackedGroup>(pack::pack_objects(objects));
   const auto tree = render::join_trees(geometry);
   const auto arrays = std::make_shared<render::FrameArrays>();
@@ -80,7 +81,7 @@ image::Film film_of(const std::vector<mesh::TriangleMesh>& balls) {
   while (!worker.await_programs(std::chrono::milliseconds(100))) continue;
   worker.set_geometry(tree, arrays, {});
   scene::Scene white = scene;
-  white.materials[static_cast<std::size_t>(scene::ObjectId::envelope)] = {};
+  white.material(scene::MaterialId::envelope) = {};
   const render::Crop all{0, 0, kWidth, kHeight};
   worker.begin_frame(even_light(white), all.pixels());
   worker.begin_film(all);

@@ -34,7 +34,7 @@ Surface random_surface() {
                                          glm::abs(random_point(random, 1.0f))));
   }
   for (std::uint32_t i = 0; i < 30; ++i) {
-    surface.faces.push_back({{3 * i + 2, 3 * i, 3 * i + 1}, i % 11});
+    surface.faces.push_back({{3 * i + 2, 3 * i, 3 * i + 1}, i % 11, i % 7});
   }
   return surface;
 }
@@ -164,12 +164,12 @@ TEST_P(SurfaceProbe, LanesReadTheTriangleTheyHit) {
       if (i % 5 == 4) hits.slots[i] = kNoTriangle;
     }
     const auto attributes = output<float>(9 * kHits), planes = output<float>(3 * kHits);
-    const auto objects = output<std::uint32_t>(kHits);
+    const auto owners = output<std::uint32_t>(2 * kHits);  // objects, then materials
     probe.run("probe_interpolation", kHits, input(stand), input(words), input(surface.faces),
               input(surface.vertices), input(hits.tuv), input(hits.slots), attributes, planes,
-              objects);
+              owners);
     const auto values = attributes.read(), normals = planes.read();
-    const auto met = objects.read();
+    const auto met = owners.read();
     for (std::size_t i = 0; i < kHits; ++i) {
       if (hits.slots[i] == kNoTriangle) continue;
       const AeroVertex* corner[3];
@@ -185,8 +185,10 @@ TEST_P(SurfaceProbe, LanesReadTheTriangleTheyHit) {
       }
       expect_mixed(values, i, corner, hits, 2e-5f);
       expect_plane(normals, i, corner);
-      const std::uint32_t mesh_object = is_ground ? 0 : surface.faces[hits.slots[i]].object;
-      ASSERT_EQ(met[i], is_ground ? AERO_OBJECT_TERRAIN : mesh_object) << i;
+      const AeroFace of_ground{{}, AERO_OBJECT_TERRAIN, AERO_GRID_MATERIAL};
+      const AeroFace& face = is_ground ? of_ground : surface.faces[hits.slots[i]];
+      ASSERT_EQ(met[i], face.object) << i;
+      ASSERT_EQ(met[kHits + i], face.material) << i;
     }
   }
 }
@@ -199,7 +201,7 @@ Surface tent(float lean) {
     const vec3 normal = glm::normalize(vec3(corner.x * lean, 1.0f, corner.z * lean));
     surface.vertices.push_back(vertex_of(corner, normal, vec3(1.0f)));
   }
-  surface.faces.push_back({{0, 2, 1}, 1});
+  surface.faces.push_back({{0, 2, 1}, 1, 1});
   return surface;
 }
 

@@ -23,8 +23,9 @@ void ValuesTest::every_value_of_a_scene_can_be_set() {
     pointer.remove(kElement);
     reached << pointer;
     if (pointer.startsWith("/balloon/")) reached << "/balloons/0" + pointer.mid(8);
-    for (std::size_t i = 1; i < scene::kObjectCount; ++i) {
-      const auto name = QString::fromStdString(scene::object_name(static_cast<scene::ObjectId>(i)));
+    for (std::size_t i = 0; i < scene::kMaterialCount; ++i) {
+      const auto id = static_cast<scene::MaterialId>(i);
+      const auto name = QString::fromStdString(scene::material_name(id));
       if (pointer.startsWith("/materials/envelope/")) {
         reached << "/materials/" + name + pointer.mid(19);
       }

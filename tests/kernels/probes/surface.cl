@@ -11,12 +11,12 @@ inline Hit load_hit(__global const float* tuv, __global const uint* slots) {
   return hit;
 }
 
-/* Position, normal and colour at each hit, the plane's normal, and the object. */
+/* Position, normal and colour at each hit, the plane's normal, then the object and the material. */
 __kernel void probe_interpolation(__global const AeroInstance* instances,
                                   __global const float* grid, __global const AeroFace* faces,
                                   __global const AeroVertex* vertices, __global const float* tuv,
                                   __global const uint* slots, __global float* attributes,
-                                  __global float* planes, __global uint* objects) {
+                                  __global float* planes, __global uint* owners) {
   const Hit hit = load_hit(tuv, slots);
   const HeightGrid ground = height_grid(grid);
   const MeshArrays meshes = mesh_arrays(faces, vertices, instances);
@@ -25,7 +25,8 @@ __kernel void probe_interpolation(__global const AeroInstance* instances,
   store3_planes(interpolate3(triangle.normals, &hit), attributes + 3u * PLANE);
   store3_planes(interpolate3(triangle.colors, &hit), attributes + 6u * PLANE);
   store3_planes(plane_normal(triangle.corners), planes);
-  STORE(triangle.object, objects);
+  STORE(triangle.object, owners);
+  STORE(triangle.material, owners + PLANE);
 }
 
 __kernel void probe_lift(__global const AeroInstance* instances, __global const float* grid,

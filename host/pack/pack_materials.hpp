@@ -1,0 +1,11 @@
+#pragma once
+
+#include "material.h"
+#include "scene/scene.hpp"
+
+namespace aerostat::pack {
+
+/// Fills the device's table of materials, which has the order of scene::MaterialId.
+void pack_materials(const scene::Scene& scene, AeroMaterial (&table)[AERO_MATERIAL_COUNT]);
+
+}  // namespace aerostat::pack
