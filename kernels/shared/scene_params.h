@@ -5,7 +5,8 @@
 #include "layout.h"
 #include "material.h"
 
-/* Lengths in metres, colours linear Rec. 709, slopes as cosines (the y of a unit normal). */
+/* Describes the scene for shading. Lengths are in metres, colours in linear Rec. 709, and slopes
+ * are cosines (the y of a unit normal). */
 
 #define AERO_MAX_POINT_LIGHTS 16
 
@@ -21,26 +22,28 @@ typedef struct AeroPointLight {
 
 AERO_ASSERT_LAYOUT(AeroPointLight, 28);
 
-/* Where over the plane there are no heaped clouds: a square of cells around the eye. */
+/* Size of the chart of clouds: a square of cells around the eye that says where there are no heaped
+ * clouds. */
 #define AERO_CHART_SIDE 512
 #define AERO_CHART_WORDS 65536
 
 typedef struct AeroCloudChart {
-  aero_float x0, z0; /* its lower corner */
-  aero_float cell;   /* metres */
+  aero_float x0, z0; /* lower corner of the chart, metres */
+  aero_float cell;   /* side of a cell, metres */
   aero_uint side;    /* AERO_CHART_SIDE, or 0: no chart */
-  /* A byte for each cell, rows along x, lowest first: 0 where there may be clouds, elsewhere how
-   * many cells farther along x or z the next such cell is. */
+  /* Each cell has one byte, in rows along x from the lowest z on, and each word holds four cells
+   * from its lowest byte on. The byte is 0 where there may be clouds. Elsewhere it is the number of
+   * cells along x or z to the next cell with a 0. */
   aero_uint cells[AERO_CHART_WORDS];
 } AeroCloudChart;
 
 AERO_ASSERT_LAYOUT(AeroCloudChart, 262160);
 
-/* Heaped clouds over flat bases; none if the extinction is 0. */
+/* Heaped clouds over flat bases. There are none if the extinction is 0. */
 typedef struct AeroCumulus {
-  aero_float base, thickness; /* metres above the sea */
-  aero_float size;            /* of a cloud */
-  aero_float threshold;       /* of the noise that says where they are */
+  aero_float base, thickness; /* height of the bases above the sea, and of the layer, metres */
+  aero_float size;            /* width of a cloud, metres */
+  aero_float threshold;       /* threshold of the noise that says where clouds are */
   aero_float extinction;
   aero_uint seed;
   AeroCloudChart chart;
@@ -48,34 +51,34 @@ typedef struct AeroCumulus {
 
 AERO_ASSERT_LAYOUT(AeroCumulus, 262184);
 
-/* Sun and clouds. */
+/* The sun and the clouds. */
 typedef struct AeroSky {
   aero_float sun_direction[3];
-  aero_float sun_irradiance[3]; /* outside the air */
-  aero_float sun_cos;           /* of the disc's angular radius */
-  aero_float cloud_cover;       /* 0 to 1, of thin high cloud */
-  aero_float cloud_height;      /* metres above the eye */
+  aero_float sun_irradiance[3]; /* irradiance outside the air */
+  aero_float sun_cos;           /* cosine of the disc's angular radius */
+  aero_float cloud_cover;       /* cover of thin high cloud, 0 to 1 */
+  aero_float cloud_height;      /* height of thin high cloud above the eye, metres */
   aero_uint sun_shadows;
-  aero_float sun_spread;    /* tangent of the disc's radius as shadows see it, 0: a point */
-  aero_float ambient_reach; /* metres within which occluders of the sky count, 0: none do */
-  aero_uint bounced;        /* what hides the sky is lit by the sun */
+  aero_float sun_spread;    /* tangent of the disc's radius as shadows see it; 0: a point */
+  aero_float ambient_reach; /* metres within which occluders of the sky count; 0: none do */
+  aero_uint bounced;        /* 1: what hides the sky is lit by the sun */
   AeroCumulus cumulus;
 } AeroSky;
 
 AERO_ASSERT_LAYOUT(AeroSky, 262236);
 
-/* Colour rules of the ground. */
+/* The colour rules of the ground. */
 typedef struct AeroGround {
   aero_float cover_a[3], cover_b[3], rock_a[3], rock_b[3], snow[3], beach[3];
-  aero_float rock_cos[2]; /* rock begins, rock is complete (begin > complete) */
+  aero_float rock_cos[2]; /* slopes at which rock begins and is complete (begin > complete) */
   aero_float snow_line, snow_fuzz;
-  aero_float snow_cos[2]; /* full snow above the first, none below the second */
+  aero_float snow_cos[2]; /* slopes: full snow above the first, none below the second */
   aero_float beach_top;
   aero_float pattern;
   aero_float relief;
   aero_float ripple;
-  aero_float wind[2]; /* unit, x and z */
-  aero_float strata;  /* thickness of the largest beds, 0: none */
+  aero_float wind[2]; /* unit vector, x and z */
+  aero_float strata;  /* thickness of the largest beds; 0: none */
   aero_float softness, sparkle;
   aero_float forest[3];
   aero_float forest_top, forest_share;
@@ -93,12 +96,13 @@ typedef struct AeroWater {
 
 AERO_ASSERT_LAYOUT(AeroWater, 48);
 
-/* Light in and about the balloon. What goes astray inside the envelope lights its inner side
- * evenly: shares of the sun's irradiance and of the sky's mean one, and what the burners give, as
- * irradiance / pi. The burners' light itself comes from a point. */
+/* Light in and around the balloon. Light that is scattered about inside the envelope lights its
+ * inner side evenly. glow_sun and glow_sky are shares of the sun's irradiance and of the sky's mean
+ * one, and glow_flame is what the burners give, as irradiance / pi. The direct light of the burners
+ * comes from a point. */
 typedef struct AeroBalloon {
   aero_float glow_sun[3], glow_sky[3], glow_flame[3];
-  aero_float flame[3];       /* position */
+  aero_float flame[3];       /* position of the burners */
   aero_float flame_light[3]; /* irradiance / pi at a distance of 1 m */
 } AeroBalloon;
 
@@ -114,8 +118,8 @@ typedef struct AeroScene {
   aero_uint light_count;
   aero_uint shading; /* AERO_SHADING_... */
   AeroAir air;
-  /* Positions count from a point near the eye; this is its place over the terrain, as seen from the
-   * centre at sea level. Patterns and heights go by places. */
+  /* The place of the origin of positions, as seen from the terrain's centre at sea level. Positions
+   * count from a point near the eye, while patterns and heights go by places. */
   aero_float place[3];
 } AeroScene;
 
