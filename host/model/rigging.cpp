@@ -92,7 +92,7 @@ void add_sleeve_end(TriangleMesh& mesh, const Sleeve& sleeve, double share, int 
   }
 }
 
-/// Adds a sleeve. The places of its vertices are metres along and around it.
+/// Adds a sleeve. The uvs of its vertices are metres along and around it.
 void add_sleeve(TriangleMesh& mesh, const Upright& upright, double tolerance_m) {
   const Sleeve sleeve{upright};
   const auto surface = [&](double u, double v) { return sleeve.at(u, v); };

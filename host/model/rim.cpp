@@ -126,8 +126,8 @@ TriangleMesh build_rim(const Outline& middle, double height, const Detail& detai
       plain ? even_places(middle.length(), 48) : sample_places(rim.piece());
   const int sides = sides_within(detail.basket_m, kHalfWidth, 6, kMostSides);
   const int columns = static_cast<int>(places.size());
-  // The grid has one more line in each direction, because a place on the leather has a first and a
-  // last one.
+  // The grid has one more line in each direction, because the first and the last vertex of a
+  // closed line have different uvs at the same place.
   TriangleMesh mesh;
   add_grid(mesh, {columns, sides}, [&](int i, int j) {
     const double distance = places[static_cast<std::size_t>(i % columns)];

@@ -7,7 +7,7 @@
 namespace aerostat::model {
 
 /// Builds the padded leather rim. It is a closed tube along `middle` at y = `height`, sewn together
-/// from pieces of leather that each have their own tint, with two rows of stitches. Places are
+/// from pieces of leather that each have their own tint, with two rows of stitches. The uvs are
 /// metres along the rim and around it.
 mesh::TriangleMesh build_rim(const Outline& middle, double height, const Detail& detail = {});
 
