@@ -10,7 +10,8 @@ __kernel void write_camera_rays(const AeroLaunch launch, __global float* rays) {
   write_rays(rays, block, &ray);
 }
 
-/* Rays that begin at hits; lanes without one, or not wanted, are off. */
+/* Writes rays that begin at hits. Lanes without a hit, and lanes that are not wanted, get a
+ * negative t_max. */
 inline void write_rays_of_hits(__global float* rays, uint block, Ray ray, const Hit* hit,
                                lane_int wanted) {
   const lane_int active = wanted & lane_mask(hit->triangle != NO_TRIANGLE);
@@ -18,7 +19,7 @@ inline void write_rays_of_hits(__global float* rays, uint block, Ray ray, const 
   write_rays(rays, block, &ray);
 }
 
-/* The shadow rays to the sun from the hits of a tile. */
+/* Writes the shadow rays to the sun from the hits of a tile. */
 __kernel void write_shadow_rays(const AeroLaunch launch, __global const AeroScene* scene,
                                 __global const AeroInstance* instances, __global const float* grid,
                                 __global const AeroFace* faces, __global const AeroVertex* vertices,
@@ -39,7 +40,7 @@ __kernel void write_shadow_rays(const AeroLaunch launch, __global const AeroScen
   write_rays_of_hits(rays, block, ray, &hit, ~turned_away(&point, &hit, to_light));
 }
 
-/* One bounce from each of the hits of a tile. */
+/* Writes one bounce ray from each of the hits of a tile. */
 __kernel void write_bounce_rays(const AeroLaunch launch, __global const AeroInstance* instances,
                                 __global const float* grid, __global const AeroFace* faces,
                                 __global const AeroVertex* vertices, __global const Hit* hits,

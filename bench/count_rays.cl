@@ -1,4 +1,4 @@
-/* The same traversal, counting what it does. */
+/* This kernel does the traversal of bench_rays.cl and counts its steps. */
 #define AERO_COUNTERS
 #include "bvh/traverse.clh"
 #include "ray_buffer.clh"

@@ -19,7 +19,7 @@ std::string read_text(const std::filesystem::path& path) {
   return {std::istreambuf_iterator<char>(file), {}};
 }
 
-/// The product's kernels with the bench's own beside them.
+/// Returns the product's kernels together with those of the bench.
 opencl::SourceTree with_bench(opencl::SourceTree sources) {
   const std::filesystem::path folder = AEROSTAT_BENCH_KERNEL_DIR;
   sources["bench_rays.cl"] = read_text(folder / "bench_rays.cl");

@@ -15,42 +15,43 @@
 
 namespace aerostat::bench {
 
-/// Rays in packets of `lanes`: per packet eight arrays of `lanes` floats, namely origin x y z,
-/// t_max (negative: not to be traced), direction x y z, and padding.
+/// Rays in packets of `lanes`. Each packet has eight arrays of `lanes` floats: origin x, y and z,
+/// t_max (negative if the ray is not traced), direction x, y and z, and padding.
 struct RaySet {
   int lanes = 0;
   std::uint32_t packets = 0;
   std::vector<float> data;
 
-  std::uint64_t active() const;  // rays to be traced
+  std::uint64_t active() const;  // number of rays to be traced
 };
 
-/// What an average packet with at least one active ray does.
+/// The mean work of a packet with at least one active ray.
 struct PacketCounts {
   double nodes = 0.0, leaves = 0.0, triangles = 0.0;
 };
 
-/// The renderer's kernels on one device, timed by the device's clock.
+/// The renderer's kernels on one device, timed by the clock of the device.
 class DeviceBench {
  public:
-  /// `kernels` are the product's.
+  /// Uploads the geometry and compiles the product's `kernels` together with those of the bench.
   DeviceBench(const opencl::Device& device, int lanes, const render::HostGeometry& geometry,
               const opencl::SourceTree& kernels);
 
   const render::DeviceGeometry& geometry() const { return device_; }
   int lanes() const { return lanes_; }
 
-  /// Eye rays through the pixels' centres, in the renderer's packets.
+  /// Returns eye rays through the pixels' centres, in the renderer's packets.
   RaySet camera_rays();
-  /// Shadow rays to the sun from their hits.
+  /// Returns shadow rays to the sun from the hits of the eye rays.
   RaySet shadow_rays();
-  /// From each of their hits one ray in a random direction, by the cosine with the surface.
+  /// Returns one ray in a random direction, weighted by the cosine with the surface, from each
+  /// hit of the eye rays.
   RaySet bounce_rays();
 
-  /// Seconds of the renderer's own kernels over the whole frame.
+  /// These functions return the seconds that the renderer's own kernels take for the whole frame.
   double time_camera_kernel();
   double time_shadow_kernel();
-  /// Seconds of tracing rays that lie in memory, as the peers get them.
+  /// Returns the seconds of tracing rays that lie in memory, as other ray tracers get them.
   double time_rays(const RaySet& rays, bool any_hit);
   PacketCounts count(const RaySet& rays, bool any_hit);
 
@@ -64,7 +65,7 @@ class DeviceBench {
   render::DeviceGeometry device_;
   AeroLaunch launch_{};
   opencl::Buffer<AeroScene> scene_;
-  opencl::Buffer<AeroFilmPixel> film_;  // no pixel of it is converged
+  opencl::Buffer<AeroFilmPixel> film_;  // none of its pixels is converged
   opencl::Buffer<float> rays_;
   const RaySet* rays_on_device_ = nullptr;
   opencl::RawBuffer hits_, visible_;

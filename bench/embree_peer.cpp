@@ -23,7 +23,7 @@ struct EmbreePeer::State {
 namespace {
 
 constexpr std::size_t kWidth = 16;
-constexpr std::uint32_t kGrain = 64;  // packets of a task
+constexpr std::uint32_t kGrain = 64;  // number of packets of a task
 
 void attach(RTCDevice device, RTCScene scene, const mesh::TriangleMesh& mesh) {
   RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE);
@@ -38,7 +38,7 @@ void attach(RTCDevice device, RTCScene scene, const mesh::TriangleMesh& mesh) {
   rtcReleaseGeometry(geometry);
 }
 
-/// Runs f(first float of a packet) for all packets on all cores and returns the seconds.
+/// Runs f(first float of a packet) for all packets on all cores. Returns the seconds.
 template <typename F>
 double over_packets(const RaySet& rays, F f) {
   const Stopwatch watch;
@@ -72,7 +72,7 @@ void set_ray(Ray& ray, const float* packet, std::size_t lanes, std::size_t i) {
   ray.flags = 0;
 }
 
-/// Sixteen rays and which of them count.
+/// Sets sixteen rays and the flags that tell which of them are active.
 void set_rays(RTCRay16& rays, int* valid, const float* packet) {
   std::copy_n(packet, kWidth, rays.org_x);
   std::copy_n(packet + kWidth, kWidth, rays.org_y);

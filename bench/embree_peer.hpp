@@ -7,7 +7,7 @@
 
 namespace aerostat::bench {
 
-/// What Embree is told of the rays of a packet.
+/// The hint that Embree is given about the rays of a packet.
 enum class Coherence { coherent, incoherent };
 
 /// Embree on the same triangles and the same rays, on all cores.
@@ -16,14 +16,14 @@ class EmbreePeer {
   explicit EmbreePeer(const render::HostGeometry& geometry);
   ~EmbreePeer();
 
-  /// Of the scene, at Embree's default quality.
+  /// Returns the seconds of building the scene's tree at Embree's default quality.
   double commit_seconds() const { return commit_seconds_; }
-  /// Seconds of building another tree over one mesh.
+  /// Returns the seconds of building another tree over one mesh.
   double time_commit(const mesh::TriangleMesh& mesh) const;
 
   double time_closest_1(const RaySet& rays) const;
   double time_occluded_1(const RaySet& rays) const;
-  /// The rays must come in packets of 16.
+  /// These functions need rays in packets of 16.
   double time_closest_16(const RaySet& rays, Coherence coherence) const;
   double time_occluded_16(const RaySet& rays, Coherence coherence) const;
 

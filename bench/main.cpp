@@ -22,10 +22,10 @@ using nlohmann::ordered_json;
 
 struct Arguments {
   std::string scene;
-  std::size_t soup = 0;  // triangles; 0: the scene
+  std::size_t soup = 0;  // number of triangles; 0: the scene
   std::string device;
   std::vector<std::string> set;
-  std::vector<std::string> kinds;  // of rays; empty: all
+  std::vector<std::string> kinds;  // kinds of rays; empty: all
   int width = 1920, height = 1080;
   int lanes = 0;
   int rounds = 7;
@@ -34,14 +34,15 @@ struct Arguments {
   bool json = false;
 };
 
-/// Something to time: a tracer of a kind of ray, or a builder.
+/// One thing to time: a tracer of a kind of ray, or a builder.
 struct Entry {
   std::string kind, tracer;
-  std::uint64_t count;  // rays or triangles
+  std::uint64_t count;  // number of rays or triangles
   std::function<double()> seconds;
 };
 
-/// Times the entries in turn, A B C A B C ..., so that a machine whose speed drifts is fair to all.
+/// Times the entries in turn, A B C A B C ..., so that a machine whose speed drifts is fair to
+/// all of them.
 ordered_json time_entries(const std::vector<Entry>& entries, int rounds) {
   std::vector<std::vector<double>> times(entries.size());
   for (const auto& entry : entries) entry.seconds();
@@ -77,7 +78,7 @@ std::shared_ptr<const render::HostGeometry> build(const Arguments& arguments) {
   scene::Scene scene = scene::read_file(arguments.scene, overrides);
   scene.image.width = arguments.width;
   scene.image.height = arguments.height;
-  scene.vegetation.enabled = false;  // peers have no instances here
+  scene.vegetation.enabled = false;  // Embree gets no instances here
   world::resolve(scene);
   return render::build_geometry(scene, nullptr);
 }
@@ -102,7 +103,7 @@ ordered_json describe(const Arguments& arguments, const bench::DeviceBench& devi
           {"tree_seconds", geometry.tree_seconds}};
 }
 
-/// A kind of ray; `coherent` is what the peer is told.
+/// A kind of ray. `coherent` is the hint that Embree is given.
 struct Kind {
   std::string name;
   std::reference_wrapper<const bench::RaySet> rays;
@@ -125,7 +126,7 @@ void add_peer(const bench::EmbreePeer& embree, const Kind& kind, std::vector<Ent
                      }});
 }
 
-/// Both builders on the soup.
+/// Times both builders on the soup.
 ordered_json time_builds(const mesh::TriangleMesh& mesh, const bench::EmbreePeer& embree,
                          int rounds) {
   const auto own = [&] { return bvh::build(mesh.positions, mesh.triangles).stats.seconds; };
@@ -136,7 +137,7 @@ ordered_json time_builds(const mesh::TriangleMesh& mesh, const bench::EmbreePeer
 }
 #endif
 
-/// The kinds of rays that are asked for.
+/// Returns the kinds of rays that the arguments ask for.
 std::vector<Kind> kinds_of(const Arguments& arguments, const bench::RaySet& camera,
                            const bench::RaySet& shadow, const bench::RaySet& bounce) {
   std::vector<Kind> kinds{{"primary", camera, false, true},

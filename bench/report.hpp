@@ -7,10 +7,10 @@
 
 namespace aerostat::bench {
 
-/// The median of a non-empty list.
+/// Returns the median of a list that is not empty.
 double median(std::vector<double> values);
 
-/// What a bench found, as a table for people. The JSON holds the same figures.
+/// Returns the figures of a bench as a table for people. The JSON holds the same figures.
 std::string table(const nlohmann::ordered_json& figures);
 
 }  // namespace aerostat::bench

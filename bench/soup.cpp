@@ -11,12 +11,12 @@
 namespace aerostat::bench {
 namespace {
 
-constexpr float kExtent = 45.0f;  // half of the soup's side, metres
+constexpr float kExtent = 45.0f;  // half of the soup's side in metres
 constexpr int kRopeSides = 6;
-// Of all triangles, in ropes.
+// The share of all triangles that are in ropes.
 constexpr double kRopeShare = 0.02;
 
-/// Numbers that do not depend on the standard library's distributions.
+/// Random numbers that do not depend on the standard library's distributions.
 class Random {
  public:
   float between(float lo, float hi) {
@@ -36,7 +36,8 @@ class Random {
   std::mt19937 engine_{20240229};
 };
 
-/// Two triangles for each of rows x columns cells of the surface at(u, v), 0 <= u, v <= 1.
+/// Adds two triangles for each of rows x columns cells of the surface at(u, v), where u and v are
+/// between 0 and 1.
 template <typename F>
 void add_surface(mesh::TriangleMesh& mesh, int rows, int columns, const F& at) {
   const auto base = static_cast<std::uint32_t>(mesh.positions.size());
@@ -56,7 +57,7 @@ void add_surface(mesh::TriangleMesh& mesh, int rows, int columns, const F& at) {
   }
 }
 
-/// A ring; without a hole, where the second radius is none, a ball. Dented by a few waves.
+/// Adds a ring, or a ball if the hole has no radius. A few waves dent its surface.
 void add_ring(mesh::TriangleMesh& mesh, Random& random) {
   const float size = std::exp(random.between(std::log(0.3f), std::log(6.0f)));
   const float hole = random.between(0.0f, 1.0f) < 0.5f ? 0.0f : size;
@@ -77,7 +78,7 @@ void add_ring(mesh::TriangleMesh& mesh, Random& random) {
   });
 }
 
-/// A straight rope, of long thin triangles.
+/// Adds a straight rope of long, thin triangles.
 void add_rope(mesh::TriangleMesh& mesh, Random& random) {
   const vec3 from = random.point(kExtent);
   const vec3 to = from + random.direction() * random.between(1.0f, 12.0f);
@@ -109,7 +110,7 @@ mesh::TriangleMesh soup_mesh(std::size_t triangles, const scene::Balloon& balloo
   return mesh;
 }
 
-/// A floor of one cell: a frame has some ground.
+/// Returns a floor of one cell, because a frame must have some ground.
 std::shared_ptr<const world::Land> floor_below() {
   const float line[] = {-2.0f * kExtent, 2.0f * kExtent};
   auto ground = std::make_shared<mesh::GridMesh>(line, line);

@@ -1,5 +1,5 @@
-# What every target of the project shares: language level, warnings, sanitizers, and the two
-# functions by which folders declare themselves.
+# This file holds what all targets of the project share: the language level, warnings, sanitizers
+# and the two functions by which folders declare themselves.
 
 set(CMAKE_CXX_STANDARD 20)
 set(CMAKE_CXX_STANDARD_REQUIRED ON)
@@ -16,15 +16,17 @@ option(AEROSTAT_SANITIZE "Build with AddressSanitizer and UndefinedBehaviorSanit
 add_library(aerostat_options INTERFACE)
 target_include_directories(aerostat_options INTERFACE "${PROJECT_SOURCE_DIR}/host"
                            "${PROJECT_SOURCE_DIR}/include")
-# Host arithmetic must give the same bits at every optimisation level: no fused contraction.
+# Host arithmetic must give the same bits at every optimisation level. Therefore multiplications
+# and additions are not fused.
 target_compile_options(aerostat_options INTERFACE -Wall -Wextra -Wpedantic -Wshadow -Wconversion
                        -Wno-sign-conversion -Wno-psabi -ffp-contract=off
                        $<$<BOOL:${AEROSTAT_WERROR}>:-Werror>)
-# For folders whose time goes into loops over arrays: compilers vectorise roots and choices only
-# where nobody asks for errno or for exceptions of floating point. Values stay what they are.
+# These options are for folders that spend their time in loops over arrays. Compilers vectorise
+# square roots and selections only if nobody asks for errno or for exceptions of floating point.
+# The options do not change values.
 set(AEROSTAT_LOOP_OPTIONS -fno-math-errno -fno-trapping-math)
 if(AEROSTAT_SANITIZE)
-  # Instrumented standard headers make GCC 12 see uninitialised members where there are none.
+  # With instrumented standard headers, GCC 12 warns of uninitialised members that do not exist.
   target_compile_options(aerostat_options INTERFACE -fsanitize=address,undefined
                          -fno-omit-frame-pointer -fno-sanitize-recover=undefined
                          -Wno-maybe-uninitialized)
@@ -32,7 +34,7 @@ if(AEROSTAT_SANITIZE)
 endif()
 
 # aerostat_library(bvh SOURCES a.cpp b.cpp LINKS aerostat::core TBB::tbb PRIVATE_LINKS ...)
-# One library per host folder: what it links is what it may include.
+# makes one library for each host folder. A folder may include only what its library links.
 function(aerostat_library name)
   cmake_parse_arguments(ARG "" "" "SOURCES;LINKS;PRIVATE_LINKS" ${ARGN})
   add_library(aerostat_${name} STATIC ${ARG_SOURCES})
@@ -41,7 +43,8 @@ function(aerostat_library name)
                         PRIVATE ${ARG_PRIVATE_LINKS})
 endfunction()
 
-# aerostat_test(noise_test LABEL unit LINKS aerostat::terrain) builds noise_test.cpp of this folder.
+# aerostat_test(noise_test LABEL unit LINKS aerostat::terrain)
+# builds a test from noise_test.cpp of the current folder.
 function(aerostat_test name)
   cmake_parse_arguments(ARG "" "LABEL;TIMEOUT" "LINKS;SOURCES" ${ARGN})
   if(NOT ARG_TIMEOUT)

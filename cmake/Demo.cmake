@@ -1,4 +1,5 @@
-# `cmake --build BUILD --target demo`: builds aerostat and renders one scene, to see that it works.
+# `cmake --build BUILD --target demo` builds aerostat and renders one scene, to show that it
+# works.
 add_custom_target(demo
   COMMAND "${CMAKE_COMMAND}" -E make_directory out
   COMMAND aerostat render scenes/snow.json -o out/snow.png

@@ -1,7 +1,8 @@
-# aerostat_embed_kernels(target) makes a library of every kernel file below the current folder, to
-# be read through host/opencl/embedded.hpp. It is generated anew when a file changes, comes or goes.
+# aerostat_embed_kernels(target) makes a library of every kernel file below the current folder.
+# Programs read it through host/opencl/embedded.hpp. It is generated anew when a file changes,
+# appears or disappears.
 #
-# Run as a script (cmake -P), this file is the generator itself.
+# This file is also the generator, when it is run as a script (cmake -P).
 
 function(aerostat_embed_kernels target)
   set(root "${CMAKE_CURRENT_SOURCE_DIR}")
@@ -24,8 +25,9 @@ function(aerostat_embed_kernels target)
   target_link_libraries(${target} PRIVATE aerostat_options)
 endfunction()
 
-# Sets `array` to a definition of the file's bytes and `entry` to its line of the table. Bytes, not
-# string literals: no limit on their length, and every file comes out exactly as it is on the disk.
+# Sets `array` to a definition of the file's bytes and `entry` to its line of the table. Bytes
+# have no limit on their length, unlike string literals, and keep every file exactly as it is on
+# the disk.
 function(_aerostat_embed_file index path)
   file(READ "${ROOT}/${path}" hex HEX)
   string(LENGTH "${hex}" digits)

@@ -1,5 +1,5 @@
-# Embree 3 or 4: a peer for the bench and an oracle for tests, never part of the product. The target
-# aerostat::embree is there only where one was found.
+# Embree 3 or 4 is another ray tracer that the bench and the tests compare with. It is never part
+# of the product. The target aerostat::embree exists only if Embree was found.
 if(NOT AEROSTAT_TESTS AND NOT AEROSTAT_BENCH)
   return()
 endif()

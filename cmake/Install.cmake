@@ -1,6 +1,6 @@
-# What `cmake --install` installs, in three components: `programs` with all that they need, `library`
-# (libaerostat) and `dev` (headers and what find_package and pkg-config read). Included after the
-# folders of host.
+# `cmake --install` installs three components: `programs` with all that they need, `library`
+# (libaerostat) and `dev` (headers and the files that find_package and pkg-config read). This file
+# must be included after the folders of host.
 include(CMakePackageConfigHelpers)
 
 if(BUILD_SHARED_LIBS OR NOT DEFINED BUILD_SHARED_LIBS)
@@ -28,15 +28,15 @@ if(NOT AEROSTAT_PROGRAMS)
   return()
 endif()
 
-# Debian's zsh looks in share/zsh/vendor-completions.
+# The zsh of Debian looks in share/zsh/vendor-completions.
 set(AEROSTAT_ZSH_COMPLETIONS "${CMAKE_INSTALL_DATADIR}/zsh/site-functions" CACHE STRING
     "Where zsh finds completions")
 
-# Beside the folder of the programs, where host/scene/installed.cpp looks for them.
+# Scenes go beside the folder of the programs, where host/scene/installed.cpp looks for them.
 install(DIRECTORY scenes/ DESTINATION "${CMAKE_INSTALL_DATADIR}/aerostat/scenes"
         FILES_MATCHING PATTERN "*.json")
 install(DIRECTORY docs/manual DESTINATION "${CMAKE_INSTALL_DOCDIR}")
-# What the manual links to.
+# The manual links to these files.
 install(FILES docs/performance.md DESTINATION "${CMAKE_INSTALL_DOCDIR}")
 install(FILES docs/gallery/viewer.png DESTINATION "${CMAKE_INSTALL_DOCDIR}/gallery")
 

@@ -1,5 +1,6 @@
-# `cmake --workflow --preset package` makes three packages in build/package: aerostat (the programs),
-# libaerostat0 (the library) and libaerostat-dev (headers, CMake and pkg-config files, examples).
+# `cmake --workflow --preset package` makes three packages in build/package: aerostat (the
+# programs), libaerostat0 (the library) and libaerostat-dev (headers, CMake and pkg-config files,
+# examples).
 set(CPACK_PACKAGE_NAME aerostat)
 set(CPACK_PACKAGE_VENDOR "aerostat")
 set(CPACK_PACKAGE_CONTACT "The maintainers of aerostat <maintainers@aerostat.example>")
@@ -16,7 +17,7 @@ set(CPACK_PRE_BUILD_SCRIPTS "${PROJECT_SOURCE_DIR}/cmake/PackageStage.cmake")
 
 set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
 set(CPACK_DEBIAN_PACKAGE_RELEASE 1)
-set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON) # the libraries; OpenCL's loader is among them
+set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)  # adds the libraries, among them the loader of OpenCL
 
 set(CPACK_DEB_COMPONENT_INSTALL ON)
 set(CPACK_COMPONENTS_ALL programs library dev)
@@ -38,7 +39,7 @@ set(CPACK_COMPONENT_DEV_DESCRIPTION "headers of the library of aerostat
 What a program needs to be built against libaerostat.")
 set(CPACK_DEBIAN_PACKAGE_CONTROL_STRICT_PERMISSION ON)
 
-# Read by PackageStage.cmake.
+# PackageStage.cmake reads these values.
 set(CPACK_AEROSTAT_SOURCE_DIR "${PROJECT_SOURCE_DIR}")
 set(CPACK_AEROSTAT_DOC_ROOT "${CMAKE_INSTALL_DATADIR}/doc")
 set(CPACK_AEROSTAT_LIBRARY_PACKAGE "${library_package}")

@@ -1,5 +1,5 @@
-# Run by CPack on the folders that the packages are made from: what Debian wants beyond
-# `cmake --install`.
+# CPack runs this script on the folders that the packages are made from. It adds what Debian wants
+# beyond `cmake --install`.
 file(READ "${CPACK_AEROSTAT_SOURCE_DIR}/LICENSE" licence)
 string(TIMESTAMP date "%a, %d %b %Y %H:%M:%S +0000" UTC)
 

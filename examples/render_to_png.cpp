@@ -1,4 +1,6 @@
-// Renders a scene file to a PNG: render_to_png snow.json snow.png
+// This program renders a scene file to a PNG file:
+//
+//     render_to_png snow.json snow.png
 #include <exception>
 #include <iostream>
 

@@ -1,5 +1,6 @@
-// Looks around from the basket: four pictures of one session, with progress. The first render
-// builds the world; the others only move the camera. A fifth one is cancelled while it renders.
+// This program looks around from the basket. It renders four pictures with one session and shows
+// progress. The first render builds the world, and the others only move the camera. A fifth
+// render is cancelled while it runs.
 //
 //     turn_around FOLDER
 #include <cstdio>

@@ -1,7 +1,7 @@
 #pragma once
 
-/// What differs between Embree 3 and 4: how a query is told what it may know of its rays.
-/// AEROSTAT_EMBREE is the version's first number.
+/// This header hides the difference between Embree 3 and 4: the way in which a query is told what
+/// it may assume about its rays. AEROSTAT_EMBREE is the first number of the version.
 #if AEROSTAT_EMBREE == 3
 #include <embree3/rtcore.h>
 #else
@@ -12,7 +12,7 @@ namespace aerostat::embree {
 
 #if AEROSTAT_EMBREE == 3
 
-/// For as many queries of one thread as one likes.
+/// A query of one thread, which can be used any number of times.
 class Query {
  public:
   explicit Query(bool coherent = false) {
@@ -36,7 +36,7 @@ class Query {
 
 #else
 
-/// For as many queries of one thread as one likes.
+/// A query of one thread, which can be used any number of times.
 class Query {
  public:
   explicit Query(bool coherent = false) {

@@ -1,4 +1,5 @@
-// Step 1: one ray a pixel, one triangle. See docs/tutorial/1-triangle.md.
+// Step 1 traces one ray for each pixel and intersects it with one triangle. See
+// docs/tutorial/1-triangle.md.
 #include <cmath>
 #include <iostream>
 
@@ -8,7 +9,7 @@ using namespace tutorial;
 
 namespace {
 
-// The triangle's area in pixels, by its corners' places in the picture.
+// Returns the triangle's area in pixels, computed from the places of its corners in the picture.
 double area_in_pixels(const Camera& camera, const Triangle& triangle, int width, int height) {
   const auto place = [&](Vec3 corner) {
     const Vec3 ray = corner - camera.eye;
@@ -34,8 +35,8 @@ int main(int argc, char** argv) {
   device.run(kernel_with(program, "draw_triangle", camera, triangle, picture), width, height);
   const auto rgb = device.download<std::uint8_t>(picture, 3 * width * height);
 
-  // The weights of the corners add up to 1, so a pixel of the triangle adds up to 255, give or take
-  // the rounding of three bytes. The background adds up to 166.
+  // The weights of the corners add up to 1. Therefore the bytes of a pixel of the triangle add up
+  // to 255, apart from the rounding of three bytes. Those of the background add up to 166.
   int inside = 0;
   for (std::size_t i = 0; i < rgb.size(); i += 3) {
     inside += std::abs(rgb[i] + rgb[i + 1] + rgb[i + 2] - 255) <= 2 ? 1 : 0;

@@ -1,12 +1,13 @@
-/* Step 2: several rays in one work-item.
+/* Step 2 traces several rays in one work-item.
  *
  * A CPU core computes with vectors: one instruction adds 8 numbers as fast as one. OpenCL C has
- * them as types: float8 is eight floats, and a + b adds eight pairs. So a work-item can trace eight
- * rays, one in each lane of its vectors. The same text serves both: LANES is 1 or 8.
+ * vector types for this. A float8 is eight floats, and a + b adds eight pairs. So a work-item can
+ * trace eight rays, one in each lane of its vectors. The same text serves both cases: LANES is 1
+ * or 8.
  *
- * What changes is how decisions are made. Eight rays do not agree, so there is no `if` on a vector.
- * A comparison of vectors gives a mask, -1 (all bits set) in the lanes where it is true and 0
- * elsewhere, and select(a, b, mask) takes b where the mask is set. */
+ * Decisions are made in another way. Eight rays do not agree, so there is no `if` on a vector. A
+ * comparison of vectors gives a mask, which is -1 (all bits set) in the lanes where it is true
+ * and 0 in the others. select(a, b, mask) takes b where the mask is set. */
 
 #if LANES == 8
 typedef float8 lane_float;
@@ -20,14 +21,14 @@ int any_lane(lane_int mask) {
 typedef float lane_float;
 typedef int lane_int;
 #define LANE_INDEX 0.0f
-#define as_mask(comparison) (-(comparison)) /* a comparison of scalars gives 1, not -1 */
+#define as_mask(comparison) (-(comparison)) /* scalars give 1, not -1 */
 int any_lane(lane_int mask) {
   return mask != 0;
 }
 #endif
 
-/* Without this, the compiler may round a * b + c once or twice as it likes, and one lane could
- * differ from eight. */
+/* Without this line, the compiler could round a * b + c once or twice as it likes, and the
+ * results of one lane and of eight could differ. */
 #pragma OPENCL FP_CONTRACT OFF
 
 typedef struct {
@@ -38,7 +39,7 @@ typedef struct {
   float eye[3], right[3], up[3], forward[3];
 } Camera;
 
-/* A vector of space in every lane. */
+/* One vector of space in each lane. */
 typedef struct {
   lane_float x, y, z;
 } Lane3;
@@ -47,7 +48,7 @@ Lane3 lane3(lane_float x, lane_float y, lane_float z) {
   const Lane3 v = {x, y, z};
   return v;
 }
-Lane3 same3(const float* v) { /* one vector for all lanes */
+Lane3 same3(const float* v) { /* the same vector in all lanes */
   return lane3((lane_float)v[0], (lane_float)v[1], (lane_float)v[2]);
 }
 Lane3 sub3(Lane3 a, Lane3 b) {
@@ -60,8 +61,8 @@ lane_float dot3(Lane3 a, Lane3 b) {
   return a.x * b.x + a.y * b.y + a.z * b.z;
 }
 
-/* The test of step 1 for all lanes. Returns the mask of the lanes that hit nearer than *t, and
- * replaces t, u and v there. */
+/* Tests a triangle in all lanes, as step 1 does in one. Returns the mask of the lanes that hit it
+ * nearer than *t, and replaces t, u and v in these lanes. */
 lane_int hit_triangle(Lane3 origin, Lane3 direction, const Triangle* triangle, lane_float* t,
                       lane_float* u, lane_float* v) {
   const Lane3 a = same3(triangle->v0);
@@ -74,7 +75,7 @@ lane_int hit_triangle(Lane3 origin, Lane3 direction, const Triangle* triangle, l
   const lane_float new_t = dot3(from_a, normal) / all;
   const lane_float new_u = -dot3(edge_c, aside) / all;
   const lane_float new_v = dot3(edge_b, aside) / all;
-  /* Dividing by zero gives infinity or NaN here, for which one of these comparisons is false. */
+  /* A division by zero gives infinity or NaN here. For these, one of the comparisons is false. */
   const lane_int hit = as_mask(new_t >= 0.0f) & as_mask(new_t < *t) & as_mask(new_u >= 0.0f) &
                        as_mask(new_v >= 0.0f) & as_mask(new_u + new_v <= 1.0f);
   *t = select(*t, new_t, hit);
@@ -83,7 +84,7 @@ lane_int hit_triangle(Lane3 origin, Lane3 direction, const Triangle* triangle, l
   return hit;
 }
 
-/* One work-item is LANES pixels of a row. */
+/* Traces LANES pixels of a row in each work-item. */
 __kernel void trace_rows(Camera camera, __global const Triangle* triangles, int count, int width,
                          __global float* depths, __global uint* hits) {
   const int x = (int)get_global_id(0) * LANES, y = (int)get_global_id(1);

@@ -1,4 +1,5 @@
-// Step 2: the same picture by one ray a work-item and by eight. See docs/tutorial/2-lanes.md.
+// Step 2 renders the same picture with one ray and with eight rays in a work-item. See
+// docs/tutorial/2-lanes.md.
 #include <cmath>
 #include <cstring>
 #include <iostream>

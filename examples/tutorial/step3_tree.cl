@@ -1,5 +1,5 @@
-/* Step 3: a tree of boxes in place of a loop over all triangles. Stands behind rays.clh and
- * walk_tree.clh. */
+/* Step 3 uses a tree of boxes in place of a loop over all triangles. This file comes after
+ * rays.clh and walk_tree.clh. */
 
 __kernel void trace_all(Camera camera, __global const Triangle* triangles, uint count,
                         __global Hit* hits) {

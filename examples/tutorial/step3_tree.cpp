@@ -1,4 +1,4 @@
-// Step 3: a bounding volume hierarchy. See docs/tutorial/3-tree.md.
+// Step 3 uses a bounding volume hierarchy. See docs/tutorial/3-tree.md.
 #include <algorithm>
 #include <cstring>
 #include <iostream>
@@ -51,7 +51,7 @@ int main(int argc, char** argv) {
   for (const Work& work : works) {
     boxes += work.boxes;
     tested += work.triangles;
-    // How much work each ray was: black for little, white for much.
+    // The picture shows the work of each ray: black for little, white for much.
     const cl_uint shade = std::min(255u, 2 * work.boxes + 4 * work.triangles);
     rgb.insert(rgb.end(), 3, static_cast<std::uint8_t>(shade));
   }

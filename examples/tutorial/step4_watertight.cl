@@ -1,7 +1,8 @@
-/* Step 4: rays that aim exactly at the edges of a closed mesh, from inside. None may get out.
- * Stands behind rays.clh. */
+/* Step 4 traces rays from inside a closed mesh exactly at its edges. No ray may get out. This
+ * file comes after rays.clh. */
 
-/* The names of the rays that leave by each test are counted by the host: 1 where a ray gets out. */
+/* Tests one ray in each work-item. Writes 1 for each of the two tests if the ray gets out by it,
+ * else 0. The host adds these numbers. */
 __kernel void shoot_at_edges(__global const Triangle* triangles, uint count,
                              __global const float* origins, __global const float* targets,
                              __global uint* out_by_edges, __global uint* out_by_woop) {

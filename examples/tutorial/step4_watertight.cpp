@@ -1,4 +1,5 @@
-// Step 4: no ray slips between two triangles that share an edge. See docs/tutorial/4-watertight.md.
+// Step 4 shows that no ray slips between two triangles that share an edge. See
+// docs/tutorial/4-watertight.md.
 #include <iostream>
 #include <numeric>
 #include <random>
@@ -12,7 +13,7 @@ int main() {
   const Vec3 center{3.1f, -1.7f, 0.9f};
   const std::vector<Triangle> triangles = sphere(center, 1.0f, 12);
 
-  // Each ray begins somewhere near the middle and aims at a point of some edge, or at a corner.
+  // Each ray begins near the middle and aims at a point of some edge or at a corner.
   std::mt19937 random(1);
   std::uniform_real_distribution<float> share(0.0f, 1.0f);
   std::uniform_int_distribution<std::size_t> any(0, triangles.size() - 1);

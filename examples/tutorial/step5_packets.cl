@@ -1,20 +1,22 @@
-/* Step 5: 8 x 8 rays walk the tree together. Stands behind rays.clh and walk_tree.clh.
+/* Step 5 lets 8 x 8 rays traverse the tree together. This file comes after rays.clh and
+ * walk_tree.clh.
  *
- * Neighbouring rays of a camera visit nearly the same nodes. So a work-item takes 64 of them and
- * asks of each box, once for all: can any of these rays meet it? The answer comes from intervals.
- * All rays begin at the eye; their directions lie between a smallest and a largest one on each
- * axis. */
+ * Neighbouring rays of a camera visit nearly the same nodes. Therefore a work-item takes 64 rays
+ * and asks for each box only once whether any of these rays can meet it. Intervals give the
+ * answer. All rays begin at the eye, and their directions lie between a smallest and a largest
+ * one on each axis. */
 
 #define SIDE 8
 #define RAYS (SIDE * SIDE)
 
 typedef struct {
   float3 origin;
-  float3 least, most; /* of 1 / direction, over all rays */
+  float3 least, most; /* bounds of 1 / direction over all rays */
   int3 useful;        /* axes whose directions all have the same sign */
 } Frustum;
 
-/* The smallest and the largest product of a number with one from the interval [least, most]. */
+/* These functions return the smallest and the largest product of a number with a number from the
+ * interval [least, most]. */
 float smallest_product(float a, float least, float most) {
   return fmin(a * least, a * most);
 }
@@ -22,8 +24,9 @@ float largest_product(float a, float least, float most) {
   return fmax(a * least, a * most);
 }
 
-/* Whether any ray of the frustum can meet the box, nearer than t_max. It may say yes where none
- * does, never no where one does: what it rounds is given away on the safe side. */
+/* Returns whether any ray of the frustum can meet the box nearer than t_max. It may return true
+ * if no ray meets the box. It never returns false if a ray does, because rounding is always taken
+ * to the safe side. */
 int may_enter_box(const Node* node, const Frustum* frustum, float t_max) {
   float enter = 0.0f, leave = t_max;
   const float origin[3] = {frustum->origin.x, frustum->origin.y, frustum->origin.z};
@@ -58,7 +61,7 @@ float farthest(const Hit* hits) {
   return t;
 }
 
-/* One work-item is SIDE x SIDE pixels. */
+/* Traces SIDE x SIDE pixels in each work-item. */
 __kernel void trace_packets(Camera camera, __global const Node* nodes,
                             __global const Triangle* triangles, int width, int height,
                             __global Hit* hits, __global Work* works) {
@@ -82,7 +85,7 @@ __kernel void trace_packets(Camera camera, __global const Node* nodes,
     ++work.boxes;
     if (!may_enter_box(&node, &frustum, t_max)) continue;
     if (node.count == 0) {
-      /* Children that lie farther along the middle ray go on the stack first. */
+      /* The child that lies farther along the middle ray goes on the stack first. */
       const Node a = nodes[node.first], b = nodes[node.first + 1];
       const float3 way = rays[RAYS / 2].direction;
       const float3 apart = vector(a.low) + vector(a.high) - vector(b.low) - vector(b.high);
@@ -103,7 +106,7 @@ __kernel void trace_packets(Camera camera, __global const Node* nodes,
   works[get_global_id(1) * get_global_size(0) + get_global_id(0)] = work;
 }
 
-/* One ray a work-item, to compare with: step 3. */
+/* Traces one ray in each work-item, as in step 3, for comparison. */
 __kernel void trace_tree(Camera camera, __global const Node* nodes,
                          __global const Triangle* triangles, __global Hit* hits,
                          __global Work* works) {

@@ -1,4 +1,4 @@
-// Step 5: 64 rays share their way through the tree. See docs/tutorial/5-packets.md.
+// Step 5 lets 64 rays share their traversal of the tree. See docs/tutorial/5-packets.md.
 #include <cstring>
 #include <iostream>
 

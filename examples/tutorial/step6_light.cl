@@ -1,15 +1,16 @@
-/* Step 6: light. Stands behind rays.clh and walk_tree.clh.
+/* Step 6 adds light. This file comes after rays.clh and walk_tree.clh.
  *
- * Phong's local model adds three parts: light from everywhere (ambient), light that a matt surface
- * scatters in all directions (diffuse), and a highlight around the mirrored direction (specular).
- * The last two need to know whether the sun is visible from the point, which is one more ray. */
+ * Phong's local model adds three parts: light from everywhere (ambient), light that a matt
+ * surface scatters in all directions (diffuse), and a highlight around the mirrored direction
+ * (specular). The last two parts depend on whether the sun is visible from the point, which takes
+ * one more ray. */
 
 typedef struct {
   float3 albedo; /* share of the light that is scattered */
   float specular, shininess;
 } Material;
 
-/* A place of the mesh and how it faces. */
+/* A place of the mesh and the normal there. */
 typedef struct {
   float3 place, normal;
 } Surface;
@@ -24,7 +25,8 @@ Surface surface_at(__global const Triangle* triangles, const Ray* ray, const Hit
   return surface;
 }
 
-/* Grass below, rock where it is steep, snow on heights, and a balloon of striped cloth. */
+/* Returns grass for low places, rock for steep ones, snow for high ones, and striped cloth for
+ * the balloon. */
 Material material_at(const Surface* surface, int is_balloon) {
   Material material = {(float3)(0.16f, 0.24f, 0.08f), 0.02f, 8.0f};
   if (is_balloon) {
@@ -47,7 +49,8 @@ float3 sky(float3 direction) {
   return mix((float3)(0.75f, 0.82f, 0.9f), (float3)(0.2f, 0.4f, 0.75f), sqrt(height));
 }
 
-/* The sun's direction points towards it. `visible` is 0 in shadow. */
+/* Returns the light that a surface sends to the eye. `to_sun` points towards the sun. `visible`
+ * is 0 in shadow. */
 float3 phong(const Surface* surface, const Material* material, float3 to_eye, float3 to_sun,
              float visible) {
   const float3 sun = (float3)(1.7f, 1.55f, 1.3f);
@@ -59,7 +62,7 @@ float3 phong(const Surface* surface, const Material* material, float3 to_eye, fl
   return material->albedo * (ambient + facing * sun) + material->specular * highlight * sun;
 }
 
-/* From light to what a screen shows: the transfer function of sRGB. */
+/* Returns the value that a screen shows for some light, by the transfer function of sRGB. */
 float3 screen_value(float3 light) {
   const float3 c = clamp(light, 0.0f, 1.0f);
   return select(1.055f * pow(c, 1.0f / 2.4f) - 0.055f, 12.92f * c, c <= 0.0031308f);
@@ -73,7 +76,7 @@ __kernel void render(Camera camera, __global const Node* nodes, __global const T
   Work work = {0, 0};
   float3 sum = (float3)(0.0f);
   uint shadows = 0;
-  for (int sample = 0; sample < 4; ++sample) { /* four places in the pixel smooth its edges */
+  for (int sample = 0; sample < 4; ++sample) { /* four samples smooth edges */
     const float dx = 0.25f + 0.5f * (float)(sample % 2), dy = 0.25f + 0.5f * (float)(sample / 2);
     const Ray ray = camera_ray(&camera, (float)x + dx, (float)y + dy, width, height);
     const Hit hit = walk_tree(nodes, triangles, &ray, &work);
@@ -83,8 +86,8 @@ __kernel void render(Camera camera, __global const Node* nodes, __global const T
     }
     const Surface surface = surface_at(triangles, &ray, &hit);
     const Material material = material_at(&surface, surface.place.y > balloon_above_y);
-    /* The shadow ray begins a little above the surface, or rounding would let it meet the triangle
-     * that it comes from. */
+    /* The shadow ray begins a little above the surface. Otherwise rounding would let it hit the
+     * triangle that it comes from. */
     const Ray to_light = make_ray(surface.place + 1e-4f * surface.normal, to_sun);
     const Hit blocker = walk_tree(nodes, triangles, &to_light, &work);
     const float visible = blocker.triangle == NO_TRIANGLE ? 1.0f : 0.0f;

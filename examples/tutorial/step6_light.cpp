@@ -1,4 +1,4 @@
-// Step 6: sun, shadows and Phong shading. See docs/tutorial/6-light.md.
+// Step 6 adds sun, shadows and Phong shading. See docs/tutorial/6-light.md.
 #include <iostream>
 #include <numeric>
 
@@ -10,8 +10,8 @@ int main(int argc, char** argv) {
   const int width = 640, height = 360, pixels = width * height;
   const Camera camera = look_at({0.1f, 0.42f, 1.4f}, {0.0f, 0.12f, 0.0f}, 42.0f, width, height);
 
-  // One tree holds the ground and the balloon. No hill is higher than 0.25, so what is hit above
-  // 0.3 is the balloon.
+  // One tree holds the ground and the balloon. No hill is higher than 0.25, so that a hit above
+  // 0.3 is on the balloon.
   std::vector<Triangle> triangles = hills(160);
   const std::vector<Triangle> balloon = sphere({0.28f, 0.42f, 0.1f}, 0.11f, 24);
   triangles.insert(triangles.end(), balloon.begin(), balloon.end());

@@ -149,7 +149,8 @@ std::vector<Triangle> hills(int cells) {
 }
 
 std::vector<Triangle> sphere(Vec3 center, float radius, int rings) {
-  // Every corner is computed once and shared by the triangles around it: a closed mesh has no gaps.
+  // Every corner is computed once and shared by the triangles around it, because a closed mesh
+  // must have no gaps.
   const int columns = 2 * rings;
   std::vector<std::vector<Vec3>> points;
   for (int ring = 0; ring <= rings; ++ring) {

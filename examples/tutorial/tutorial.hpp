@@ -1,14 +1,14 @@
 #pragma once
 
-// What all steps of the tutorial share: opening a device, building a program from its text,
-// small vectors, a camera, two meshes, a tree and a PNG writer. The ray tracing itself is in the
-// .cl files, which is where to look first.
+// This header holds what all steps of the tutorial share: opening a device, building a program
+// from its text, small vectors, a camera, two meshes, a tree and a PNG writer. The ray tracing
+// itself is in the .cl files, which are the place to look first.
 
 #define CL_HPP_ENABLE_EXCEPTIONS
 #define CL_HPP_TARGET_OPENCL_VERSION 120
 #define CL_HPP_MINIMUM_OPENCL_VERSION 120
 #define CL_TARGET_OPENCL_VERSION 120
-#pragma GCC system_header  // the bindings of OpenCL are not free of warnings
+#pragma GCC system_header  // the bindings of OpenCL cause warnings
 
 #include <array>
 #include <cstdint>
@@ -28,7 +28,8 @@ float dot(Vec3 a, Vec3 b);
 Vec3 cross(Vec3 a, Vec3 b);
 Vec3 normalize(Vec3 a);
 
-/// The same structs stand in rays.clh: only 32-bit members, so that both sides agree on the layout.
+/// A triangle. rays.clh has the same structs. They have only 32-bit members, so that both sides
+/// agree on the layout.
 struct Triangle {
   Vec3 v0, v1, v2;
 };
@@ -54,17 +55,18 @@ static_assert(sizeof(Node) == 32);
 /// Builds a tree by splitting at the median along the longest axis. Reorders the triangles.
 std::vector<Node> build_tree(std::vector<Triangle>& triangles);
 
-/// Hills over a square of 2 x 2 with `cells` x `cells` cells of two triangles each; y is up.
+/// Returns hills over a square of 2 x 2 with `cells` x `cells` cells of two triangles each. y
+/// points up.
 std::vector<Triangle> hills(int cells);
-/// A closed sphere of 2 * rings * (2 * rings - 2) triangles.
+/// Returns a closed sphere of 2 * rings * (2 * rings - 2) triangles.
 std::vector<Triangle> sphere(Vec3 center, float radius, int rings);
 
 /// The first CPU device of the machine, or the first device of any kind.
 class Device {
  public:
   Device();
-  /// Joins the files of examples/tutorial to one program and compiles it. Prints the compiler's
-  /// words and throws cl::Error if it does not compile.
+  /// Joins the files of examples/tutorial to one program and compiles it. If it does not compile,
+  /// prints the compiler's messages and throws cl::Error.
   cl::Program build(const std::vector<std::string>& files, const std::string& options = "") const;
 
   template <typename Item>
@@ -82,7 +84,8 @@ class Device {
     queue.enqueueReadBuffer(buffer, CL_TRUE, 0, count * sizeof(Item), items.data());
     return items;
   }
-  /// Runs a kernel over columns x rows work-items, waits, and returns the seconds that it took.
+  /// Runs a kernel over columns x rows work-items, waits for it, and returns the seconds that it
+  /// took.
   double run(const cl::Kernel& kernel, int columns, int rows) const;
 
   cl::Context context;
@@ -99,16 +102,19 @@ cl::Kernel kernel_with(const cl::Program& program, const char* name,
   return kernel;
 }
 
-/// Writes 3 bytes a pixel, row 0 at the top. Throws std::runtime_error if that fails.
+/// Writes a picture of 3 bytes for each pixel, with row 0 at the top. Throws std::runtime_error
+/// if that fails.
 void write_png(const std::string& path, int width, int height,
                const std::vector<std::uint8_t>& rgb);
 
-/// Prints what was checked. A step ends with the number of checks that failed as its exit code, so
-/// that the tests can run it.
+/// Prints what was checked and whether it holds.
 void check(bool holds, const std::string& what);
+/// Returns the number of checks that failed. It is the exit code of a step, so that the tests can
+/// run it.
 int failed_checks();
 
-/// Where a step writes its picture: the folder named on the command line, or the current one.
+/// Returns the path of a step's picture, in the folder named on the command line or in the
+/// current one.
 std::string output_path(int argc, char** argv, const std::string& name);
 
 }  // namespace tutorial
