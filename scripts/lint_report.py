@@ -1,4 +1,4 @@
-"""What the checks of this folder share: the project's root and how a finding is told."""
+"""Holds what the checks of this folder share: the project's root and the reports of findings."""
 
 import re
 import sys
@@ -10,7 +10,7 @@ _findings = []
 
 
 def report(path, line, found, expected):
-    """Notes one finding: where, what stands there, what should stand there."""
+    """Notes one finding: the place, what was found there and what was expected."""
     _findings.append(f"{path.relative_to(ROOT)}:{line}: {found}; expected: {expected}")
 
 
@@ -22,7 +22,7 @@ def finish():
 
 
 def blanked(pattern, text, flags=0):
-    """The text with every match replaced by spaces, each line where it was."""
+    """Returns the text with every match replaced by spaces. Lines keep their places."""
     return re.sub(pattern, lambda match: re.sub(r"[^\n]", " ", match.group()), text, flags=flags)
 
 

@@ -1,17 +1,17 @@
-"""Which header of the standard library declares a name, and which names a text uses.
+"""Tells which header of the standard library declares a name, and which names a text uses.
 
-Standard headers bring others along, differently in each version of each library: what compiles by
-such luck with one compiler does not with the next. So a file names the headers of what it uses,
-itself or through headers of this project.
+Standard headers bring other headers along, and each version of each library brings others. A file
+that compiles by such luck with one compiler does not compile with the next. Therefore a file includes
+the headers of the names that it uses, itself or through headers of this project.
 """
 
 import re
 
 from lint_report import blanked
 
-# Header: the names it declares, with std:: in front of them. A name that several headers declare
-# stands with each, and any of them will do. Names that nearly every header brings (std::size_t)
-# are left out: they cannot fail.
+# The headers with the names that they declare, without std:: in front. A name that several
+# headers declare is listed with each of them, and any of them will do. Names that nearly every
+# header brings (std::size_t) are left out, because they cannot be missing.
 HEADERS = {
     "algorithm": """
         adjacent_find all_of any_of binary_search clamp copy copy_backward copy_if copy_n count
@@ -142,7 +142,7 @@ HEADERS = {
     "variant": "get_if holds_alternative monostate variant visit",
     "vector": "vector",
 }
-# Names that several headers declare, by the standard's own words.
+# Names that several headers declare according to the standard.
 ALSO = {
     "erase_if": "vector string map set deque list unordered_map unordered_set",
     "erase": "vector string deque list",
@@ -174,15 +174,16 @@ def _declaring():
 
 
 DECLARING = _declaring()
-# Headers of functions alone: no interface needs them, so who calls them includes them, in the file
-# or in its own header. The others may come through a header of this project whose types need them.
+# Headers that declare only functions. No interface needs them, so that a file that calls the
+# functions includes them itself or in its own header. All other headers may come through a header
+# of this project whose types need them.
 OF_FUNCTIONS = {"algorithm", "bit", "cctype", "charconv", "cmath", "cstring", "numeric"}
 _TEXT = re.compile(r'//[^\n]*|/\*.*?\*/|R"\(.*?\)"|"(?:\\.|[^"\\\n])*"', re.S)
 _NAME = re.compile(r"\bstd::((?:ranges::)?\w+)")
 
 
 def names_used(text):
-    """(position, name) of the first use of each name of std:: outside comments and strings."""
+    """Yields (position, name) of the first use of each name of std:: outside comments and strings."""
     seen = set()
     code = blanked(_TEXT, text)
     for match in _NAME.finditer(code):
@@ -192,8 +193,9 @@ def names_used(text):
 
 
 def missing(text, own, reached):
-    """(position, name, headers of which one is needed) of each name of `text` that no header brings
-    on purpose. `own`: what the file and its own header include, `reached`: also what they bring."""
+    """Yields (position, name, headers of which one is needed) of each name of `text` that no header
+    brings on purpose. `own` holds the headers that the file and its own header include. `reached`
+    holds also the headers that these include."""
     for position, name in names_used(text):
         headers = DECLARING.get(name, set())
         if headers and not headers & (own if headers <= OF_FUNCTIONS else reached):
