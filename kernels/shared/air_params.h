@@ -26,7 +26,7 @@ AERO_ASSERT_LAYOUT(AeroSkyCell, 24);
 
 /* Fog that fills valleys up to `top` and thins out above it over `softness`. */
 typedef struct AeroFog {
-  aero_float extinction; /* deep inside the fog; 0: no fog */
+  aero_float extinction; /* extinction deep inside the fog, or 0 without fog */
   aero_float top, softness;
   aero_float billow, billow_width;
   aero_float sun_way; /* metres towards the sun for each metre of height */
@@ -36,7 +36,7 @@ AERO_ASSERT_LAYOUT(AeroFog, 24);
 
 typedef struct AeroAir {
   aero_float molecules[3];                           /* scattering at sea level */
-  aero_float haze_scattering[3], haze_extinction[3]; /* at sea level */
+  aero_float haze_scattering[3], haze_extinction[3]; /* coefficients at sea level */
   aero_float molecules_height, haze_height; /* heights over which the densities fall to 1/e */
   aero_float haze_asymmetry;
   aero_float depth_molecules[3], depth_haze[3]; /* optical depths from sea level to the sun */
@@ -50,7 +50,7 @@ typedef struct AeroAir {
    * or 1 minus the haze's density if thick_haze is not 0. */
   aero_float around[3][3], around_slant[3][3];
   aero_float around_least[3]; /* the least value of `around` */
-  aero_float around_top;      /* the greatest x */
+  aero_float around_top;      /* greatest x of `around` */
   aero_float thick_haze;
   aero_float ambient[9][3]; /* irradiance / pi by the normal, in spherical harmonics */
   aero_float horizon_sine;

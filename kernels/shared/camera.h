@@ -24,7 +24,7 @@ typedef struct AeroCamera {
   aero_float aperture;                    /* radius of a thin lens, metres */
   aero_float focus;                       /* depth of a thin lens's sharp plane, metres */
   aero_float lead;                        /* metres from the eye to the start of parallel rays */
-  aero_uint lens;                         /* AERO_LENS_... */
+  aero_uint lens;                         /* one of AERO_LENS_... */
 } AeroCamera;
 
 AERO_ASSERT_LAYOUT(AeroCamera, 100);
@@ -37,11 +37,11 @@ AERO_ASSERT_LAYOUT(AeroCamera, 100);
 typedef struct AeroFrame {
   AeroCamera camera;
   aero_uint width, height; /* size of the image, pixels */
-  aero_uint filter;        /* AERO_FILTER_... */
+  aero_uint filter;        /* one of AERO_FILTER_... */
   aero_uint samples;       /* samples of a pixel in all; 1 takes its centre */
-  aero_uint sample_stride; /* coprime to `samples`; the order of the strata */
+  aero_uint sample_stride; /* stride in the order of strata, coprime to `samples` */
   aero_uint sample_shift;  /* shift of the pattern by the seed; 2^32 is a full turn */
-  aero_uint progressive;   /* 1: a pixel may stop after its first samples */
+  aero_uint progressive;   /* 1 if a pixel may stop after its first samples */
   aero_float pixel_angle;  /* radians across one pixel in the middle of the image */
   aero_float pixel_width;  /* metres across one pixel, added to its angle times distance */
   aero_float filter_scale; /* scale of the filter: 1, or less if a pixel is made of several */

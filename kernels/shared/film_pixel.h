@@ -18,7 +18,7 @@ typedef struct AeroFilmPixel {
   aero_float normal[3];
   aero_uint object;
   aero_uint samples;
-  aero_uint converged; /* 1: takes no further samples */
+  aero_uint converged; /* 1 if the pixel takes no further samples */
   aero_float batch;    /* luminance of the unfinished batch */
   aero_float squares;  /* sum of the squared luminances of whole batches */
 } AeroFilmPixel;

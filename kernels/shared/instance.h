@@ -6,7 +6,7 @@
 /* A model that stands in the world, turned, scaled and moved. A point v of the model lies at
  * position + axes v, where the columns of axes are perpendicular and equally long. */
 typedef struct AeroInstance {
-  aero_float axes[3][3]; /* [column][component] */
+  aero_float axes[3][3]; /* indexed by [column][component] */
   aero_float position[3];
   aero_float scale;   /* length of a column */
   aero_float tint[3]; /* multiplies the colours of the model's vertices */

@@ -30,7 +30,7 @@ AERO_ASSERT_LAYOUT(AeroPointLight, 28);
 typedef struct AeroCloudChart {
   aero_float x0, z0; /* lower corner of the chart, metres */
   aero_float cell;   /* side of a cell, metres */
-  aero_uint side;    /* AERO_CHART_SIDE, or 0: no chart */
+  aero_uint side;    /* cells along a side: AERO_CHART_SIDE, or 0 without a chart */
   /* Each cell has one byte, in rows along x from the lowest z on, and each word holds four cells
    * from its lowest byte on. The byte is 0 where there may be clouds. Elsewhere it is the number of
    * cells along x or z to the next cell with a 0. */
@@ -59,9 +59,9 @@ typedef struct AeroSky {
   aero_float cloud_cover;       /* cover of thin high cloud, 0 to 1 */
   aero_float cloud_height;      /* height of thin high cloud above the eye, metres */
   aero_uint sun_shadows;
-  aero_float sun_spread;    /* tangent of the disc's radius as shadows see it; 0: a point */
-  aero_float ambient_reach; /* metres within which occluders of the sky count; 0: none do */
-  aero_uint bounced;        /* 1: what hides the sky is lit by the sun */
+  aero_float sun_spread;    /* tangent of the disc's radius as shadows see it, or 0 for a point */
+  aero_float ambient_reach; /* metres within which occluders of the sky count, or 0 if none do */
+  aero_uint bounced;        /* 1 if surfaces that hide the sky are lit by the sun */
   AeroCumulus cumulus;
 } AeroSky;
 
@@ -72,13 +72,13 @@ typedef struct AeroGround {
   aero_float cover_a[3], cover_b[3], rock_a[3], rock_b[3], snow[3], beach[3];
   aero_float rock_cos[2]; /* slopes at which rock begins and is complete (begin > complete) */
   aero_float snow_line, snow_fuzz;
-  aero_float snow_cos[2]; /* slopes: full snow above the first, none below the second */
+  aero_float snow_cos[2]; /* snow is full above the first slope, and absent below the second */
   aero_float beach_top;
   aero_float pattern;
   aero_float relief;
   aero_float ripple;
-  aero_float wind[2]; /* unit vector, x and z */
-  aero_float strata;  /* thickness of the largest beds; 0: none */
+  aero_float wind[2]; /* unit vector of the wind, x and z */
+  aero_float strata;  /* thickness of the largest beds of rock, or 0 without beds */
   aero_float softness, sparkle;
   aero_float forest[3];
   aero_float forest_top, forest_share;
@@ -89,7 +89,7 @@ typedef struct AeroGround {
 AERO_ASSERT_LAYOUT(AeroGround, 160);
 
 typedef struct AeroWater {
-  aero_float absorption[3]; /* per metre */
+  aero_float absorption[3]; /* absorption per metre */
   aero_float scatter[3], bed[3];
   aero_float level, wave, wave_slope;
 } AeroWater;
@@ -116,7 +116,7 @@ typedef struct AeroScene {
   AeroMaterial materials[AERO_MATERIAL_COUNT];
   AeroPointLight lights[AERO_MAX_POINT_LIGHTS];
   aero_uint light_count;
-  aero_uint shading; /* AERO_SHADING_... */
+  aero_uint shading; /* one of AERO_SHADING_... */
   AeroAir air;
   /* The place of the origin of positions, as seen from the terrain's centre at sea level. Positions
    * count from a point near the eye, while patterns and heights go by places. */

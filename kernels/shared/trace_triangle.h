@@ -13,12 +13,12 @@ typedef struct AeroTriangle {
 
 AERO_ASSERT_LAYOUT(AeroTriangle, 36);
 
-/* What a picture says of who was hit: the ids of objects. Others are the host's alone. */
+/* Ids of objects that the kernels write into a picture. The host gives the others. */
 #define AERO_OBJECT_SKY 0
 #define AERO_OBJECT_TERRAIN 1 /* the height grid */
 
-/* What shading reads, in the order of the tree's leaves: the indices of the three vertices, the id
- * of the object and the number of the material in AeroScene::materials. */
+/* A triangle as shading reads it: the indices of its three vertices, the id of its object and the
+ * number of its material in AeroScene::materials. Faces are in the order of the tree's leaves. */
 typedef struct AeroFace {
   aero_uint vertex[3];
   aero_uint object;
@@ -27,8 +27,9 @@ typedef struct AeroFace {
 
 AERO_ASSERT_LAYOUT(AeroFace, 20);
 
-/* Attributes of a vertex: unit normal, linear albedo (or the water's depth in color[0]) and texture
- * coordinates, for materials that are finer than triangles. */
+/* Attributes of a vertex: the position, the unit normal, the linear albedo, and uv for materials
+ * with detail that is finer than triangles. color[0] of a water's vertex is the depth of the
+ * water. */
 typedef struct AeroVertex {
   aero_float position[3];
   aero_float normal[3];
