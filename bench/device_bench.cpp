@@ -68,8 +68,8 @@ DeviceBench::DeviceBench(const opencl::Device& device, int lanes,
   const std::vector<AeroFilmPixel> film(std::size_t{launch_.frame.width} * launch_.frame.height);
   film_ = {context_, budget_, std::span(film), "the film"};
   const std::uint64_t rays = std::uint64_t{launch_.tile.block_count} * lanes_;
-  hits_ = {context_, budget_, rays * 20, "the hits", CL_MEM_READ_WRITE};
-  visible_ = {context_, budget_, rays * 4, "the shadows", CL_MEM_READ_WRITE};
+  hits_ = {context_, budget_, rays * 20, "the hits", opencl::Access::read_write};
+  visible_ = {context_, budget_, rays * 4, "the shadows", opencl::Access::read_write};
   rays_ = {context_, budget_, static_cast<std::size_t>(rays * 8), "the rays"};
 }
 
@@ -87,7 +87,7 @@ RaySet DeviceBench::shadow_rays() {
   rays_on_device_ = nullptr;
   time_camera_kernel();
   opencl::launch(context_, write_shadow_, size(), launch_, scene_, device_.instances, device_.grid,
-                 device_.faces, device_.vertices, hits_.handle(), rays_);
+                 device_.faces, device_.vertices, hits_, rays_);
   return {lanes_, launch_.tile.block_count, rays_.read()};
 }
 
@@ -95,22 +95,21 @@ RaySet DeviceBench::bounce_rays() {
   rays_on_device_ = nullptr;
   time_camera_kernel();
   opencl::launch(context_, write_bounce_, size(), launch_, device_.instances, device_.grid,
-                 device_.faces, device_.vertices, hits_.handle(), rays_);
+                 device_.faces, device_.vertices, hits_, rays_);
   return {lanes_, launch_.tile.block_count, rays_.read()};
 }
 
 double DeviceBench::time_camera_kernel() {
   return opencl::device_seconds(opencl::launch(context_, trace_camera_, size(), launch_,
                                                device_.nodes, device_.triangles, device_.instances,
-                                               device_.grid, film_, hits_.handle()));
+                                               device_.grid, film_, hits_));
 }
 
 double DeviceBench::time_shadow_kernel() {
   time_camera_kernel();
-  return opencl::device_seconds(opencl::launch(context_, trace_shadow_, size(), launch_, scene_,
-                                               device_.nodes, device_.triangles, device_.instances,
-                                               device_.grid, device_.faces, device_.vertices,
-                                               hits_.handle(), visible_.handle()));
+  return opencl::device_seconds(opencl::launch(
+      context_, trace_shadow_, size(), launch_, scene_, device_.nodes, device_.triangles,
+      device_.instances, device_.grid, device_.faces, device_.vertices, hits_, visible_));
 }
 
 const opencl::Buffer<float>& DeviceBench::uploaded(const RaySet& rays) {
@@ -122,16 +121,16 @@ const opencl::Buffer<float>& DeviceBench::uploaded(const RaySet& rays) {
 double DeviceBench::time_rays(const RaySet& rays, bool any_hit) {
   return opencl::device_seconds(opencl::launch(context_, trace_rays_, size(), device_.nodes,
                                                device_.triangles, device_.instances, device_.grid,
-                                               uploaded(rays), static_cast<cl_uint>(any_hit),
-                                               static_cast<cl_uint>(rays.packets), hits_.handle()));
+                                               uploaded(rays), static_cast<std::uint32_t>(any_hit),
+                                               static_cast<std::uint32_t>(rays.packets), hits_));
 }
 
 PacketCounts DeviceBench::count(const RaySet& rays, bool any_hit) {
-  opencl::Buffer<cl_uint> counters(context_, budget_, std::size_t{rays.packets} * 4,
-                                   "the counters");
+  opencl::Buffer<std::uint32_t> counters(context_, budget_, std::size_t{rays.packets} * 4,
+                                         "the counters");
   opencl::launch(context_, count_rays_, size(), device_.nodes, device_.triangles, device_.instances,
-                 device_.grid, uploaded(rays), static_cast<cl_uint>(any_hit),
-                 static_cast<cl_uint>(rays.packets), counters);
+                 device_.grid, uploaded(rays), static_cast<std::uint32_t>(any_hit),
+                 static_cast<std::uint32_t>(rays.packets), counters);
   double sums[4] = {};
   const auto values = counters.read();
   for (std::size_t i = 0; i < values.size(); ++i) sums[i % 4] += values[i];

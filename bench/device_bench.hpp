@@ -69,8 +69,8 @@ class DeviceBench {
   opencl::Buffer<float> rays_;
   const RaySet* rays_on_device_ = nullptr;
   opencl::RawBuffer hits_, visible_;
-  cl::Kernel trace_camera_, trace_shadow_, write_camera_, write_shadow_, write_bounce_;
-  cl::Kernel trace_rays_, count_rays_;
+  opencl::Kernel trace_camera_, trace_shadow_, write_camera_, write_shadow_, write_bounce_;
+  opencl::Kernel trace_rays_, count_rays_;
 };
 
 }  // namespace aerostat::bench

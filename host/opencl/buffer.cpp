@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "core/error.hpp"
+#include "opencl/status.hpp"
 
 namespace aerostat::opencl {
 namespace {
@@ -18,6 +19,10 @@ double mebibytes(std::uint64_t bytes) {
 std::uint64_t rounded_up(std::uint64_t bytes) {
   if (bytes > std::numeric_limits<std::uint64_t>::max() - kGranule) return bytes;
   return std::max(kGranule, (bytes + kGranule - 1) / kGranule * kGranule);
+}
+
+cl_mem_flags flags_of(Access access) {
+  return access == Access::read ? CL_MEM_READ_ONLY : CL_MEM_READ_WRITE;
 }
 
 }  // namespace
@@ -48,20 +53,20 @@ void MemoryBudget::release(std::uint64_t bytes) {
 }
 
 RawBuffer::RawBuffer(const Context& context, MemoryBudget budget, std::uint64_t bytes,
-                     std::string what, cl_mem_flags flags, Content content)
+                     std::string what, Access access, Content content)
     : queue_(context.queue()), budget_(std::move(budget)), what_(std::move(what)) {
-  allocate(context, bytes, flags, [&] {
+  allocate(context, bytes, access, [&] {
     if (content == Content::unset) return;
-    queue_.enqueueFillBuffer(handle_, cl_uint4{}, 0, rounded_up(bytes));
-    queue_.finish();
+    queue_->enqueueFillBuffer(*handle_, cl_uint4{}, 0, rounded_up(bytes));
+    queue_->finish();
   });
 }
 
 RawBuffer::RawBuffer(const Context& context, MemoryBudget budget, const void* data,
-                     std::uint64_t bytes, std::string what, cl_mem_flags flags)
+                     std::uint64_t bytes, std::string what, Access access)
     : queue_(context.queue()), budget_(std::move(budget)), what_(std::move(what)) {
-  allocate(context, bytes, flags, [&] {
-    if (bytes > 0) queue_.enqueueWriteBuffer(handle_, CL_TRUE, 0, bytes, data);
+  allocate(context, bytes, access, [&] {
+    if (bytes > 0) queue_->enqueueWriteBuffer(*handle_, CL_TRUE, 0, bytes, data);
   });
 }
 
@@ -75,8 +80,8 @@ RawBuffer::RawBuffer(const Context& context, MemoryBudget budget, std::shared_pt
   try {
     guarded(fmt::format("lending {:.1f} MiB for {}", mebibytes(bytes), what_).c_str(), [&] {
       // CL_MEM_READ_ONLY promises that no kernel writes to this memory.
-      handle_ = cl::Buffer(context.handle(), CL_MEM_READ_ONLY | CL_MEM_USE_HOST_PTR, bytes,
-                           const_cast<void*>(data));
+      handle_ = std::make_shared<cl::Buffer>(
+          context.handle(), CL_MEM_READ_ONLY | CL_MEM_USE_HOST_PTR, bytes, const_cast<void*>(data));
     });
   } catch (...) {
     budget_.release(bytes);
@@ -85,14 +90,14 @@ RawBuffer::RawBuffer(const Context& context, MemoryBudget budget, std::shared_pt
   allocated_ = bytes;
 }
 
-void RawBuffer::allocate(const Context& context, std::uint64_t bytes, cl_mem_flags flags,
+void RawBuffer::allocate(const Context& context, std::uint64_t bytes, Access access,
                          const std::function<void()>& fill) {
   const auto size = rounded_up(bytes);
   budget_.reserve(size, what_);
   try {
     const auto doing = fmt::format("allocating {:.1f} MiB for {}", mebibytes(size), what_);
     guarded(doing.c_str(), [&] {
-      handle_ = cl::Buffer(context.handle(), flags, size);
+      handle_ = std::make_shared<cl::Buffer>(context.handle(), flags_of(access), size);
       fill();
     });
   } catch (...) {
@@ -129,8 +134,8 @@ RawBuffer::~RawBuffer() {
 void RawBuffer::let_go() noexcept {
   budget_.release(allocated_);
   // Commands keep a buffer alive, but not the memory that was lent to it.
-  if (owner_ && queue_() != nullptr) ::clFinish(queue_());
-  handle_ = {};
+  if (owner_ && queue_) ::clFinish((*queue_)());
+  handle_ = nullptr;
   owner_ = nullptr;
 }
 
@@ -145,14 +150,14 @@ void RawBuffer::write(const void* data, std::uint64_t offset, std::uint64_t byte
   check_range(offset, bytes);
   if (bytes == 0) return;
   guarded(fmt::format("copying {} to the device", what_).c_str(),
-          [&] { queue_.enqueueWriteBuffer(handle_, CL_TRUE, offset, bytes, data); });
+          [&] { queue_->enqueueWriteBuffer(*handle_, CL_TRUE, offset, bytes, data); });
 }
 
 void RawBuffer::read(void* data, std::uint64_t offset, std::uint64_t bytes) const {
   check_range(offset, bytes);
   if (bytes == 0) return;
   guarded(fmt::format("reading {} back from the device", what_).c_str(),
-          [&] { queue_.enqueueReadBuffer(handle_, CL_TRUE, offset, bytes, data); });
+          [&] { queue_->enqueueReadBuffer(*handle_, CL_TRUE, offset, bytes, data); });
 }
 
 void RawBuffer::look_at(std::uint64_t offset, std::uint64_t bytes,
@@ -161,14 +166,14 @@ void RawBuffer::look_at(std::uint64_t offset, std::uint64_t bytes,
   if (bytes == 0) return look(nullptr);
   const auto doing = fmt::format("looking at {} on the device", what_);
   void* const data = guarded(doing.c_str(), [&] {
-    return queue_.enqueueMapBuffer(handle_, CL_TRUE, CL_MAP_READ, offset, bytes);
+    return queue_->enqueueMapBuffer(*handle_, CL_TRUE, CL_MAP_READ, offset, bytes);
   });
   struct Unmapping {
     const cl::CommandQueue& queue;
     const cl::Buffer& buffer;
     void* data;
     ~Unmapping() { ::clEnqueueUnmapMemObject(queue(), buffer(), data, 0, nullptr, nullptr); }
-  } const unmapping{queue_, handle_, data};
+  } const unmapping{*queue_, *handle_, data};
   look(data);
 }
 

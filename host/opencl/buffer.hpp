@@ -41,6 +41,9 @@ class MemoryBudget {
   std::shared_ptr<State> state_;
 };
 
+/// What kernels may do with a buffer.
+enum class Access { read, read_write };
+
 /// What new memory holds.
 enum class Content { zeros, unset };
 
@@ -53,10 +56,10 @@ class RawBuffer {
   /// written at once, so that a driver that allocates late fails here; unset memory is for who lets
   /// a kernel write all of it next, on all cores of a CPU. Throws Error{exhausted}.
   RawBuffer(const Context& context, MemoryBudget budget, std::uint64_t bytes, std::string what,
-            cl_mem_flags flags, Content content = Content::zeros);
+            Access access, Content content = Content::zeros);
   /// A copy of `bytes` bytes at `data`.
   RawBuffer(const Context& context, MemoryBudget budget, const void* data, std::uint64_t bytes,
-            std::string what, cl_mem_flags flags);
+            std::string what, Access access);
   /// The `bytes` > 0 bytes at `data` themselves, if the device works in the host's memory; they
   /// must not change and `owner` keeps them until the device is done with them.
   RawBuffer(const Context& context, MemoryBudget budget, std::shared_ptr<const void> owner,
@@ -65,7 +68,8 @@ class RawBuffer {
   RawBuffer& operator=(RawBuffer&& other) noexcept;
   ~RawBuffer();
 
-  const cl::Buffer& handle() const { return handle_; }
+  /// Null if the buffer is empty.
+  const cl::Buffer* handle() const { return handle_.get(); }
   std::uint64_t allocated_bytes() const { return allocated_; }
 
   /// Blocking copies. Throw Error{internal} if the range is not inside the buffer.
@@ -77,14 +81,14 @@ class RawBuffer {
                const std::function<void(const void*)>& look) const;
 
  private:
-  void allocate(const Context& context, std::uint64_t bytes, cl_mem_flags flags,
+  void allocate(const Context& context, std::uint64_t bytes, Access access,
                 const std::function<void()>& fill);
   void let_go() noexcept;
   void check_range(std::uint64_t offset, std::uint64_t bytes) const;
 
-  cl::CommandQueue queue_;
+  std::shared_ptr<const cl::CommandQueue> queue_;
   std::shared_ptr<const void> owner_;  // of memory that is not the buffer's own
-  cl::Buffer handle_;
+  std::shared_ptr<const cl::Buffer> handle_;
   MemoryBudget budget_;
   std::string what_;
   std::uint64_t allocated_ = 0;
@@ -98,16 +102,16 @@ class Buffer {
  public:
   Buffer() = default;
 
-  /// A copy of `values`, which kernels only read unless `flags` say otherwise.
+  /// A copy of `values`, which kernels only read unless `access` says otherwise.
   Buffer(const Context& context, const MemoryBudget& budget, std::span<const T> values,
-         std::string what, cl_mem_flags flags = CL_MEM_READ_ONLY)
-      : raw_(context, budget, values.data(), values.size_bytes(), std::move(what), flags),
+         std::string what, Access access = Access::read)
+      : raw_(context, budget, values.data(), values.size_bytes(), std::move(what), access),
         size_(values.size()) {}
 
   /// `count` elements, of zero bytes or unset: see RawBuffer.
   Buffer(const Context& context, const MemoryBudget& budget, std::size_t count, std::string what,
-         cl_mem_flags flags = CL_MEM_READ_WRITE, Content content = Content::zeros)
-      : raw_(context, budget, std::uint64_t{count} * sizeof(T), std::move(what), flags, content),
+         Access access = Access::read_write, Content content = Content::zeros)
+      : raw_(context, budget, std::uint64_t{count} * sizeof(T), std::move(what), access, content),
         size_(count) {}
 
   /// `values`, which kernels only read, without a copy: see RawBuffer.
@@ -119,7 +123,7 @@ class Buffer {
 
   std::size_t size() const { return size_; }
   std::uint64_t bytes() const { return std::uint64_t{size_} * sizeof(T); }
-  const cl::Buffer& handle() const { return raw_.handle(); }
+  const RawBuffer& raw() const { return raw_; }
 
   /// Overwrites elements from `first` on. Blocking.
   void write(std::span<const T> values, std::size_t first = 0) {

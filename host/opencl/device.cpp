@@ -11,8 +11,8 @@
 #include "core/memory_left.hpp"
 #include "opencl/cache.hpp"
 #include "opencl/partition.hpp"
-#include "opencl/program.hpp"
 #include "opencl/registered.hpp"
+#include "opencl/status.hpp"
 
 namespace aerostat::opencl {
 namespace {
@@ -65,7 +65,7 @@ std::optional<std::string> obstacle(const cl::Device& handle) {
 
 Device described(const cl::Device& handle, const cl::Platform& platform, const MemoryLeft& left) {
   Device device;
-  device.handle = handle;
+  device.handle = std::make_shared<cl::Device>(handle);
   device.platform = trimmed(platform.getInfo<CL_PLATFORM_NAME>());
   device.platform_version = trimmed(platform.getInfo<CL_PLATFORM_VERSION>());
   device.name = trimmed(handle.getInfo<CL_DEVICE_NAME>());

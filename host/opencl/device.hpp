@@ -1,10 +1,11 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <string>
 #include <vector>
 
-#include "opencl/cl.hpp"
+#include "opencl/cl_names.hpp"
 
 /// Platforms, devices, programs and buffers. Knows no scene.
 namespace aerostat::opencl {
@@ -12,7 +13,7 @@ namespace aerostat::opencl {
 enum class DeviceType { cpu, gpu, other };
 
 struct Device {
-  cl::Device handle;
+  std::shared_ptr<const cl::Device> handle;
   int platform_index = 0;  // as in clinfo -l
   int device_index = 0;
   std::string platform, platform_version;

@@ -4,6 +4,8 @@
 
 #include <fmt/format.h>
 
+#include "opencl/status.hpp"
+
 namespace aerostat::opencl {
 namespace {
 
@@ -36,38 +38,47 @@ std::size_t dividing_group_size(std::size_t global, std::size_t wanted) {
   return size;
 }
 
-cl::Event enqueue(const Context& context, const cl::Kernel& kernel, const LaunchSize& size) {
-  cl::Event event;
-  if (size.global == 0) return event;
+void set_argument(const Kernel& kernel, unsigned index, const void* value, std::size_t bytes) {
+  try {
+    kernel->setArg(index, bytes, value);
+  } catch (const cl::Error& error) {
+    rethrow(fmt::format("setting argument {} of the kernel {}", index, name_of(*kernel)).c_str(),
+            error);
+  }
+}
+
+void set_argument(const Kernel& kernel, unsigned index, const RawBuffer& buffer) {
+  const cl_mem handle = buffer.handle() != nullptr ? (*buffer.handle())() : nullptr;
+  set_argument(kernel, index, &handle, sizeof(handle));
+}
+
+Event enqueue(const Context& context, const Kernel& kernel, const LaunchSize& size) {
+  if (size.global == 0) return nullptr;
+  auto event = std::make_shared<cl::Event>();
   const auto local = dividing_group_size(size.global, size.local);
   try {
-    context.queue().enqueueNDRangeKernel(kernel, cl::NDRange(size.offset), cl::NDRange(size.global),
-                                         local == 0 ? cl::NullRange : cl::NDRange(local), nullptr,
-                                         &event);
-    context.queue().flush();
+    context.queue()->enqueueNDRangeKernel(
+        *kernel, cl::NDRange(size.offset), cl::NDRange(size.global),
+        local == 0 ? cl::NullRange : cl::NDRange(local), nullptr, event.get());
+    context.queue()->flush();
   } catch (const cl::Error& error) {
-    rethrow(fmt::format("starting the kernel {}", name_of(kernel)).c_str(), error);
+    rethrow(fmt::format("starting the kernel {}", name_of(*kernel)).c_str(), error);
   }
   return event;
 }
 
-double device_seconds(const cl::Event& event) {
-  if (event() == nullptr) return 0.0;
+double device_seconds(const Event& event) {
+  if (!event) return 0.0;
   return guarded("waiting for a kernel", [&] {
-    wait_for(event);
-    const auto start = event.getProfilingInfo<CL_PROFILING_COMMAND_START>();
-    const auto end = event.getProfilingInfo<CL_PROFILING_COMMAND_END>();
+    wait_for(*event);
+    const auto start = event->getProfilingInfo<CL_PROFILING_COMMAND_START>();
+    const auto end = event->getProfilingInfo<CL_PROFILING_COMMAND_END>();
     return end > start ? static_cast<double>(end - start) * 1e-9 : 0.0;
   });
 }
 
 void finish(const Context& context) {
-  guarded("waiting for the device", [&] { context.queue().finish(); });
-}
-
-void rethrow_argument(const cl::Kernel& kernel, unsigned index, const cl::Error& error) {
-  rethrow(fmt::format("setting argument {} of the kernel {}", index, name_of(kernel)).c_str(),
-          error);
+  guarded("waiting for the device", [&] { context.queue()->finish(); });
 }
 
 }  // namespace aerostat::opencl

@@ -1,9 +1,11 @@
 #pragma once
 
 #include <cstddef>
+#include <memory>
 #include <type_traits>
 
 #include "opencl/buffer.hpp"
+#include "opencl/cl_names.hpp"
 
 namespace aerostat::opencl {
 
@@ -21,52 +23,48 @@ struct LaunchSize {
 /// The largest group size up to `wanted` that divides `global`, as OpenCL 1.2 demands; 0 stays 0.
 std::size_t dividing_group_size(std::size_t global, std::size_t wanted);
 
+/// A command that was enqueued; null: there was nothing to do.
+using Event = std::shared_ptr<const cl::Event>;
+
 /// Enqueues `kernel` with the arguments it has and flushes, so that the device starts at once.
 /// Nothing is launched, and the event is null, if the range is empty.
-cl::Event enqueue(const Context& context, const cl::Kernel& kernel, const LaunchSize& size);
+Event enqueue(const Context& context, const Kernel& kernel, const LaunchSize& size);
 
 /// Waits for `event` and returns how long its command ran by the device's own clock; 0 for a null
-/// event. Throws as `guarded` does if the command failed.
-double device_seconds(const cl::Event& event);
+/// event. Throws Error{exhausted} or Error{internal} if the command failed.
+double device_seconds(const Event& event);
 
 /// Waits for all that was enqueued.
 void finish(const Context& context);
 
-/// [[noreturn]] part of `launch`: names the kernel and the argument.
-[[noreturn]] void rethrow_argument(const cl::Kernel& kernel, unsigned index,
-                                   const cl::Error& error);
+/// Sets argument `index` of `kernel`, counted from 0, to the `bytes` bytes at `value`, or to a
+/// buffer. Throws Error{exhausted} or Error{internal} that names the kernel and the argument.
+void set_argument(const Kernel& kernel, unsigned index, const void* value, std::size_t bytes);
+void set_argument(const Kernel& kernel, unsigned index, const RawBuffer& buffer);
 
 template <typename T>
-void set_argument(cl::Kernel& kernel, unsigned index, const Buffer<T>& buffer) {
-  kernel.setArg(index, buffer.handle());
-}
-
-inline void set_argument(cl::Kernel& kernel, unsigned index, const cl::Buffer& buffer) {
-  kernel.setArg(index, buffer);
+void set_argument(const Kernel& kernel, unsigned index, const Buffer<T>& buffer) {
+  set_argument(kernel, index, buffer.raw());
 }
 
 /// A scalar or a shared struct, by value. Types whose size differs between host and device are
 /// refused.
 template <typename T>
 requires std::is_trivially_copyable_v<T>
-void set_argument(cl::Kernel& kernel, unsigned index, const T& value) {
+void set_argument(const Kernel& kernel, unsigned index, const T& value) {
   static_assert(!std::is_pointer_v<T> && !std::is_same_v<T, bool>);
   static_assert(std::is_class_v<T> || sizeof(T) <= 4, "kernels know 32-bit scalars only");
-  kernel.setArg(index, sizeof(T), &value);
+  set_argument(kernel, index, &value, sizeof(T));
 }
 
 /// Sets all arguments of `kernel` (buffers, 32-bit scalars, shared structs) in their order and
 /// enqueues it over `size` work-items on the context's in-order queue. Does not wait. Throws
 /// Error{exhausted} or Error{internal} with the kernel's name.
 template <typename... Args>
-cl::Event launch(const Context& context, cl::Kernel& kernel, const LaunchSize& size,
-                 const Args&... args) {
+Event launch(const Context& context, const Kernel& kernel, const LaunchSize& size,
+             const Args&... args) {
   unsigned index = 0;
-  try {
-    ((set_argument(kernel, index, args), ++index), ...);
-  } catch (const cl::Error& error) {
-    rethrow_argument(kernel, index, error);
-  }
+  (set_argument(kernel, index++, args), ...);
   return enqueue(context, kernel, size);
 }
 

@@ -5,7 +5,7 @@
 #include <fmt/format.h>
 
 #include "core/error.hpp"
-#include "opencl/program.hpp"
+#include "opencl/status.hpp"
 
 namespace aerostat::opencl {
 namespace {
@@ -41,7 +41,7 @@ std::vector<Device> cut(const Device& device, unsigned parts) {
   how.insert(how.end(), {CL_DEVICE_PARTITION_BY_COUNTS_LIST_END, 0});
   std::vector<cl::Device> handles;
   try {
-    cl::Device(device.handle).createSubDevices(how.data(), &handles);
+    cl::Device(*device.handle).createSubDevices(how.data(), &handles);
   } catch (const cl::Error& error) {
     if (is_exhaustion(error.err())) {
       rethrow(fmt::format("cutting the device {}", describe(device)).c_str(), error);
@@ -50,7 +50,7 @@ std::vector<Device> cut(const Device& device, unsigned parts) {
   }
   std::vector<Device> cut_parts(handles.size(), device);
   for (unsigned i = 0; i < cut_parts.size(); ++i) {
-    cut_parts[i].handle = handles[i];
+    cut_parts[i].handle = std::make_shared<cl::Device>(handles[i]);
     cut_parts[i].compute_units = shares[i];
     cut_parts[i].most_parts = 0;
     cut_parts[i].parts = parts;

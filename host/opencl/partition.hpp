@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "opencl/cl_names.hpp"
 #include "opencl/device.hpp"
 
 namespace aerostat::opencl {

@@ -7,6 +7,7 @@
 
 #include "core/error.hpp"
 #include "opencl/binaries.hpp"
+#include "opencl/status.hpp"
 
 namespace aerostat::opencl {
 namespace {
@@ -49,8 +50,9 @@ std::string options_with(int lanes, const std::vector<std::string>& defines) {
 Context::Context(Device device) : device_(std::move(device)) {
   const auto doing = fmt::format("opening the device {} {}", device_.selector(), device_.name);
   try {
-    context_ = cl::Context(device_.handle);
-    queue_ = cl::CommandQueue(context_, device_.handle, CL_QUEUE_PROFILING_ENABLE);
+    context_ = std::make_shared<cl::Context>(*device_.handle);
+    queue_ =
+        std::make_shared<cl::CommandQueue>(*context_, *device_.handle, CL_QUEUE_PROFILING_ENABLE);
   } catch (const cl::Error& error) {
     const bool is_gone = error.err() == CL_DEVICE_NOT_AVAILABLE;
     if (!is_gone && is_exhaustion(error.err())) rethrow(doing.c_str(), error);
@@ -90,9 +92,9 @@ Program::Program(const Context& context, const SourceTree& sources, const std::s
 void Program::build(const Context& context, const std::string& text, const std::string& options) {
   const auto doing = fmt::format("building the kernels of {}", entry_);
   guarded(doing.c_str(), [&] {
-    program_ = cl::Program(context.handle(), text);
+    program_ = std::make_shared<cl::Program>(context.handle(), text);
     try {
-      program_.build({context.device().handle}, options.c_str());
+      program_->build({*context.device().handle}, options.c_str());
     } catch (const cl::BuildError& error) {
       if (is_exhaustion(error.err())) throw;
       throw_build_error(context.device(), entry_, options, error);
@@ -106,9 +108,10 @@ bool Program::take_binary(const Context& context, const std::string& binary,
                           const std::string& options) {
   try {
     const std::vector<unsigned char> bytes(binary.begin(), binary.end());
-    const std::vector<cl::Device> devices{context.device().handle};
-    program_ = cl::Program(context.handle(), devices, {bytes});
-    program_.build(devices, options.c_str());
+    const std::vector<cl::Device> devices{*context.device().handle};
+    program_ =
+        std::make_shared<cl::Program>(context.handle(), devices, cl::Program::Binaries{bytes});
+    program_->build(devices, options.c_str());
     return true;
   } catch (const cl::Error&) {
     return false;
@@ -118,7 +121,7 @@ bool Program::take_binary(const Context& context, const std::string& binary,
 /// Returns the machine code of the program, or an empty string if the driver provides none.
 std::string Program::binary() const {
   try {
-    const auto binaries = program_.getInfo<CL_PROGRAM_BINARIES>();
+    const auto binaries = program_->getInfo<CL_PROGRAM_BINARIES>();
     if (binaries.size() != 1) return {};
     return {binaries.front().begin(), binaries.front().end()};
   } catch (const cl::Error&) {
@@ -126,9 +129,9 @@ std::string Program::binary() const {
   }
 }
 
-cl::Kernel Program::kernel(const std::string& name) const {
+Kernel Program::kernel(const std::string& name) const {
   try {
-    return cl::Kernel(program_, name.c_str());
+    return std::make_shared<cl::Kernel>(*program_, name.c_str());
   } catch (const cl::Error& error) {
     rethrow(fmt::format("making the kernel {} of {} on {}", name, entry_, device_).c_str(), error);
   }

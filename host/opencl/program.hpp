@@ -2,9 +2,11 @@
 
 #include <filesystem>
 #include <map>
+#include <memory>
 #include <string>
 #include <vector>
 
+#include "opencl/cl_names.hpp"
 #include "opencl/device.hpp"
 
 namespace aerostat::opencl {
@@ -32,14 +34,17 @@ class Context {
   explicit Context(Device device);
 
   const Device& device() const { return device_; }
-  const cl::Context& handle() const { return context_; }
-  const cl::CommandQueue& queue() const { return queue_; }
+  const cl::Context& handle() const { return *context_; }
+  const std::shared_ptr<const cl::CommandQueue>& queue() const { return queue_; }
 
  private:
   Device device_;
-  cl::Context context_;
-  cl::CommandQueue queue_;
+  std::shared_ptr<const cl::Context> context_;
+  std::shared_ptr<const cl::CommandQueue> queue_;
 };
+
+/// A kernel and its arguments, which copies share.
+using Kernel = std::shared_ptr<cl::Kernel>;
 
 /// The options every program of the product is built with, for `lanes` rays per work-item.
 std::string build_options(int lanes);
@@ -55,7 +60,7 @@ class Program {
 
   /// A new kernel object. Throws Error{internal} if the driver makes none of that name, be it that
   /// the program has none or that the driver's compiler failed at it.
-  cl::Kernel kernel(const std::string& name) const;
+  Kernel kernel(const std::string& name) const;
 
   int lanes() const { return lanes_; }
 
@@ -64,38 +69,10 @@ class Program {
   bool take_binary(const Context& context, const std::string& binary, const std::string& options);
   std::string binary() const;
 
-  cl::Program program_;
+  std::shared_ptr<cl::Program> program_;
   std::string device_;  // in words
   std::string entry_;
   int lanes_ = 1;
 };
-
-/// Runs `f` and turns a cl::Error into an Error that says what was being done, with the right kind
-/// (out of memory and lost devices: exhausted; everything else: internal).
-template <typename F>
-decltype(auto) guarded(const char* doing, F&& f);
-
-[[noreturn]] void rethrow(const char* doing, const cl::Error& error);
-
-template <typename F>
-decltype(auto) guarded(const char* doing, F&& f) {
-  try {
-    return f();
-  } catch (const cl::Error& error) {
-    rethrow(doing, error);
-  }
-}
-
-/// The name of an OpenCL status, such as "CL_OUT_OF_RESOURCES".
-std::string status_name(int status);
-
-/// "CL_OUT_OF_RESOURCES from clBuildProgram"
-std::string status_text(const cl::Error& error);
-
-/// Whether a status says that there is too little memory.
-bool is_out_of_memory(int status);
-
-/// Whether `rethrow` would take a status for exhaustion: too little memory, or a device lost.
-bool is_exhaustion(int status);
 
 }  // namespace aerostat::opencl

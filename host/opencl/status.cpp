@@ -1,10 +1,11 @@
+#include "opencl/status.hpp"
+
 #include <array>
 #include <utility>
 
 #include <fmt/format.h>
 
 #include "core/error.hpp"
-#include "opencl/program.hpp"
 
 namespace aerostat::opencl {
 namespace {

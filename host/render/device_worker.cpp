@@ -50,7 +50,8 @@ void DeviceWorker::begin_frame(const AeroScene& scene, std::size_t pixels) {
   scene_ = {context_, budget_, std::span(&scene, 1), "the scene"};
   if (film_.size() != pixels) {
     film_ = {};
-    film_ = {context_, budget_, pixels, "the film", CL_MEM_READ_WRITE, opencl::Content::unset};
+    film_ = {
+        context_, budget_, pixels, "the film", opencl::Access::read_write, opencl::Content::unset};
   }
 }
 
@@ -61,7 +62,7 @@ void DeviceWorker::begin_film(const Crop& window) {
   stats_ = {};
   window_ = window;
   opencl::launch(context_, programs_->clear_film, packet_range(window.pixels(), 1), film_,
-                 static_cast<cl_uint>(window.pixels()));
+                 static_cast<std::uint32_t>(window.pixels()));
 }
 
 void DeviceWorker::mark_converged(const AeroConvergence& convergence) {
@@ -100,7 +101,7 @@ void DeviceWorker::trace(const Pass& pass, RowQueue& queue, int index,
     const Crop area{pass.area.x0, run->y0, pass.area.x1, run->y1};
     for (int done = 0; done < pass.samples; done += 1 << shape.log2_samples) {
       if (stop.stop_requested()) return;
-      launch.tile = tile_of(area, shape, static_cast<cl_uint>(pass.first_sample + done));
+      launch.tile = tile_of(area, shape, static_cast<std::uint32_t>(pass.first_sample + done));
       launch_tile(launch);
       retire(kLaunchesInFlight - 1);
     }
@@ -129,9 +130,9 @@ void DeviceWorker::reserve(std::uint64_t packets) {
   const std::uint64_t rays = packets * static_cast<std::uint64_t>(lanes_);
   // Each lane has five words for a hit, one for the lights that reach it and two for what hides the
   // sky.
-  hits_ = {context_, budget_, rays * 20, "the hits", CL_MEM_READ_WRITE};
-  visible_ = {context_, budget_, rays * 4, "the shadows", CL_MEM_READ_WRITE};
-  found_ = {context_, budget_, rays * 8, "what is around the hits", CL_MEM_READ_WRITE};
+  hits_ = {context_, budget_, rays * 20, "the hits", opencl::Access::read_write};
+  visible_ = {context_, budget_, rays * 4, "the shadows", opencl::Access::read_write};
+  found_ = {context_, budget_, rays * 8, "what is around the hits", opencl::Access::read_write};
   packets_capacity_ = packets;
 }
 
@@ -142,23 +143,22 @@ void DeviceWorker::launch_tile(const AeroLaunch& launch) {
   const opencl::LaunchSize size = packet_range(packets, lanes_);
   Launch work;
   work.rays = pixels_of(launch.tile) << launch.tile.log2_samples;
-  work.camera = opencl::launch(context_, programs_->trace_camera_rays, size, launch,
-                               geometry_.nodes, geometry_.triangles, geometry_.instances,
-                               geometry_.grid, film_, hits_.handle());
+  work.camera =
+      opencl::launch(context_, programs_->trace_camera_rays, size, launch, geometry_.nodes,
+                     geometry_.triangles, geometry_.instances, geometry_.grid, film_, hits_);
   work.shadow =
       opencl::launch(context_, programs_->trace_shadow_rays, size, launch, scene_, geometry_.nodes,
                      geometry_.triangles, geometry_.instances, geometry_.grid, geometry_.faces,
-                     geometry_.vertices, hits_.handle(), visible_.handle());
+                     geometry_.vertices, hits_, visible_);
   if (occlusion_) {
     work.ambient =
         opencl::launch(context_, programs_->trace_ambient_rays, size, launch, scene_,
                        geometry_.nodes, geometry_.triangles, geometry_.instances, geometry_.grid,
-                       geometry_.faces, geometry_.vertices, hits_.handle(), found_.handle());
+                       geometry_.faces, geometry_.vertices, hits_, found_);
   }
-  work.shade =
-      opencl::launch(context_, programs_->shade_hits, size, launch, scene_, geometry_.instances,
-                     geometry_.grid, geometry_.faces, geometry_.vertices, hits_.handle(),
-                     visible_.handle(), found_.handle(), film_);
+  work.shade = opencl::launch(context_, programs_->shade_hits, size, launch, scene_,
+                              geometry_.instances, geometry_.grid, geometry_.faces,
+                              geometry_.vertices, hits_, visible_, found_, film_);
   in_flight_.push_back(work);
 }
 
@@ -170,7 +170,7 @@ void DeviceWorker::retire(std::size_t most_in_flight) {
     const double shade = opencl::device_seconds(work.shade);
     const double camera = opencl::device_seconds(work.camera);
     const double shadow = opencl::device_seconds(work.shadow);
-    const double ambient = work.ambient ? opencl::device_seconds(*work.ambient) : 0.0;
+    const double ambient = opencl::device_seconds(work.ambient);
     stats_.shade_seconds += shade;
     stats_.ambient_seconds += ambient;
     stats_.primary_seconds += camera;

@@ -90,8 +90,7 @@ class DeviceWorker {
 
  private:
   struct Launch {
-    cl::Event camera, shadow, shade;
-    std::optional<cl::Event> ambient;
+    opencl::Event camera, shadow, ambient, shade;
     std::uint64_t rays = 0;
   };
 

@@ -32,11 +32,10 @@ struct Shares {
 void warm_up(const opencl::Context& context, Programs& programs, int lanes,
              KernelProgress& progress) {
   const opencl::MemoryBudget budget;
-  const opencl::RawBuffer nothing(context, budget, 16, "a first launch", CL_MEM_READ_WRITE);
-  const cl::Buffer& none = nothing.handle();
+  const opencl::RawBuffer none(context, budget, 16, "a first launch", opencl::Access::read_write);
   const AeroLaunch launch{};
   const auto range = packet_range(1, lanes);
-  const auto step = [&](double share, cl::Kernel& kernel, const auto&... arguments) {
+  const auto step = [&](double share, const opencl::Kernel& kernel, const auto&... arguments) {
     progress.begin(share);
     opencl::launch(context, kernel, arguments...);
     opencl::finish(context);
@@ -50,7 +49,7 @@ void warm_up(const opencl::Context& context, Programs& programs, int lanes,
        none, none, none, none);
   step(share.shade, programs.shade_hits, range, launch, none, none, none, none, none, none, none,
        none, none);
-  step(share.film, programs.clear_film, packet_range(1, 1), none, cl_uint{0});
+  step(share.film, programs.clear_film, packet_range(1, 1), none, std::uint32_t{0});
   step(share.film, programs.mark_converged, packet_range(1, 1), none, AeroConvergence{});
 }
 

@@ -13,12 +13,12 @@ inline constexpr int kProgramCount = 1;
 
 /// The kernels that make a picture, built for one device and one width of packets.
 struct Programs {
-  cl::Kernel trace_camera_rays;
-  cl::Kernel trace_shadow_rays;
-  cl::Kernel trace_ambient_rays;
-  cl::Kernel shade_hits;
-  cl::Kernel clear_film;
-  cl::Kernel mark_converged;
+  opencl::Kernel trace_camera_rays;
+  opencl::Kernel trace_shadow_rays;
+  opencl::Kernel trace_ambient_rays;
+  opencl::Kernel shade_hits;
+  opencl::Kernel clear_film;
+  opencl::Kernel mark_converged;
   /// The time that building took.
   double seconds = 0.0;
 };

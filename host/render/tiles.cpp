@@ -35,8 +35,9 @@ AeroTile tile_of(const Crop& area, const PacketShape& shape, std::uint32_t first
 }
 
 AeroWindow window_of(const Crop& pixels) {
-  return {static_cast<cl_uint>(pixels.x0), static_cast<cl_uint>(pixels.y0),
-          static_cast<cl_uint>(pixels.x1 - pixels.x0), static_cast<cl_uint>(pixels.y1 - pixels.y0)};
+  return {static_cast<std::uint32_t>(pixels.x0), static_cast<std::uint32_t>(pixels.y0),
+          static_cast<std::uint32_t>(pixels.x1 - pixels.x0),
+          static_cast<std::uint32_t>(pixels.y1 - pixels.y0)};
 }
 
 }  // namespace aerostat::render

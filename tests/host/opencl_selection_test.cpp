@@ -7,6 +7,7 @@
 #include "core/error.hpp"
 #include "error_of.hpp"
 #include "opencl/buffer.hpp"
+#include "opencl/cl.hpp"
 #include "opencl/launch.hpp"
 #include "opencl/partition.hpp"
 
@@ -184,7 +185,7 @@ TEST(Parts, ShareOutTheComputeUnits) {
   ASSERT_EQ(parts.size(), 2u);
   unsigned units = 0;
   for (const Device& part : parts) {
-    EXPECT_EQ(part.handle.getInfo<CL_DEVICE_MAX_COMPUTE_UNITS>(), part.compute_units);
+    EXPECT_EQ(part.handle->getInfo<CL_DEVICE_MAX_COMPUTE_UNITS>(), part.compute_units);
     EXPECT_EQ(part.lanes, whole.lanes);
     EXPECT_EQ(part.most_parts, 0u);
     units += part.compute_units;

@@ -11,6 +11,7 @@
 #include "error_of.hpp"
 #include "opencl/embedded.hpp"
 #include "opencl/program.hpp"
+#include "opencl/status.hpp"
 
 namespace aerostat::opencl {
 namespace {

@@ -5,8 +5,7 @@
 #include <numeric>
 
 #include "core/error.hpp"
-#include "opencl/cl.hpp"
-#include "opencl/program.hpp"
+#include "opencl/status.hpp"
 #include "pictures.hpp"
 #include "render/row_queue.hpp"
 

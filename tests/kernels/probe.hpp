@@ -59,7 +59,7 @@ class Probe {
   /// Runs `kernel` with `items` work-items.
   template <typename... Args>
   void run_items(const char* kernel, std::size_t items, const Args&... args) const {
-    cl::Kernel entry = program_->kernel(kernel);
+    const opencl::Kernel entry = program_->kernel(kernel);
     // One group size for all launches: PoCL compiles a kernel anew for each.
     opencl::launch(context(), entry, {items, 1}, args...);
     opencl::finish(context());

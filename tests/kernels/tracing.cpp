@@ -180,7 +180,7 @@ std::vector<Hit> TracedMesh::run(const char* kernel, const std::vector<Ray>& ray
   const RayBuffers buffers(rays);
   probe.run(kernel, buffers.elements, node_buffer_, triangle_buffer_, instance_buffer_,
             grid_buffer_, buffers.origins, buffers.directions, buffers.t_max,
-            static_cast<cl_int>(wanted), buffers.tuv, buffers.slots);
+            static_cast<std::int32_t>(wanted), buffers.tuv, buffers.slots);
   return buffers.hits(rays.size());
 }
 

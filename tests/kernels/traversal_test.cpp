@@ -133,8 +133,9 @@ class GuardedBytes {
   GuardedBytes& operator=(const GuardedBytes&) = delete;
   ~GuardedBytes() { munmap(base_, total_); }
 
-  cl::Buffer buffer() const {
-    return {context().handle(), CL_MEM_READ_ONLY | CL_MEM_USE_HOST_PTR, bytes_, start()};
+  /// The bytes themselves, as a buffer that must not outlive this.
+  opencl::RawBuffer buffer() const {
+    return {context(), {}, nullptr, start(), bytes_, "guarded bytes"};
   }
 
  private:
@@ -156,7 +157,7 @@ TEST_P(Packets, ReadNothingBeyondTheirBuffers) {
   }
   const RayBuffers buffers(rays);
   {
-    const cl::Buffer node_buffer = nodes.buffer(), triangle_buffer = triangles.buffer();
+    const opencl::RawBuffer node_buffer = nodes.buffer(), triangle_buffer = triangles.buffer();
     Probe("trace.cl", GetParam())
         .run("probe_trace", buffers.elements, node_buffer, triangle_buffer,
              input(std::vector<AeroInstance>()), input(no_grid()), buffers.origins,
@@ -183,11 +184,11 @@ TEST_P(Packets, ReadNothingBeyondAGrid) {
   for (const Wanted wanted : {Wanted::nearest, Wanted::any_from_above}) {
     const RayBuffers buffers(rays);
     {
-      const cl::Buffer node_buffer = nodes.buffer(), word_buffer = words.buffer();
+      const opencl::RawBuffer node_buffer = nodes.buffer(), word_buffer = words.buffer();
       Probe("trace.cl", GetParam())
           .run("probe_trace", buffers.elements, node_buffer, input(std::vector<AeroTriangle>()),
                input(std::vector<AeroInstance>()), word_buffer, buffers.origins, buffers.directions,
-               buffers.t_max, static_cast<cl_int>(wanted), buffers.tuv, buffers.slots);
+               buffers.t_max, static_cast<std::int32_t>(wanted), buffers.tuv, buffers.slots);
     }
     const std::vector<Hit> guarded = buffers.hits(rays.size());
     const std::vector<Hit> plain = mesh.trace(rays, GetParam(), wanted);

@@ -12,8 +12,7 @@
 #include <algorithm>
 #include <atomic>
 
-#include "opencl/cl.hpp"
-#include "opencl/program.hpp"
+#include "opencl/status.hpp"
 #include "small_window.hpp"
 #include "viewer/export_dialog.hpp"
 #include "viewer/main_window.hpp"
