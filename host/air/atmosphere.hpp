@@ -10,7 +10,7 @@ namespace aerostat::air {
 
 inline constexpr double kGroundRadius = 6360e3;
 inline constexpr double kTopHeight = 100e3;  // there is no air above this height
-inline constexpr double kSunRadius = 0.5 * 0.53 * (std::numbers::pi / 180.0);  // of its disc, rad
+inline constexpr double kSunRadius = 0.5 * 0.53 * (std::numbers::pi / 180.0);  // angular, in rad
 
 /// Returns Rayleigh's optical depth of the whole air straight up. The wavelength is in
 /// micrometres, and the depth at 0.55 is 0.0971. Source: B. A. Bodhaine et al., "On Rayleigh

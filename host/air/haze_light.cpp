@@ -14,8 +14,8 @@ constexpr int kLayers = 96, kSuns = 8;
 // scenes have a depth below a tenth, where both solutions agree within a tenth unless the sun is
 // low.
 constexpr double kThin = 0.12, kThick = 0.4;
-// The largest share of the even part that light going up or down may differ by. With more, the
-// linear law could fall below 0.
+// The largest share of the even part by which light going up or down may differ from it. With
+// more, the linear law could fall below 0.
 constexpr double kMostSlant = 0.8;
 // The mean path of diffuse light through a level layer, divided by the thickness of the layer.
 constexpr double kDiffuseWay = 1.66;

@@ -11,7 +11,8 @@ namespace {
 constexpr double kPi64 = std::numbers::pi;
 constexpr double kEven = 1.0 / (4.0 * kPi64);
 
-// The square roots of the heights, up to kHighest, are evenly spaced.
+// The sizes of the table of light. The square roots of its heights, up to kHighest, are evenly
+// spaced.
 constexpr int kHeights = 16, kSuns = 8;
 constexpr double kHighest = 60e3, kSunReach = HazeLight::kSunReach;
 constexpr int kRings = 8, kSectors = 4, kSteps = 20;

@@ -15,10 +15,10 @@ inline constexpr std::uint32_t kBlockSide = 8;
 
 /// The way in which a block is cut into patches.
 struct BlockPlan {
-  std::uint32_t shape = 0;    // AERO_PATCH_...
+  std::uint32_t shape = 0;    // value of AERO_PATCH_...
   std::uint32_t patches = 0;  // number of patches that hold a cell
   float patch_area = 0.0f;    // sum of the half surface areas of the patches
-  /// Sum of the half surface areas of the cells.
+  /// The sum of the half surface areas of the cells.
   float cell_area = 0.0f;
 };
 

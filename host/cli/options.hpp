@@ -25,8 +25,8 @@ struct DeviceOptions {
 
 struct RenderOptions {
   SceneOptions input;
-  // "-" stands for standard output, and empty for the scene's name and .png in the current
-  // folder.
+  // The value "-" stands for standard output. An empty value stands for the scene's name and .png
+  // in the current folder.
   std::filesystem::path output;
   std::string format;   // "png" or "exr"; empty: chosen by the output's name
   std::string quality;  // empty: the scene's own quality
@@ -40,8 +40,8 @@ struct RenderOptions {
 
 struct ContactSheetOptions {
   SceneOptions input;
-  // "-" stands for standard output, and empty for the scene's name and -seeds.png in the current
-  // folder.
+  // The value "-" stands for standard output. An empty value stands for the scene's name and
+  // -seeds.png in the current folder.
   std::filesystem::path output;
   std::vector<std::uint32_t> seeds;  // seeds of the terrain, one for each tile
   int columns = 0;                   // 0: chosen by the number of tiles

@@ -126,7 +126,7 @@ class LogSum {
 /// bins in which ranks lie.
 struct Sifted {
   double stops_between = 0.0;
-  std::vector<double> edges;  // ascending
+  std::vector<double> edges;  // in ascending order
 };
 
 Sifted sift(const Film& film, const Rank& from, const Rank& to, const Rank& lights) {

@@ -14,7 +14,7 @@ struct Fault {
   std::string found;
   std::string expected;
   int line = 0;    // line of the scene's text, from 1; 0 for "--set" or an edit
-  int column = 0;  // in characters, from 1
+  int column = 0;  // column in characters, from 1
 };
 
 /// The Error{bad_data} of a scene, with all its faults. A fault that another one hides is

@@ -18,9 +18,9 @@ void expand_short_forms(Json& document);
 
 /// Sets each override in turn. Missing objects on the way are created. Missing arrays are taken
 /// from the defaults of the document's biome and view. The token "-" appends to an array. An
-/// override of the sun's direction removes its angles and the reverse. Throws Error{bad_data} if
-/// a pointer leads into a plain value or outside an array. `faults` notes which values no longer
-/// come from the text.
+/// override of one way of giving the sun's direction (vector, angles, date) removes the other
+/// ways. Throws Error{bad_data} if a pointer leads into a plain value or outside an array.
+/// `faults` notes which values no longer come from the text.
 void apply_overrides(Json& document, const std::vector<Override>& overrides, Faults& faults);
 
 /// These functions return the biome, view and quality that the document asks for. They return the

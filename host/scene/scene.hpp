@@ -45,8 +45,8 @@ struct Fractal {
 /// Wind-blown sand, used by TerrainKind::dunes.
 struct Dunes {
   double wind_deg = 250.0;      // azimuth that the wind blows towards
-  double wavelength_m = 400.0;  // from crest to crest, along the wind
-  double height_m = 45.0;       // from trough to crest of the largest dunes
+  double wavelength_m = 400.0;  // distance of crests along the wind
+  double height_m = 45.0;       // height of the largest dunes from trough to crest
 
   bool operator==(const Dunes&) const = default;
 };
@@ -153,8 +153,8 @@ struct Camera {
   HeightReference height_above = HeightReference::sea;  // holds for position and target
   dvec3 up{0.0, 1.0, 0.0};
   Lens lens = Lens::pinhole;
-  double fov_y_deg = 45.0;      // for pinhole and thin lens
-  double f_number = 2.8;        // for a thin lens before a sensor 24 mm high
+  double fov_y_deg = 45.0;      // vertical field of view of pinhole and thin lens
+  double f_number = 2.8;        // f-number of a thin lens before a sensor 24 mm high
   double aperture_m = 0.0;      // diameter of a thin lens; replaces f_number if it is given
   bool aperture_given = false;  // false: the aperture follows from f_number and fov_y_deg
   double focus_m = 0.0;      // depth of the plane that a thin lens shows sharp; used if it is given
@@ -183,7 +183,7 @@ struct PointLight {
 struct Cumulus {
   double cover = 0.0;          // share of the sky straight above, 0 to 1
   double base_m = 1400.0;      // height of the bases above the sea
-  double thickness_m = 500.0;  // from the bases to high tops
+  double thickness_m = 500.0;  // height from the bases to high tops
   double size_m = 700.0;       // width of a cloud
   std::uint32_t seed = 1;
 };
@@ -201,7 +201,7 @@ struct Sky {
 /// The gases of the air, and the land below as far as it lights the air.
 struct Air {
   double density = 1.0;      // density of the molecules relative to the Earth's, 0 = none
-  double ozone_du = 300.0;   // Dobson units
+  double ozone_du = 300.0;   // column of ozone in Dobson units
   vec3 ground_albedo{0.2f};  // albedo of the land around, whose light the air sends back
 };
 
@@ -284,7 +284,7 @@ struct Image {
   std::uint32_t seed = 1;
   double adaptive_threshold = 0.0;  // noise at which a pixel has enough samples; 0: all get spp
   Filter filter = Filter::gaussian;
-  double exposure_ev = 0.0;          // stops; used if it is given
+  double exposure_ev = 0.0;          // exposure in stops; used if it is given
   bool exposure_given = false;       // false: the exposure follows from the picture
   double white_balance_k = 6504.0;   // colour temperature shown as white; used if it is given
   bool white_balance_given = false;  // false: half of the way to the daylight's colour
@@ -304,7 +304,7 @@ struct Scene {
   Air air;
   Haze haze;
   Fog fog;
-  std::array<Material, kMaterialCount> materials;  // by MaterialId
+  std::array<Material, kMaterialCount> materials;  // indexed by MaterialId
   Shading shading = Shading::phong;
   Quality quality = Quality::standard;
   Image image;

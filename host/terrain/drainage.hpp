@@ -17,7 +17,7 @@ struct Bedrock {
 
 struct DrainageOptions {
   int coarse_nodes = 33;                         // nodes along a side, at the first level
-  std::vector<int> rounds = {20, 14, 10, 6, 3};  // for each level; a level doubles the resolution
+  std::vector<int> rounds = {20, 14, 10, 6, 3};  // rounds per level; a level doubles resolution
   int levels_left_out = 0;                       // number of last levels to leave out
   double size_m = 40000.0;
   double height_m = 2400.0;     // one point in a thousand is higher

@@ -6,7 +6,7 @@ namespace aerostat::terrain {
 
 /// Heights on the crossings of grid lines, row by row. x and z have the same ascending lines.
 struct GradedHeights {
-  std::vector<float> lines;  // metres
+  std::vector<float> lines;  // coordinates in metres
   std::vector<float> values;
 
   int stride() const { return static_cast<int>(lines.size()); }

@@ -23,7 +23,7 @@ struct Round {
   const RimmedGrid& grid;
   const RimmedRock& rock;
   const Rimmed<std::uint8_t>& sources;  // for each node, a bit for each neighbour that runs into it
-  const int* ranks;                     // may be null
+  const int* ranks;                     // null if the heights give the order
   float strength;
 };
 
@@ -70,7 +70,7 @@ void System::gather(int mouth) {
 /// Appends the nodes whose water runs into this one, in the order of comes_before.
 void System::gather_above(int number) {
   const int place = nodes_[number].place;
-  std::array<int, 8> found;  // directions
+  std::array<int, 8> found;  // directions in the order of comes_before
   int count = 0;
   for (unsigned rest = round_.sources[place]; rest != 0; rest &= rest - 1) {
     const int d = std::countr_zero(rest);

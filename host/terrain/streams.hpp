@@ -10,7 +10,7 @@ namespace aerostat::terrain {
 /// The properties of the ground under a grid, for each node.
 struct RimmedRock {
   Rimmed<float> uplift, steepest;
-  Rimmed<std::uint8_t> outlets;  // 1 or 0
+  Rimmed<std::uint8_t> outlets;  // 1 for an outlet, else 0
 };
 
 /// A node of a stream system.
