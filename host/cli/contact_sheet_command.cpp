@@ -13,7 +13,6 @@
 #include "core/stop_scope.hpp"
 #include "core/stopwatch.hpp"
 #include "image/sheet.hpp"
-#include "render/room.hpp"
 #include "world/world.hpp"
 
 namespace aerostat::cli {
@@ -70,7 +69,6 @@ class SheetRender {
       const auto label = fmt::format("seed {}, {} of {}", seeds[i], i + 1, seeds.size());
       bar_.set_label(label);
       show(i, seeds.size(), 0.0);
-      render::require_room_for_land(tile);
       world::resolve(tile);
       const image::Film film = session_.render(tile, stop, [&](const render::Progress& progress) {
         const bool is_compiling = progress.stage == render::Stage::kernels;

@@ -16,7 +16,6 @@
 #include "core/stop_scope.hpp"
 #include "core/stopwatch.hpp"
 #include "image/write.hpp"
-#include "render/room.hpp"
 #include "render/session.hpp"
 #include "world/world.hpp"
 
@@ -103,7 +102,6 @@ int render(const RenderOptions& options) {
   scene::Scene scene = scene_to_render(options);
   seconds.reading = phase.restart();
   require_encodable(options, scene.image, format);
-  render::require_room_for_land(scene);
   // Drivers are loaded while the ground is laid out. oneTBB is started first. Otherwise the
   // libraries that it loads, and the requests of its new threads to the loader, would wait for
   // the drivers.

@@ -9,7 +9,6 @@
 #include "core/stop_scope.hpp"
 #include "core/stopwatch.hpp"
 #include "render/abandonable.hpp"
-#include "render/room.hpp"
 #include "world/world.hpp"
 
 namespace aerostat::render {
@@ -26,7 +25,7 @@ constexpr double kFirstLook_s = 0.05;
 constexpr double kFirstRoughLook_s = 0.03;
 /// The drafted pixels per second that are assumed before any were measured.
 constexpr double kFirstRate = 1e6;
-constexpr std::chrono::milliseconds kConvergence(150);
+constexpr std::chrono::milliseconds kRestBeforeFineLand(150);
 
 scene::Scene drafted(scene::Scene scene) {
   scene.image.spp = 1;
@@ -130,7 +129,6 @@ struct Progressive::State {
 /// carves a new one first.
 scene::Scene Progressive::State::placed(const scene::Scene& scene, world::Carving carving) {
   const auto known = has_land(scene) ? built_surface : nullptr;
-  if (!known && carving == world::Carving::fine) require_room_for_land(scene);
   const auto resolve = [scene, carving, known] {
     scene::Scene copy = scene;
     auto ground = known ? known : std::make_shared<const world::Surface>(copy, carving);
@@ -208,7 +206,7 @@ void Progressive::render(const scene::Scene& scene, const std::stop_token& stop,
   state.coarse.begin_kernels();
   if (!state.has_land(scene)) {
     state.show_steps(state.coarse, state.placed(scene, world::Carving::coarse), true);
-    rest(kConvergence, stop);
+    rest(kRestBeforeFineLand, stop);
   }
   state.show_steps(state.fine, state.placed(scene, world::Carving::fine), false);
 }

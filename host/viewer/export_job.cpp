@@ -8,7 +8,6 @@
 #include "image/write.hpp"
 #include "opencl/device.hpp"
 #include "render/look.hpp"
-#include "render/room.hpp"
 #include "render/session.hpp"
 #include "world/world.hpp"
 
@@ -68,7 +67,6 @@ void ExportJob::run(const std::stop_token& stop, scene::Scene scene, const QStri
     options.devices = opencl::select_devices(opencl::effective_selector(device.toStdString()));
     render::Session session(std::move(options));
     session.begin_kernels();
-    render::require_room_for_land(scene);
     world::resolve(scene);
     const auto film = session.render(scene, stop, [this](const render::Progress& progress) {
       const double begin = begin_of(progress.stage);

@@ -11,6 +11,7 @@
 #include "model/balloon.hpp"
 #include "scene/local_frame.hpp"
 #include "terrain/terrain_mesh.hpp"
+#include "world/land_memory.hpp"
 #include "world/plants.hpp"
 
 namespace aerostat::world {
@@ -20,6 +21,7 @@ constexpr double kCoarseEnvelope_m = 0x1p-5, kCoarseBasket_m = 0x1p-8;
 
 /// `local` counts from its origin, here and below.
 std::shared_ptr<const Land> build_land(const scene::Scene& local, Carving carving) {
+  require_memory_for_land(local);
   auto land = std::make_shared<Land>();
   land->ground = std::make_shared<const mesh::GridMesh>(
       terrain::terrain_mesh(local.terrain, terrain::HeightField(local.terrain, carving)));

@@ -1,11 +1,10 @@
-#include "render/room.hpp"
+#include "world/land_memory.hpp"
 
 #include <fmt/format.h>
 
 #include "core/error.hpp"
-#include "core/memory_left.hpp"
 
-namespace aerostat::render {
+namespace aerostat::world {
 namespace {
 
 /// The memory for each cell of the land. 289 MiB were measured for 4096 x 4096 cells, and 97 MiB
@@ -14,10 +13,9 @@ constexpr std::uint64_t kBytesPerCell = 18;
 
 }  // namespace
 
-void require_room_for_land(const scene::Scene& scene) {
+void require_memory_for_land(const scene::Scene& scene, const MemoryLeft& left) {
   const auto cells = static_cast<std::uint64_t>(scene.terrain.cells);
   const std::uint64_t needed = cells * cells * kBytesPerCell;
-  const MemoryLeft left = memory_left();
   if (needed <= left.bytes) return;
   throw Error(
       ErrorKind::exhausted,
@@ -26,4 +24,4 @@ void require_room_for_land(const scene::Scene& scene) {
                   cells, cells, needed >> 20, left.bound, left.bytes >> 20));
 }
 
-}  // namespace aerostat::render
+}  // namespace aerostat::world
