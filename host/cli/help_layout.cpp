@@ -2,14 +2,14 @@
 
 #include <algorithm>
 #include <charconv>
-#include <cstdlib>
-#include <cstring>
 #include <sstream>
 #include <string_view>
 #include <system_error>
 
 #include <sys/ioctl.h>
 #include <unistd.h>
+
+#include "core/environment.hpp"
 
 namespace aerostat::cli {
 
@@ -21,11 +21,10 @@ constexpr int kUsualColumns = 80;
 
 /// Returns the number in COLUMNS, or 0 if it is not a number.
 int columns_of_environment() {
-  const char* text = std::getenv("COLUMNS");
-  if (text == nullptr) return 0;
+  const std::string text = environment_variable("COLUMNS").value_or("");
   int columns = 0;
-  const char* end = text + std::strlen(text);
-  const auto [rest, error] = std::from_chars(text, end, columns);
+  const char* end = text.data() + text.size();
+  const auto [rest, error] = std::from_chars(text.data(), end, columns);
   return error == std::errc() && rest == end ? std::max(columns, 0) : 0;
 }
 

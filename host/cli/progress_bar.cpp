@@ -1,12 +1,13 @@
 #include "cli/progress_bar.hpp"
 
-#include <cstdlib>
 #include <string>
 #include <utility>
 
 #include <fmt/format.h>
 #include <sys/ioctl.h>
 #include <unistd.h>
+
+#include "core/environment.hpp"
 
 namespace aerostat::cli {
 
@@ -22,11 +23,6 @@ constexpr double kLineFraction = 0.1;
 constexpr double kLeastMeasureSeconds = 0.3;
 constexpr double kLeastMeasureFraction = 0.02;
 
-bool is_set(const char* name) {
-  const char* value = std::getenv(name);
-  return value && *value;
-}
-
 int stderr_columns() {
   winsize size{};
   if (::ioctl(STDERR_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0) return size.ws_col;
@@ -38,11 +34,10 @@ int stderr_columns() {
 ProgressStyle stderr_style(bool quiet) {
   ProgressStyle style;
   if (quiet) return style;
-  const char* term = std::getenv("TERM");
-  const bool is_dumb = !term || std::string_view(term) == "dumb";
+  const bool is_dumb = environment_variable("TERM").value_or("dumb") == "dumb";
   const bool is_terminal = ::isatty(STDERR_FILENO) == 1 && !is_dumb;
   style.mode = is_terminal ? ProgressStyle::Mode::terminal : ProgressStyle::Mode::lines;
-  style.color = is_terminal && !is_set("NO_COLOR");
+  style.color = is_terminal && !environment_variable("NO_COLOR");
   style.columns = stderr_columns;
   return style;
 }

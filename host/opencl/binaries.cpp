@@ -1,7 +1,6 @@
 #include "opencl/binaries.hpp"
 
 #include <algorithm>
-#include <cstdlib>
 #include <system_error>
 #include <utility>
 #include <vector>
@@ -9,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "core/checksum.hpp"
+#include "core/environment.hpp"
 #include "core/error.hpp"
 #include "opencl/cache.hpp"
 #include "opencl/kept_file.hpp"
@@ -36,17 +36,16 @@ constexpr std::size_t kSumBytes = 16;
 }  // namespace
 
 bool keeps_binaries(const std::string& platform) {
-  const char* const value = std::getenv(kVariable);
-  if (value == nullptr || *value == '\0') {
+  const auto wanted = environment_variable(kVariable);
+  if (!wanted) {
     return platform != "Portable Computing Language" && platform != "NVIDIA CUDA" &&
            platform != "rusticl";
   }
-  const std::string wanted = value;
-  if (wanted != "on" && wanted != "off") {
+  if (*wanted != "on" && *wanted != "off") {
     throw Error(ErrorKind::usage,
-                fmt::format("{} is \"{}\"; expected \"on\" or \"off\"", kVariable, wanted));
+                fmt::format("{} is \"{}\"; expected \"on\" or \"off\"", kVariable, *wanted));
   }
-  return wanted == "on";
+  return *wanted == "on";
 }
 
 std::string binary_key(const Device& device, std::string_view text, std::string_view options) {

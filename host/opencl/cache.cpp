@@ -10,6 +10,7 @@
 #include <sys/statvfs.h>
 #include <unistd.h>
 
+#include "core/environment.hpp"
 #include "core/error.hpp"
 #include "core/log.hpp"
 #include "opencl/cache_check.hpp"
@@ -23,12 +24,6 @@ constexpr mode_t kPrivate = 0700;
 
 std::string reason_of(int error) {
   return std::generic_category().message(error);
-}
-
-std::optional<std::string> variable(const char* name) {
-  const char* value = std::getenv(name);
-  if (value == nullptr || *value == '\0') return std::nullopt;
-  return value;
 }
 
 /// Creates `path` and the folders above it, all with mode 0700 as the XDG Base Directory
@@ -157,8 +152,8 @@ std::string prepare_process() {
 }  // namespace
 
 CacheEnvironment CacheEnvironment::of_process() {
-  return {variable("POCL_CACHE_DIR"), variable("XDG_CACHE_HOME"), variable("HOME"),
-          variable("TMPDIR")};
+  return {environment_variable("POCL_CACHE_DIR"), environment_variable("XDG_CACHE_HOME"),
+          environment_variable("HOME"), environment_variable("TMPDIR")};
 }
 
 std::optional<fs::path> preferred_cache_path(const CacheEnvironment& environment) {
@@ -194,7 +189,7 @@ std::optional<std::string> make_private_folder(const fs::path& path) {
 
 void keep_compiled_kernels() {
   if (!ensure_pocl_cache().empty()) return;
-  if (const auto folder = variable("POCL_CACHE_DIR")) seal_programs(*folder);
+  if (const auto folder = environment_variable("POCL_CACHE_DIR")) seal_programs(*folder);
 }
 
 std::string ensure_pocl_cache() {

@@ -1,7 +1,6 @@
 #include "opencl/driver_abort.hpp"
 
 #include <csignal>
-#include <cstdlib>
 #include <mutex>
 #include <string>
 
@@ -10,6 +9,7 @@
 #include <sys/resource.h>
 #include <unistd.h>
 
+#include "core/environment.hpp"
 #include "core/error.hpp"
 #include "opencl/cache_check.hpp"
 
@@ -56,14 +56,14 @@ LastWords compose() {
             {},
             static_cast<int>(ErrorKind::exhausted)};
   }
-  const char* folder = std::getenv("POCL_CACHE_DIR");
-  if (folder == nullptr) {
+  const auto folder = environment_variable("POCL_CACHE_DIR");
+  if (!folder) {
     return {head + "its message, if any, is above\n", {}, static_cast<int>(ErrorKind::internal)};
   }
   return {fmt::format("{}the compiled kernels in {} will be removed by the next run, which "
                       "compiles them anew\n",
-                      head, folder),
-          suspect_mark(folder).string(), static_cast<int>(ErrorKind::internal)};
+                      head, *folder),
+          suspect_mark(*folder).string(), static_cast<int>(ErrorKind::internal)};
 }
 
 }  // namespace

@@ -1,13 +1,15 @@
 #include "opencl/kept_file.hpp"
 
-#include <cstdio>
-#include <cstdlib>
+#include <cstdint>
 #include <system_error>
 
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <sys/stat.h>
 #include <unistd.h>
+
+#include "core/error.hpp"
+#include "core/file.hpp"
 
 namespace aerostat::opencl {
 namespace {
@@ -20,15 +22,6 @@ struct File {
     if (descriptor >= 0) close(descriptor);
   }
 };
-
-bool write_all(int descriptor, std::string_view bytes) {
-  while (!bytes.empty()) {
-    const auto written = write(descriptor, bytes.data(), bytes.size());
-    if (written <= 0) return false;
-    bytes.remove_prefix(static_cast<std::size_t>(written));
-  }
-  return fsync(descriptor) == 0;
-}
 
 }  // namespace
 
@@ -50,16 +43,12 @@ std::optional<std::string> read_kept_file(const fs::path& path) {
 }
 
 bool write_kept_file(const fs::path& path, std::string_view bytes) {
-  std::string temporary = path.string() + ".XXXXXX";
-  bool is_written = false;
-  {
-    const File file{mkostemp(temporary.data(), O_CLOEXEC)};
-    if (file.descriptor < 0) return false;
-    is_written = write_all(file.descriptor, bytes);
+  try {
+    write_file(path, {reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size()});
+  } catch (const Error&) {
+    return false;
   }
-  if (is_written && std::rename(temporary.c_str(), path.c_str()) == 0) return true;
-  unlink(temporary.c_str());
-  return false;
+  return true;
 }
 
 bool remove_kept(const fs::path& path) {

@@ -1,23 +1,18 @@
 #include "opencl/registered.hpp"
 
 #include <algorithm>
-#include <cstdlib>
 #include <fstream>
 #include <system_error>
 
 #include <dlfcn.h>
 #include <fmt/format.h>
 
+#include "core/environment.hpp"
+
 namespace aerostat::opencl {
 namespace {
 
 namespace fs = std::filesystem;
-
-std::optional<std::string> variable(const char* name) {
-  const char* value = std::getenv(name);
-  if (value == nullptr || *value == '\0') return std::nullopt;
-  return value;
-}
 
 bool is_folder(const fs::path& path) {
   std::error_code ignored;
@@ -70,7 +65,7 @@ std::optional<std::string> obstacle(const RegisteredDriver& driver, bool some_ar
 }  // namespace
 
 VendorEnvironment VendorEnvironment::of_process() {
-  return {variable("OCL_ICD_VENDORS"), variable("OPENCL_VENDOR_PATH")};
+  return {environment_variable("OCL_ICD_VENDORS"), environment_variable("OPENCL_VENDOR_PATH")};
 }
 
 std::vector<RegisteredDriver> registered_drivers(const VendorEnvironment& environment) {

@@ -1,7 +1,6 @@
 #include <algorithm>
 #include <cctype>
 #include <charconv>
-#include <cstdlib>
 #include <functional>
 #include <optional>
 #include <string_view>
@@ -9,6 +8,7 @@
 
 #include <fmt/format.h>
 
+#include "core/environment.hpp"
 #include "core/error.hpp"
 #include "opencl/device.hpp"
 #include "opencl/partition.hpp"
@@ -207,8 +207,7 @@ Device select_device(const std::string& selector) {
 
 std::string effective_selector(const std::string& selector) {
   if (!selector.empty()) return selector;
-  const char* variable = std::getenv("AEROSTAT_DEVICE");
-  return variable != nullptr && *variable != '\0' ? variable : "auto";
+  return environment_variable("AEROSTAT_DEVICE").value_or("auto");
 }
 
 }  // namespace aerostat::opencl

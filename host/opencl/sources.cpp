@@ -1,10 +1,10 @@
-#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
 
 #include <fmt/format.h>
 
+#include "core/environment.hpp"
 #include "core/error.hpp"
 #include "opencl/embedded.hpp"
 #include "opencl/program.hpp"
@@ -53,9 +53,9 @@ SourceTree kernel_sources(const fs::path& folder) {
 }
 
 SourceTree kernel_sources() {
-  const char* folder = std::getenv("AEROSTAT_KERNEL_DIR");
-  if (folder != nullptr && *folder != '\0')
-    return read_folder(folder, fmt::format("{} (AEROSTAT_KERNEL_DIR)", folder));
+  if (const auto folder = environment_variable("AEROSTAT_KERNEL_DIR")) {
+    return read_folder(*folder, fmt::format("{} (AEROSTAT_KERNEL_DIR)", *folder));
+  }
   SourceTree tree;
   for (const auto& file : embedded_files()) tree.emplace(file.path, file.text);
   return tree;

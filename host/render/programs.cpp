@@ -39,7 +39,6 @@ void warm_up(const opencl::Context& context, Programs& programs, int lanes,
     progress.begin(share);
     opencl::launch(context, kernel, arguments...);
     opencl::finish(context);
-    opencl::keep_compiled_kernels();
   };
   const Shares share;
   step(share.camera, programs.trace_camera_rays, range, launch, none, none, none, none, none, none);
@@ -75,6 +74,7 @@ Programs build_programs(const opencl::Context& context, int lanes, KernelProgres
   programs.clear_film = rendering.kernel("clear_film");
   programs.mark_converged = rendering.kernel("mark_converged");
   warm_up(context, programs, lanes, progress);
+  opencl::keep_compiled_kernels();
   progress.finish();
   programs.seconds = watch.seconds();
   return programs;

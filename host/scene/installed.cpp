@@ -1,9 +1,10 @@
 #include "scene/installed.hpp"
 
 #include <algorithm>
-#include <cstdlib>
 #include <fstream>
 #include <system_error>
+
+#include "core/environment.hpp"
 
 namespace aerostat::scene {
 
@@ -30,8 +31,7 @@ bool is_scene(const fs::path& path) {
 }  // namespace
 
 fs::path installed_folder() {
-  const char* folder = std::getenv("AEROSTAT_SCENE_DIR");
-  if (folder != nullptr && *folder != '\0') return folder;
+  if (const auto folder = environment_variable("AEROSTAT_SCENE_DIR")) return *folder;
   std::error_code problem;
   const fs::path program = fs::read_symlink("/proc/self/exe", problem);
   return program.parent_path().parent_path() / "share/aerostat/scenes";
