@@ -39,6 +39,16 @@ AeroConvergence convergence_of(const scene::Image& image, const dvec3& daylight,
           film.width, film.height};
 }
 
+/// Returns whether a render of `crop` takes exactly the rays of `metering`, in one pass. Then a
+/// film of its own would only repeat them.
+bool takes_all_rays_of(const AeroFrame& metering, const AeroFrame& whole, const Crop& crop,
+                       const PassPlan& plan) {
+  return metering.width == whole.width && metering.height == whole.height &&
+         metering.samples == whole.samples && metering.sample_stride == whole.sample_stride &&
+         crop.pixels() == std::size_t{whole.width} * whole.height &&
+         static_cast<std::uint32_t>(plan.samples_from(0)) == whole.samples;
+}
+
 }  // namespace
 
 struct Session::State {
@@ -49,7 +59,7 @@ struct Session::State {
   void upload();
   void prepare(const scene::Scene& scene, const scene::Scene& shown, const Crop& crop,
                Plants plants);
-  void meter(const AeroFrame& whole);
+  void meter(const AeroFrame& metering);
   image::Film trace(const scene::Scene& scene, const Crop& crop);
   void trace_pass(const Pass& pass, RowQueue& queue, const PassPlan& plan);
   image::Film read_passes(const scene::Scene& scene, const FilmArea& area, const RowQueue& queue);
@@ -163,10 +173,9 @@ void Session::State::trace_pass(const Pass& pass, RowQueue& queue, const PassPla
   stats.primary_rays = team.rays_done();
 }
 
-/// Finds the exposure of all that `whole` shows.
-void Session::State::meter(const AeroFrame& whole) {
+/// Finds the exposure of all that the frame `metering` shows.
+void Session::State::meter(const AeroFrame& metering) {
   const Stopwatch metering_watch;
-  const AeroFrame metering = metering_frame(whole);
   const auto width = static_cast<int>(metering.width), height = static_cast<int>(metering.height);
   const Crop all{0, 0, width, height};
   team.begin_film(all);
@@ -187,9 +196,12 @@ void Session::State::meter(const AeroFrame& whole) {
 
 image::Film Session::State::trace(const scene::Scene& scene, const Crop& crop) {
   const AeroFrame whole = pack::pack_frame(scene, bounds);
-  if (!scene.image.exposure_given) meter(whole);
-  const Stopwatch rays_watch;
+  const AeroFrame metering = metering_frame(whole);
   const PassPlan plan(scene.image, crop, team.lanes());
+  const bool is_metered = options.meters && !scene.image.exposure_given;
+  const bool meters_itself = takes_all_rays_of(metering, whole, crop, plan);
+  if (is_metered && !meters_itself) meter(metering);
+  const Stopwatch rays_watch;
   const FilmArea area{scene.image.width, scene.image.height, plan.area_from(0), crop};
   team.begin_film(area.window);
   RowQueue queue(area.window.y0, area.window.y1, static_cast<int>(options.devices.size()));
@@ -205,6 +217,9 @@ image::Film Session::State::trace(const scene::Scene& scene, const Crop& crop) {
     trace_pass(pass, queue, plan);
   }
   image::Film read = read_passes(scene, area, queue);
+  if (is_metered && meters_itself) {
+    metered_ev = read.metered_ev = image::automatic_exposure_ev(read);
+  }
   finish(area, queue);
   stats.rays_seconds = rays_watch.seconds();
   return read;

@@ -33,6 +33,9 @@ struct Options {
   /// How finely land is carved; scenes must be resolved on the same.
   world::Carving carving = world::Carving::fine;
   Layers layers = Layers::all;
+  /// Whether films tell the exposure that suits them (image::Film::metered_ev). A film that nobody
+  /// develops needs none.
+  bool meters = true;
   /// For tests: called before each launch, on the thread that launches, with the device that it is
   /// for. What it throws comes out as if the launch had failed.
   std::function<void(const opencl::Device&)> before_launch = {};

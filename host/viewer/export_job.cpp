@@ -65,6 +65,10 @@ void ExportJob::run(const std::stop_token& stop, scene::Scene scene, const QStri
     require_writable(file);
     render::Options options;
     options.devices = opencl::select_devices(opencl::effective_selector(device.toStdString()));
+    const bool is_exr =
+        QFileInfo(path).suffix().compare(QLatin1String("exr"), Qt::CaseInsensitive) == 0;
+    if (!is_exr) options.layers = render::Layers::light_alone;
+    options.meters = !is_exr;
     render::Session session(std::move(options));
     session.begin_kernels();
     world::resolve(scene);
@@ -74,10 +78,8 @@ void ExportJob::run(const std::stop_token& stop, scene::Scene scene, const QStri
       Q_EMIT progressed(traces ? begin + (1.0 - begin) * progress.fraction : begin,
                         text_of(progress.stage));
     });
-    const bool exr =
-        QFileInfo(path).suffix().compare(QLatin1String("exr"), Qt::CaseInsensitive) == 0;
-    bytes_ = exr ? image::encode_exr(film)
-                 : image::encode_png(image::develop(film, render::look_of(scene.image, film)));
+    bytes_ = is_exr ? image::encode_exr(film)
+                    : image::encode_png(image::develop(film, render::look_of(scene.image, film)));
     stop_if_asked(stop);
     if (!is_special_file(file) && file_stamp(file) != before_) {
       Q_EMIT obstructed();

@@ -113,9 +113,11 @@ TEST(CropAtFinal, HoldsPixelsThatTheirNeighboursDecide) {
   EXPECT_TRUE(std::count(film.samples.begin(), film.samples.end(), 80u) > 100);
 }
 
-TEST(Metering, IsByEveryPixelOfASmallDraft) {
+TEST(Metering, OfASmallDraftTakesNoRaysOfItsOwn) {
   const image::Film film = shared_session().render(scene_of(scene::Quality::draft));
   EXPECT_EQ(film.metered_ev, image::automatic_exposure_ev(film));
+  EXPECT_EQ(shared_session().snapshot().metered_ev, film.metered_ev);
+  EXPECT_EQ(shared_session().stats().metering_seconds, 0.0);
 }
 
 TEST(Metering, IsNearThatByAllPixels) {
@@ -131,6 +133,14 @@ TEST(Metering, IsLeftOutWhereTheExposureIsGiven) {
   scene.image.exposure_given = true;
   EXPECT_EQ(shared_session().render(scene).metered_ev, 0.0);
   EXPECT_EQ(shared_session().stats().metering_seconds, 0.0);
+}
+
+TEST(Metering, IsLeftOutWhereNobodyDevelopsTheFilm) {
+  render::Options options = test::options();
+  options.meters = false;
+  render::Session session(std::move(options));
+  EXPECT_EQ(session.render(scene_of(scene::Quality::draft)).metered_ev, 0.0);
+  EXPECT_EQ(session.stats().metering_seconds, 0.0);
 }
 
 AeroFrame frame_of(std::uint32_t width, std::uint32_t height) {
