@@ -13,7 +13,6 @@
 #include "core/stop_scope.hpp"
 #include "core/stopwatch.hpp"
 #include "image/sheet.hpp"
-#include "world/world.hpp"
 
 namespace aerostat::cli {
 
@@ -60,8 +59,9 @@ class SheetRender {
     session_.begin_kernels();
   }
 
-  image::Sheet render(const scene::Scene& scene, const std::vector<std::uint32_t>& seeds,
-                      const image::SheetLayout& layout, const std::stop_token& stop) {
+  image::Sheet render(const SceneOptions& input, const scene::Scene& scene,
+                      const std::vector<std::uint32_t>& seeds, const image::SheetLayout& layout,
+                      const std::stop_token& stop) {
     image::Sheet sheet(layout);
     for (std::size_t i = 0; i < seeds.size(); ++i) {
       scene::Scene tile = scene;
@@ -69,7 +69,7 @@ class SheetRender {
       const auto label = fmt::format("seed {}, {} of {}", seeds[i], i + 1, seeds.size());
       bar_.set_label(label);
       show(i, seeds.size(), 0.0);
-      world::resolve(tile);
+      resolve_scene(tile, input);
       const image::Film film = session_.render(tile, stop, [&](const render::Progress& progress) {
         const bool is_compiling = progress.stage == render::Stage::kernels;
         bar_.set_label(is_compiling ? "" : label);
@@ -114,7 +114,8 @@ int contact_sheet(const ContactSheetOptions& options) {
   const image::SheetLayout layout = layout_of(options, scene.image, seeds.size());
   const render::Options session_options = session_options_of(options.device);
   SheetRender sheet_render(session_options, bar);
-  const image::Sheet sheet = sheet_render.render(scene, seeds, layout, interrupt.token());
+  const image::Sheet sheet =
+      sheet_render.render(options.input, scene, seeds, layout, interrupt.token());
   bar.clear();
   const auto bytes = image::encode_png(sheet.pixels());
   stop_if_asked(interrupt.token());

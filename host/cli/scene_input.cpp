@@ -63,19 +63,23 @@ scene::Scene read_scene(const SceneOptions& options) {
   return scene::read_text(text_of_stdin(), kStandardInput, overrides);
 }
 
-scene::Scene load_scene(const SceneOptions& options) {
-  scene::Scene scene = read_scene(options);
+std::string name_of_scene(const SceneOptions& options) {
+  return is_standard(options.scene) ? kStandardInput : options.scene.string();
+}
+
+void resolve_scene(scene::Scene& scene, const SceneOptions& options) {
   try {
     world::resolve(scene);
   } catch (const Error& error) {
     if (error.kind() != ErrorKind::bad_data) throw;
-    throw Error(error.kind(), fmt::format("{}: {}", options.scene.string(), error.what()));
+    throw Error(error.kind(), fmt::format("{}: {}", name_of_scene(options), error.what()));
   }
-  return scene;
 }
 
-std::string name_of_scene(const SceneOptions& options) {
-  return is_standard(options.scene) ? kStandardInput : options.scene.string();
+scene::Scene load_scene(const SceneOptions& options) {
+  scene::Scene scene = read_scene(options);
+  resolve_scene(scene, options);
+  return scene;
 }
 
 std::filesystem::path output_file(const std::filesystem::path& output, const SceneOptions& input,

@@ -12,12 +12,16 @@ namespace aerostat::cli {
 /// Reads the scene and applies the overrides. Throws the errors of scene::read_file.
 scene::Scene read_scene(const SceneOptions& options);
 
-/// Reads the scene, applies the overrides and resolves it. Throws the errors of scene::read_file
-/// and world::resolve.
-scene::Scene load_scene(const SceneOptions& options);
-
 /// Returns the name of the scene for messages.
 std::string name_of_scene(const SceneOptions& options);
+
+/// Resolves a scene that was read by `options`. Throws the errors of world::resolve. A message
+/// about the scene's data begins with the scene's name.
+void resolve_scene(scene::Scene& scene, const SceneOptions& options);
+
+/// Reads the scene, applies the overrides and resolves it. Throws the errors of read_scene and
+/// resolve_scene.
+scene::Scene load_scene(const SceneOptions& options);
 
 /// Returns the file to write for a name on the command line, which is standard output for "-".
 /// Throws Error{usage} if standard output is a terminal and `is_binary` is true. Throws

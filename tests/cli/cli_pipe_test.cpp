@@ -39,6 +39,20 @@ TEST_F(Pipe, ASceneComesFromStandardInput) {
   EXPECT_EQ(shell("\"$A\" check - <&-").code, 74);
 }
 
+TEST_F(Pipe, EveryCommandNamesStandardInputWhereASceneCannotStand) {
+  // Above the ground it would be more than 1000 km up.
+  const std::string far =
+      " --set /balloon/height_above=ground --set '/balloon/position=[0,1000000,0]'"
+      " --set /terrain/cells=64 <$S/snow.json";
+  for (const char* command : {"check -", "render - -o x.png", "contact-sheet - -o x.png"}) {
+    const Outcome outcome = shell(std::string("\"$A\" ") + command + far);
+    EXPECT_EQ(outcome.code, 65) << command << ": " << outcome.err;
+    EXPECT_NE(outcome.err.find("aerostat: standard input: /balloon/position/1: found "),
+              std::string::npos)
+        << command << ": " << outcome.err;
+  }
+}
+
 TEST_F(Pipe, APictureGoesToStandardOutput) {
   const Outcome piped = shell("\"$A\" render - -o -" + kSmall + " <$S/snow.json");
   ASSERT_EQ(piped.code, 0) << piped.err;
