@@ -5,6 +5,8 @@
 
 #include <tbb/parallel_for.h>
 
+#include "core/smooth_step.hpp"
+
 namespace aerostat::air {
 namespace {
 
@@ -160,8 +162,7 @@ double thick_haze_share(const Atmosphere& air) {
   const dvec3& extinction = air.haze_extinction;
   const double most = std::max({extinction.x, extinction.y, extinction.z});
   const double depth = most * air.mean_density(0.0, kTopHeight).haze * kTopHeight;
-  const double t = std::clamp((depth - kThin) / (kThick - kThin), 0.0, 1.0);
-  return t * t * (3.0 - 2.0 * t);
+  return smooth_step(kThin, kThick, depth);
 }
 
 dvec3 reduced_haze_share(const Atmosphere& air) {

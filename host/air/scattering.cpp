@@ -5,6 +5,8 @@
 
 #include <tbb/parallel_for.h>
 
+#include "core/smooth_step.hpp"
+
 namespace aerostat::air {
 namespace {
 
@@ -92,11 +94,6 @@ dvec3 light_around(const Atmosphere& air, const SunPaths& paths, double height, 
   return second / directions / (1.0 - glm::min(kept / directions, dvec3(kMostKept)));
 }
 
-double eased(double t) {
-  t = std::clamp(t, 0.0, 1.0);
-  return t * t * (3.0 - 2.0 * t);
-}
-
 /// Returns light without the false hue of a low sun. Three wavelengths stand for the spectrum
 /// well for air masses up to about ten. A sun at the horizon passes many more, and then green
 /// dominates as under no real sky, because molecules and ozone dim it least of the three. Green
@@ -111,8 +108,9 @@ dvec3 without_false_hue(const dvec3& light, double sun_sine) {
   dvec3 hue = light;
   // Light that is green by its own colour keeps at least half of its green.
   hue.y = std::min(hue.y, std::max(kMostGreen * std::max(hue.x, hue.z), 0.5 * hue.y));
-  hue = glm::mix(light, hue * (luminance / glm::dot(hue, kLuminance)), eased((4.0 - above) / 4.0));
-  return glm::mix(hue, dvec3(luminance), eased((-11.0 - above) / 4.0));
+  hue =
+      glm::mix(light, hue * (luminance / glm::dot(hue, kLuminance)), smooth_step(4.0, 0.0, above));
+  return glm::mix(hue, dvec3(luminance), smooth_step(-11.0, -15.0, above));
 }
 
 }  // namespace

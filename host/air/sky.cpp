@@ -5,6 +5,8 @@
 
 #include <tbb/parallel_for.h>
 
+#include "core/smooth_step.hpp"
+
 namespace aerostat::air {
 namespace {
 
@@ -45,9 +47,9 @@ std::array<double, 9> basis(const dvec3& d) {
 /// warm. It is left out by day, and thinner air glows less.
 dvec3 night_light(const Atmosphere& air, double sun_sine) {
   constexpr double kNight = 1.7e-4 / 133100.0;
-  const double t = std::clamp(-sun_sine / std::sin(6.0 * kPi64 / 180.0), 0.0, 1.0);
+  const double dark = smooth_step(0.0, std::sin(6.0 * kPi64 / 180.0), -sun_sine);
   const double density = air.molecules.y * air.molecules_height / rayleigh_depth(kWavelengths_um.y);
-  return dvec3(kNight * t * t * (3.0 - 2.0 * t) * std::min(density, 1.0));
+  return dvec3(kNight * dark * std::min(density, 1.0));
 }
 
 }  // namespace

@@ -5,6 +5,8 @@
 
 #include <tbb/parallel_for.h>
 
+#include "core/smooth_step.hpp"
+
 namespace aerostat::air {
 namespace {
 
@@ -119,8 +121,7 @@ double sun_share(double height, double cosine) {
   const double h = std::max(height, 0.0);
   const double horizon = -std::acos(kGroundRadius / (kGroundRadius + h));
   const double above = std::asin(std::clamp(cosine, -1.0, 1.0)) - horizon;
-  const double t = std::clamp(0.5 + 0.5 * above / kSunRadius, 0.0, 1.0);
-  return t * t * (3.0 - 2.0 * t);
+  return smooth_unit_step(std::clamp(0.5 + 0.5 * above / kSunRadius, 0.0, 1.0));
 }
 
 double fog_light(const FogLayer& fog, double height, double sun_cosine) {

@@ -5,6 +5,8 @@
 
 #include <fmt/format.h>
 
+#include "render/kernel_progress.hpp"
+
 namespace aerostat::cli {
 
 namespace {
@@ -12,12 +14,8 @@ namespace {
 constexpr int kWidestBar = 40;
 constexpr int kNarrowestBar = 6;
 
-/// The time from which kernels count as being compiled. Kernels of a former run are loaded
-/// sooner.
-constexpr double kLeastCompileSeconds = 2.0;
-
 bool is_compiling(const ProgressView& view) {
-  return view.stage == render::Stage::kernels && view.stage_seconds >= kLeastCompileSeconds;
+  return view.stage == render::Stage::kernels && view.stage_seconds >= render::kLeastCompileSeconds;
 }
 
 std::string head_of(const ProgressView& view) {

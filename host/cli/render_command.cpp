@@ -17,7 +17,6 @@
 #include "core/stopwatch.hpp"
 #include "image/write.hpp"
 #include "render/session.hpp"
-#include "world/world.hpp"
 
 namespace aerostat::cli {
 
@@ -66,6 +65,7 @@ Opened open_session(const RenderOptions& options, PictureFormat format) {
   const Stopwatch watch;
   render::Options session_options = session_options_of(options.device);
   if (format == PictureFormat::png) session_options.layers = render::Layers::light_alone;
+  session_options.meters = format == PictureFormat::png;
   Opened opened{std::make_unique<render::Session>(session_options), session_options.devices,
                 watch.seconds()};
   opened.session->begin_kernels();
@@ -107,7 +107,7 @@ int render(const RenderOptions& options) {
   // the drivers.
   tbb::parallel_for(0, tbb::this_task_arena::max_concurrency(), [](int) {});
   auto opening = std::async(std::launch::async, [&] { return open_session(options, format); });
-  world::resolve(scene);
+  resolve_scene(scene, options.input);
   seconds.placing = phase.seconds();
   Opened opened = opening.get();
   seconds.device = opened.seconds;

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/smooth_step.hpp"
+
 namespace aerostat::pack {
 namespace {
 
@@ -24,7 +26,7 @@ dvec3 daylight(const AeroScene& scene, double height_m) {
   const double from = static_cast<double>(air.sun_heights[0]);
   const double to = static_cast<double>(air.sun_heights[1]);
   const double t = std::clamp((height_m - from) / std::max(to - from, 1e-9), 0.0, 1.0);
-  const double share = t * t * (3.0 - 2.0 * t);
+  const double share = smooth_unit_step(t);
   const dvec3 sun = share / std::numbers::pi * glm::exp(-depth);
   return color(scene.sky.sun_irradiance) * (sun + color(air.ambient[0]));
 }

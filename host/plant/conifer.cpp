@@ -2,6 +2,7 @@
 #include <cmath>
 #include <iterator>
 
+#include "core/smooth_step.hpp"
 #include "plant/foliage.hpp"
 #include "plant/random.hpp"
 #include "plant/species.hpp"
@@ -58,11 +59,6 @@ constexpr Level kLevels[3] = {{275, 12, 0.235, 0.13, 0.42, 0.62, 9},
                               {97, 4, 0.42, 0.5, 0.76, 0.97, 5},
                               {52, 0, 0.0, 0.0, 1.05, 1.06, 3}};
 
-double smooth(double from, double to, double x) {
-  const double t = std::clamp((x - from) / (to - from), 0.0, 1.0);
-  return t * t * (3.0 - 2.0 * t);
-}
-
 class ConiferBuilder {
  public:
   ConiferBuilder(mesh::TriangleMesh& mesh, const Conifer& tree, bool snowy, const Level& level,
@@ -99,14 +95,15 @@ class ConiferBuilder {
 
   /// Returns the radius of the crown at share t of its height.
   double radius(double t) const {
-    return tree_.radius_m * std::pow(1.0 - t, tree_.taper) * (0.72 + 0.28 * smooth(0.0, 0.14, t));
+    return tree_.radius_m * std::pow(1.0 - t, tree_.taper) *
+           (0.72 + 0.28 * smooth_step(0.0, 0.14, t));
   }
 
   Shade shade(const dvec3& p) const {
     const double foot = crown_foot();
     const double t = std::clamp((p.y - foot) / (tree_.height_m - foot), 0.0, 0.98);
     const double from_axis = std::hypot(p.x, p.z);
-    const double depth = smooth(0.1, 0.95, from_axis / (radius(t) + 0.15));
+    const double depth = smooth_step(0.1, 0.95, from_axis / (radius(t) + 0.15));
     const double light = (0.30 + 0.70 * depth) * (0.72 + 0.28 * t);
     const dvec3 radial = from_axis > 1e-6 ? dvec3(p.x, 0.0, p.z) / from_axis : dvec3(0.0, 1.0, 0.0);
     return {glm::normalize(radial + dvec3(0.0, 0.5, 0.0)), light};

@@ -6,6 +6,10 @@
 
 namespace aerostat::render {
 
+/// Building kernels for longer than this, in seconds, means that they are compiled. A driver loads
+/// the kernels that it compiled in a former run in less time. Chosen by measurements with PoCL.
+inline constexpr double kLeastCompileSeconds = 2.0;
+
 /// Tracks how much of the kernels is built. A driver tells when a step is done, but not how far it
 /// is. Within a step the share is therefore guessed from the time, so that it always grows and
 /// reaches the end of the step only when the step is done. One builder and any number of readers

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/smooth_step.hpp"
+
 namespace aerostat::scatter {
 
 namespace {
@@ -15,8 +17,9 @@ const vec3 kBoulderAlbedo{0.19f, 0.183f, 0.175f};
 /// towards bare rock and shores, and rare deep in the woods.
 float boulder_chance(const GroundRule& rule, const Site& site, float heaps) {
   const GroundMix mix = rule.mix(site.position, site.normal.y, site.noise);
-  const float heap = ramp(0.25f, 0.9f, site.noise.fine - 0.4f * site.noise.broad);
-  const float shore = ramp(4.0f, 1.5f, site.above_sea) * ramp(0.1f, 0.7f, -site.noise.broad);
+  const float heap = smooth_step(0.25f, 0.9f, site.noise.fine - 0.4f * site.noise.broad);
+  const float shore =
+      smooth_step(4.0f, 1.5f, site.above_sea) * smooth_step(0.1f, 0.7f, -site.noise.broad);
   const float likely = heaps * heap + 0.35f * mix.rock + 0.3f * shore;
   return likely * (1.0f - 0.9f * mix.forest);
 }
@@ -33,11 +36,6 @@ std::vector<Layer> biome_layers(const Nature& nature) {
       break;
   }
   return snow_layers(nature);
-}
-
-float ramp(float from, float to, float x) {
-  const float t = std::clamp((x - from) / (to - from), 0.0f, 1.0f);
-  return t * t * (3.0f - 2.0f * t);
 }
 
 float sea_level(const Nature& nature) {

@@ -19,10 +19,6 @@ std::vector<Layer> snow_layers(const Nature& nature);
 std::vector<Layer> tropical_layers(const Nature& nature);
 std::vector<Layer> sand_layers(const Nature& nature);
 
-/// Returns 0 up to `from` and 1 beyond `to`, with a smooth transition between them. from > to
-/// reverses it.
-float ramp(float from, float to, float x);
-
 /// Returns the height of the sea, or a height far below everything if there is none.
 float sea_level(const Nature& nature);
 

@@ -4,13 +4,10 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/smooth_step.hpp"
+
 namespace aerostat::scatter {
 namespace {
-
-float smooth_step(float from, float to, float x) {
-  const float t = std::clamp((x - from) / (to - from), 0.0f, 1.0f);
-  return t * t * (3.0f - 2.0f * t);
-}
 
 float frayed_step(float lo, float hi, float x, float ragged) {
   const float t = (x - lo) / (hi - lo);

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/smooth_step.hpp"
 #include "scatter/biome_layers.hpp"
 
 namespace aerostat::scatter {
@@ -20,7 +21,8 @@ float hollow(const Surface& surface, const Site& site) {
   for (const double side : {-kAroundM, kAroundM}) {
     around += surface.height(x + side, z) + surface.height(x, z + side);
   }
-  return ramp(-0.5f, 4.0f, 0.25f * around - site.position.y) * ramp(0.94f, 0.985f, site.normal.y);
+  return smooth_step(-0.5f, 4.0f, 0.25f * around - site.position.y) *
+         smooth_step(0.94f, 0.985f, site.normal.y);
 }
 
 /// Returns a layer of the plants between the dunes. `chance` is the probability at the wettest
@@ -34,7 +36,7 @@ Layer floor_layer(const Nature& nature, std::uint32_t id, double spacing_m, doub
   layer.steepest_cos = std::cos(radians_from_degrees(18.0f));
   layer.most = chance;
   layer.chance_at_most = [chance, bare_below](const Site& site) {
-    return chance * ramp(bare_below, bare_below + 0.7f, site.noise.fine + site.noise.broad);
+    return chance * smooth_step(bare_below, bare_below + 0.7f, site.noise.fine + site.noise.broad);
   };
   layer.chance = [&surface = nature.surface, clump = layer.chance_at_most](const Site& site) {
     const float likely = clump(site);

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/smooth_step.hpp"
 #include "scatter/biome_layers.hpp"
 
 namespace aerostat::scatter {
@@ -19,12 +20,14 @@ Choice choose_spruce(const Nature& nature, const Site& site, Random& random, dou
   const scene::Ground& ground = nature.scene.biome.ground;
   const GroundMix mix = nature.rule.mix(site.position, site.normal.y, site.noise);
   const float up = site.position.y / std::max(static_cast<float>(ground.forest_top_m), 1.0f);
-  const float laden = mix.snow * (0.45f + 0.45f * ramp(0.2f, 0.9f, up) + 0.3f * site.noise.fine);
+  const float laden =
+      mix.snow * (0.45f + 0.45f * smooth_step(0.2f, 0.9f, up) + 0.3f * site.noise.fine);
   Choice choice;
   choice.model.species =
       random.chance(static_cast<double>(laden)) ? Species::snowy_spruce : Species::spruce;
   // The slender variant grows high up.
-  const bool slender = random.chance(0.15 + 0.6 * static_cast<double>(ramp(0.45f, 0.9f, up)));
+  const bool slender =
+      random.chance(0.15 + 0.6 * static_cast<double>(smooth_step(0.45f, 0.9f, up)));
   choice.model.variant = slender ? 1 : (random.chance(0.3) ? 2 : 0);
   const float stunted = 1.0f - 0.5f * nature.rule.thinning(site.position, site.noise);
   choice.scale = size_between(nature, random, from, to) * stunted *
@@ -65,7 +68,7 @@ Layer outskirts(const Nature& nature) {
   layer.chance = [&rule = nature.rule](const Site& site) {
     const float close = rule.closeness(site.position, site.noise);
     if (close > 0.0f || close < -0.45f) return 0.0f;
-    return 0.45f * ramp(-0.45f, 0.0f, close) * ramp(-0.3f, 0.5f, site.noise.fine);
+    return 0.45f * smooth_step(-0.45f, 0.0f, close) * smooth_step(-0.3f, 0.5f, site.noise.fine);
   };
   layer.chance_at_most = layer.chance;
   layer.choose = [nature](const Site& site, Random& random) {

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/smooth_step.hpp"
 #include "scatter/biome_layers.hpp"
 
 namespace aerostat::scatter {
@@ -51,7 +52,7 @@ Layer woods(const Nature& nature) {
     return rule.forest_at_most(site.position, site.noise);
   };
   layer.choose = [nature, canopy](const Site& site, Random& random) {
-    const float shore = ramp(30.0f, 4.0f, site.above_sea);
+    const float shore = smooth_step(30.0f, 4.0f, site.above_sea);
     if (random.chance(0.45 * static_cast<double>(shore))) return choose_palm(nature, site, random);
     Choice choice;
     choice.model = any_variant(Species::broadleaf, random);
@@ -75,9 +76,9 @@ Layer palms(const Nature& nature) {
   layer.steepest_cos = std::cos(radians_from_degrees(20.0f));
   layer.most = 0.75f;
   layer.chance = [top](const Site& site) {
-    const float band =
-        ramp(1.3f, 2.2f, site.above_sea) * ramp(top + 9.0f, top + 3.0f, site.above_sea);
-    return 0.75f * band * ramp(-0.35f, 0.55f, site.noise.fine + 0.5f * site.noise.broad);
+    const float band = smooth_step(1.3f, 2.2f, site.above_sea) *
+                       smooth_step(top + 9.0f, top + 3.0f, site.above_sea);
+    return 0.75f * band * smooth_step(-0.35f, 0.55f, site.noise.fine + 0.5f * site.noise.broad);
   };
   layer.chance_at_most = layer.chance;
   layer.choose = [nature](const Site& site, Random& random) {
@@ -97,11 +98,11 @@ Layer shrubs(const Nature& nature) {
   layer.most = 0.55f;
   layer.chance = [&rule = nature.rule](const Site& site) {
     const float open = 1.0f - rule.forest(site.position, site.normal.y, site.noise);
-    return 0.55f * (0.15f + 0.85f * open) * ramp(-0.25f, 0.6f, site.noise.fine);
+    return 0.55f * (0.15f + 0.85f * open) * smooth_step(-0.25f, 0.6f, site.noise.fine);
   };
   layer.chance_at_most = [](const Site& site) {
     // The bound is slightly larger than 0.55 because of rounding.
-    return 0.551f * ramp(-0.25f, 0.6f, site.noise.fine);
+    return 0.551f * smooth_step(-0.25f, 0.6f, site.noise.fine);
   };
   layer.choose = [nature](const Site&, Random& random) {
     Choice choice;
@@ -124,7 +125,7 @@ Layer driftwood(const Nature& nature) {
   layer.steepest_cos = std::cos(radians_from_degrees(14.0f));
   layer.most = 0.3f;
   layer.chance = [](const Site& site) {
-    return 0.3f * ramp(0.5f, 0.9f, site.above_sea) * ramp(3.0f, 2.0f, site.above_sea);
+    return 0.3f * smooth_step(0.5f, 0.9f, site.above_sea) * smooth_step(3.0f, 2.0f, site.above_sea);
   };
   layer.chance_at_most = layer.chance;
   layer.choose = [nature](const Site&, Random& random) {

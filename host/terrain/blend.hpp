@@ -5,13 +5,6 @@
 
 namespace aerostat::terrain {
 
-/// Returns 0 for x up to `from` and 1 beyond `to`, with a continuous slope between. If from > to,
-/// the ramp is reversed.
-inline float ramp(float from, float to, float x) {
-  const float t = std::clamp((x - from) / (to - from), 0.0f, 1.0f);
-  return t * t * (3.0f - 2.0f * t);
-}
-
 inline float mix(float a, float b, float t) {
   return a + t * (b - a);
 }

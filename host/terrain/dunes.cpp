@@ -3,6 +3,7 @@
 #include <numbers>
 
 #include "blend.hpp"
+#include "core/smooth_step.hpp"
 #include "fractal.hpp"
 #include "relief.hpp"
 
@@ -54,7 +55,7 @@ DuneSet::DuneSet(const scene::Dunes& dunes, double scale, double turn_deg, std::
 float windward(float t) {
   constexpr float kCurved = 0.65f;
   if (t > 1.0f) return 1.0f + (1.0f - kCurved) * (t - 1.0f);
-  return mix(t, t * t * (3.0f - 2.0f * t), kCurved);
+  return mix(t, smooth_unit_step(t), kCurved);
 }
 
 /// The share of a slip face, at its foot, that curves into the plain.
@@ -84,7 +85,7 @@ void DuneSet::evaluate(const Points& points, DuneBlock& out) const {
     const float gradient = std::sqrt(gx * gx + gz * gz);
     const float t = phase - std::floor(phase);
     // Crests end where the size falls to zero. Closely packed dunes are lower.
-    const float height = height_m_ * ramp(-0.55f, 0.6f, size[i]) *
+    const float height = height_m_ * smooth_step(-0.55f, 0.6f, size[i]) *
                          std::min(1.0f, 1.2f * per_m / std::max(gradient, 1e-6f));
     const float face =
         std::clamp(height * gradient / (kReposeTangent * (1.0f - 0.5f * kFoot)), 1e-4f, 0.6f);
@@ -98,7 +99,7 @@ void DuneSet::evaluate(const Points& points, DuneBlock& out) const {
     out.height[i] = share * smooth_min(height * windward(up), height * slip_face(down), rounding) +
                     (1.0f - share) * 0.45f * height;
     const bool lee = down > 0.0f;
-    out.slip[i] = lee ? 1.0f - ramp(0.75f, 1.0f, down) : ramp(0.7f, 0.95f, up);
+    out.slip[i] = lee ? 1.0f - smooth_step(0.75f, 1.0f, down) : smooth_step(0.7f, 0.95f, up);
   }
 }
 
@@ -142,7 +143,7 @@ void DuneSea::heights(const Points& points, Block& height) const {
   for (int i = 0; i < points.count; ++i) {
     const float sand = smooth_max(large.height[i], crossing.height[i], 0.05f * unit);
     const float lead = (large.height[i] - crossing.height[i]) / std::max(unit, 1e-3f);
-    const float slip = mix(crossing.slip[i], large.slip[i], ramp(-0.15f, 0.15f, lead));
+    const float slip = mix(crossing.slip[i], large.slip[i], smooth_step(-0.15f, 0.15f, lead));
     height[i] = sand + 0.6f * unit * (swell[i] + 0.5f) + 0.6f * small.height[i] * (1.0f - slip);
   }
   add_hills(points, height);
@@ -160,14 +161,15 @@ void DuneSea::add_hills(const Points& points, Block& height) const {
   const auto half = 0.5f * static_cast<float>(terrain_.size_m);
   for (int i = 0; i < points.count; ++i) {
     const float distance = std::sqrt(points.x[i] * points.x[i] + points.z[i] * points.z[i]);
-    const float far = ramp(0.2f * half, 0.42f * half, distance);
+    const float far = smooth_step(0.2f * half, 0.42f * half, distance);
     const float lift = 1.6f * (hills[i] - 0.2f) - 0.5f * (1.0f - far) + 0.14f * (rock[i] - 0.4f);
     if (lift <= 0.0f) continue;
-    const float scree = 0.4f * ramp(0.0f, 0.2f, lift);
-    const float cliff = 0.4f * ramp(0.15f, 0.19f, lift);
-    const float crown = 0.2f * ramp(0.17f, 0.5f, lift) + 0.08f * ramp(0.1f, 0.2f, lift) * rock[i];
-    height[i] =
-        mix(height[i], 0.4f * height[i], ramp(0.0f, 0.1f, lift)) + top * (scree + cliff + crown);
+    const float scree = 0.4f * smooth_step(0.0f, 0.2f, lift);
+    const float cliff = 0.4f * smooth_step(0.15f, 0.19f, lift);
+    const float crown =
+        0.2f * smooth_step(0.17f, 0.5f, lift) + 0.08f * smooth_step(0.1f, 0.2f, lift) * rock[i];
+    height[i] = mix(height[i], 0.4f * height[i], smooth_step(0.0f, 0.1f, lift)) +
+                top * (scree + cliff + crown);
   }
 }
 

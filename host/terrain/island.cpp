@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "blend.hpp"
+#include "core/smooth_step.hpp"
 #include "drainage.hpp"
 #include "fractal.hpp"
 #include "gullies.hpp"
@@ -113,9 +114,9 @@ void Island::plain_width(const Points& points, Block& width) const {
   fbm(plain_, points, width);
   for (int i = 0; i < points.count; ++i) {
     const float from_bay = std::hypot(points.x[i] - origin_x_, points.z[i] - origin_z_) / bay_m_;
-    const float bay = 1.0f - ramp(1.2f, 3.0f, from_bay);
+    const float bay = 1.0f - smooth_step(1.2f, 3.0f, from_bay);
     width[i] = 0.11f * static_cast<float>(terrain_.feature_m) *
-               std::max(ramp(-0.2f, 0.5f, width[i]), 0.7f * bay);
+               std::max(smooth_step(-0.2f, 0.5f, width[i]), 0.7f * bay);
   }
 }
 
@@ -125,12 +126,12 @@ void Island::survey(const Points& points, Bedrock* rock) const {
   plain_width(points, plain);
   fbm(massif_, points, massif);
   for (int i = 0; i < points.count; ++i) {
-    const float range = ramp(-0.35f, 0.5f, massif[i]);
-    const float rise = ramp(0.0f, 0.45f * radius_m_, inland[i]);
-    const float hills = ramp(0.6f * plain[i], plain[i] + 60.0f, inland[i]);
+    const float range = smooth_step(-0.35f, 0.5f, massif[i]);
+    const float rise = smooth_step(0.0f, 0.45f * radius_m_, inland[i]);
+    const float hills = smooth_step(0.6f * plain[i], plain[i] + 60.0f, inland[i]);
     rock[i].uplift = (0.2f + 1.4f * range * range + 1.2f * rise) * mix(0.1f, 1.0f, hills);
     const float from_bay = std::hypot(points.x[i] - origin_x_, points.z[i] - origin_z_) / bay_m_;
-    const float open = 1.0f - ramp(1.3f, 3.4f, from_bay);
+    const float open = 1.0f - smooth_step(1.3f, 3.4f, from_bay);
     rock[i].steepest =
         mix(0.03f, (0.35f + 0.4f * range + 0.45f * rise) * mix(1.0f, 0.65f, open), hills);
     rock[i].outlet = inland[i] < 0.0f;
@@ -143,9 +144,9 @@ void Island::survey(const Points& points, Bedrock* rock) const {
 float Island::sea_bed(float offshore, float reef_at, float bumps) const {
   const float shelf = kLagoonDepth + 2.5f * bumps;
   const float inner = smooth_min(0.06f * offshore, shelf, 5.0f);
-  const float crest = ramp(0.75f * reef_at, reef_at, offshore);
+  const float crest = smooth_step(0.75f * reef_at, reef_at, offshore);
   const float flat = mix(inner, std::min(inner, kReefDepth + bumps), crest);
-  return -mix(flat, kDeep, ramp(reef_at, 2.0f * reef_at + 400.0f, offshore));
+  return -mix(flat, kDeep, smooth_step(reef_at, 2.0f * reef_at + 400.0f, offshore));
 }
 
 /// Computes the heights of the hills that rivers have carved, with their gullies.
@@ -161,10 +162,10 @@ void Island::hills(const Points& points, const Points& bent, const Jacobian& ben
   for (int i = 0; i < points.count; ++i) {
     const float slope = std::hypot(dx[i], dz[i]);
     ground.height[i] = top * std::pow(std::max(ground.height[i], 0.0f) / top, sharpness) +
-                       detail_m_ * ramp(0.1f, 0.7f, slope) * (detail[i] - 0.4f);
+                       detail_m_ * smooth_step(0.1f, 0.7f, slope) * (detail[i] - 0.4f);
     ground.dx[i] = dx[i] * bends.x_by_x[i] + dz[i] * bends.z_by_x[i];
     ground.dz[i] = dx[i] * bends.x_by_z[i] + dz[i] * bends.z_by_z[i];
-    strength[i] = erosion * ramp(0.12f, 0.5f, slope);
+    strength[i] = erosion * smooth_step(0.12f, 0.5f, slope);
   }
   gullies_.add(points, strength, ground);
   std::copy_n(ground.height.begin(), points.count, height.begin());
@@ -186,10 +187,10 @@ void Island::heights(const Points& points, Block& height) const {
       continue;
     }
     // Beaches are broad and gentle before flat land, and short and steep at headlands.
-    const float rise = mix(0.17f, 0.045f, ramp(0.0f, 0.8f, plain[i] / widest));
+    const float rise = mix(0.17f, 0.045f, smooth_step(0.0f, 0.8f, plain[i] / widest));
     const float beach = smooth_min(rise * inland[i], 2.5f + 0.008f * inland[i], 2.0f);
     height[i] = beach + (std::max(height[i], 0.0f) + 1.5f * std::max(bumps[i], 0.0f)) *
-                            ramp(8.0f, 60.0f, inland[i]);
+                            smooth_step(8.0f, 60.0f, inland[i]);
   }
 }
 

@@ -4,6 +4,7 @@
 
 #include "blend.hpp"
 #include "core/simd.hpp"
+#include "core/smooth_step.hpp"
 #include "drainage.hpp"
 #include "fractal.hpp"
 #include "gullies.hpp"
@@ -108,7 +109,8 @@ void Mountains::survey(const Points& points, Bedrock* rock) const {
   for (int i = 0; i < points.count; ++i) {
     const float distance = std::fabs(river[i]);
     const float along = points.x[i] * axis_x_ + points.z[i] * axis_z_;
-    const float open = 1.0f - ramp(0.06f, 0.45f, std::hypot(distance, 0.4f * along) / feature);
+    const float open =
+        1.0f - smooth_step(0.06f, 0.45f, std::hypot(distance, 0.4f * along) / feature);
     rock[i].uplift = (0.1f + 4.0f * massif[i] * massif[i] * massif[i]) * mix(1.0f, 0.4f, open);
     rock[i].steepest = (0.4f + 0.7f * massif[i] + 0.35f * strength[i]) * mix(1.0f, 0.5f, open);
     rock[i].outlet = distance < 0.07f * feature * (1.0f + 0.9f * strength[i]);
@@ -159,8 +161,8 @@ void Mountains::heights(const Points& points, Block& height) const {
     const float detail_m = detail_m_;
     for (int i = 0; i < points.count; ++i) {
       const float slope = length_of(ground.dx[i], ground.dz[i]);
-      const float rough = ramp(0.1f, 0.8f, slope);
-      strength[i] = erosion * ramp(0.12f, 0.5f, slope);
+      const float rough = smooth_step(0.1f, 0.8f, slope);
+      strength[i] = erosion * smooth_step(0.12f, 0.5f, slope);
       ground.height[i] += detail_m * rough * (1.0f - 0.5f * erosion) * (detail[i] - 0.4f) +
                           kFloorRelief * (1.0f - rough) * floor[i];
     }

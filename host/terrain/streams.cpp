@@ -9,6 +9,7 @@
 
 #include "blend.hpp"
 #include "core/simd.hpp"
+#include "core/smooth_step.hpp"
 #include "receivers.hpp"
 
 namespace aerostat::terrain {
@@ -112,7 +113,7 @@ void System::climb() {
     }
     float slope = stream_slope(node);
     if (node.floor > 0.0f)
-      slope *= mix(0.12f, 1.0f, ramp(0.4f, 1.6f, node.remoteness / node.floor));
+      slope *= mix(0.12f, 1.0f, smooth_step(0.4f, 1.6f, node.remoteness / node.floor));
     node.height = receiver.height + node.length * std::max(slope, kLeastSlope);
   }
 }

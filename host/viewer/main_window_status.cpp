@@ -2,16 +2,13 @@
 #include <QStatusBar>
 #include <cmath>
 
+#include "render/kernel_progress.hpp"
 #include "viewer/main_window.hpp"
 #include "viewer/panels.hpp"
 #include "viewer/picture_view.hpp"
 
 namespace aerostat::viewer {
 namespace {
-
-/// The time of a compilation above which the window mentions it. Loading the kernels of a former
-/// run takes less. Chosen by eye.
-constexpr double kLeastCompileSeconds = 2.0;
 
 QString stage_text(const render::Progress& progress) {
   switch (progress.stage) {
@@ -20,7 +17,8 @@ QString stage_text(const render::Progress& progress) {
     case render::Stage::tree:
       return MainWindow::tr("building trees…");
     case render::Stage::kernels:
-      if (progress.seconds < kLeastCompileSeconds) return MainWindow::tr("compiling kernels…");
+      if (progress.seconds < render::kLeastCompileSeconds)
+        return MainWindow::tr("compiling kernels…");
       return MainWindow::tr("compiling kernels (first run only), %1 %…")
           .arg(std::floor(100.0 * progress.fraction));
     case render::Stage::upload:
