@@ -14,21 +14,22 @@
 
 namespace aerostat::opencl {
 
-/// How many bytes of buffers may exist on a device at once. Drivers grant more than there is and
-/// fail late, so aerostat counts for itself. Copies share one count.
+/// Limits the bytes of buffers that may exist on a device at once. Drivers grant more than there is
+/// and fail late, so aerostat counts itself. Copies share one count.
 class MemoryBudget {
  public:
-  /// No limit.
+  /// Makes a budget without a limit.
   MemoryBudget();
-  /// `bound` says what sets the limit, in words; empty: the device, or the user.
+  /// Makes a budget. `bound` says in words what sets the limit. If it is empty, the device or the
+  /// user does.
   explicit MemoryBudget(std::uint64_t limit_bytes, std::string bound = {});
 
   std::uint64_t limit() const { return state_->limit; }
   std::uint64_t used() const { return state_->used; }
 
   /// Counts `bytes` for `what` ("the triangles"). Throws Error{exhausted}, counting nothing, if
-  /// they would exceed the limit; the message says how much was asked for, how much is allowed, and
-  /// by what, or that --memory-limit changes that.
+  /// they would exceed the limit. The message says how much is needed and how much is allowed. It
+  /// also says what sets the limit, or that --memory-limit changes it.
   void reserve(std::uint64_t bytes, const std::string& what);
   void release(std::uint64_t bytes);
 
@@ -41,42 +42,45 @@ class MemoryBudget {
   std::shared_ptr<State> state_;
 };
 
-/// What kernels may do with a buffer.
+/// The ways in which kernels may access a buffer.
 enum class Access { read, read_write };
 
-/// What new memory holds.
+/// The content of new memory.
 enum class Content { zeros, unset };
 
-/// Untyped device memory that stands in a budget as long as it lives. Movable; a moved-from or
-/// default one is empty.
+/// Untyped device memory that counts in a budget as long as it exists. It is movable. A moved-from
+/// or default-constructed buffer is empty.
 class RawBuffer {
  public:
   RawBuffer() = default;
-  /// `bytes` bytes (at least 16, rounded up to 16: OpenCL knows no empty buffers). Zeros are
-  /// written at once, so that a driver that allocates late fails here; unset memory is for who lets
-  /// a kernel write all of it next, on all cores of a CPU. Throws Error{exhausted}.
+  /// Allocates `bytes` bytes. They are rounded up to a multiple of 16 and at least 16, because
+  /// OpenCL has no empty buffers. Zeros are written at once, so that a driver that allocates late
+  /// fails here. Unset memory is for a caller whose kernel writes all of it next, on all cores of a
+  /// CPU. Throws Error{exhausted}.
   RawBuffer(const Context& context, MemoryBudget budget, std::uint64_t bytes, std::string what,
             Access access, Content content = Content::zeros);
-  /// A copy of `bytes` bytes at `data`.
+  /// Allocates a copy of the `bytes` bytes at `data`.
   RawBuffer(const Context& context, MemoryBudget budget, const void* data, std::uint64_t bytes,
             std::string what, Access access);
-  /// The `bytes` > 0 bytes at `data` themselves, if the device works in the host's memory; they
-  /// must not change and `owner` keeps them until the device is done with them.
+  /// Makes a buffer of the `bytes` > 0 bytes at `data` themselves, if the device works in the
+  /// host's memory. They must not change, and `owner` keeps them until the device has finished with
+  /// them.
   RawBuffer(const Context& context, MemoryBudget budget, std::shared_ptr<const void> owner,
             const void* data, std::uint64_t bytes, std::string what);
   RawBuffer(RawBuffer&& other) noexcept;
   RawBuffer& operator=(RawBuffer&& other) noexcept;
   ~RawBuffer();
 
-  /// Null if the buffer is empty.
+  /// Returns the buffer, or null if it is empty.
   const cl::Buffer* handle() const { return handle_.get(); }
   std::uint64_t allocated_bytes() const { return allocated_; }
 
-  /// Blocking copies. Throw Error{internal} if the range is not inside the buffer.
+  /// Copies bytes to the device and waits for the end. Throws Error{internal} if the range is not
+  /// inside the buffer. `read` does the same in the other direction.
   void write(const void* data, std::uint64_t offset, std::uint64_t bytes);
   void read(void* data, std::uint64_t offset, std::uint64_t bytes) const;
-  /// Calls `look` with the bytes where the host can see them, which a device that works in the
-  /// host's memory need not copy. They are gone when it returns.
+  /// Calls `look` with the bytes at a place that the host can read. A device that works in the
+  /// host's memory need not copy them. They must not be used after `look` returns.
   void look_at(std::uint64_t offset, std::uint64_t bytes,
                const std::function<void(const void*)>& look) const;
 
@@ -87,14 +91,16 @@ class RawBuffer {
   void check_range(std::uint64_t offset, std::uint64_t bytes) const;
 
   std::shared_ptr<const cl::CommandQueue> queue_;
-  std::shared_ptr<const void> owner_;  // of memory that is not the buffer's own
+  /// The owner of memory that is not the buffer's own.
+  std::shared_ptr<const void> owner_;
   std::shared_ptr<const cl::Buffer> handle_;
   MemoryBudget budget_;
   std::string what_;
   std::uint64_t allocated_ = 0;
 };
 
-/// `size()` elements of T on a device. `what` names the contents in messages ("the triangles").
+/// A buffer of `size()` elements of T on a device. `what` names the contents in messages ("the
+/// triangles").
 template <typename T>
 class Buffer {
   static_assert(std::is_trivially_copyable_v<T> && !std::is_pointer_v<T>);
@@ -102,19 +108,19 @@ class Buffer {
  public:
   Buffer() = default;
 
-  /// A copy of `values`, which kernels only read unless `access` says otherwise.
+  /// Makes a copy of `values`. Kernels only read it unless `access` says otherwise.
   Buffer(const Context& context, const MemoryBudget& budget, std::span<const T> values,
          std::string what, Access access = Access::read)
       : raw_(context, budget, values.data(), values.size_bytes(), std::move(what), access),
         size_(values.size()) {}
 
-  /// `count` elements, of zero bytes or unset: see RawBuffer.
+  /// Allocates `count` elements, which are zero or unset as in RawBuffer.
   Buffer(const Context& context, const MemoryBudget& budget, std::size_t count, std::string what,
          Access access = Access::read_write, Content content = Content::zeros)
       : raw_(context, budget, std::uint64_t{count} * sizeof(T), std::move(what), access, content),
         size_(count) {}
 
-  /// `values`, which kernels only read, without a copy: see RawBuffer.
+  /// Makes a buffer of `values` without a copy, as RawBuffer does. Kernels only read it.
   Buffer(const Context& context, const MemoryBudget& budget, std::shared_ptr<const void> owner,
          std::span<const T> values, std::string what)
       : raw_(context, budget, std::move(owner), values.data(), values.size_bytes(),
@@ -125,20 +131,21 @@ class Buffer {
   std::uint64_t bytes() const { return std::uint64_t{size_} * sizeof(T); }
   const RawBuffer& raw() const { return raw_; }
 
-  /// Overwrites elements from `first` on. Blocking.
+  /// Overwrites the elements from `first` on and waits for the end.
   void write(std::span<const T> values, std::size_t first = 0) {
     check(first, values.size());
     raw_.write(values.data(), std::uint64_t{first} * sizeof(T), values.size_bytes());
   }
 
-  /// Reads elements from `first` on; waits for the kernels before it. Blocking.
+  /// Waits for the kernels enqueued before, and reads the elements from `first` on.
   void read(std::span<T> values, std::size_t first = 0) const {
     check(first, values.size());
     raw_.read(values.data(), std::uint64_t{first} * sizeof(T), values.size_bytes());
   }
 
-  /// Calls `look` with `count` elements from `first` on, which are gone when it returns; waits for
-  /// the kernels before it. Cheaper than reading them where they need no copy.
+  /// Waits for the kernels enqueued before, and calls `look` with `count` elements from `first` on.
+  /// They must not be used after `look` returns. It is cheaper than `read` on a device that needs
+  /// no copy.
   void look_at(std::size_t first, std::size_t count,
                const std::function<void(std::span<const T>)>& look) const {
     check(first, count);

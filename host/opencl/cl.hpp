@@ -1,6 +1,6 @@
 #pragma once
 
-// The one place that includes OpenCL's C++ bindings, so that every file sees the same settings.
+// This header alone includes OpenCL's C++ bindings, so that every file has the same settings.
 #define CL_HPP_ENABLE_EXCEPTIONS
 #define CL_HPP_TARGET_OPENCL_VERSION 120
 #define CL_HPP_MINIMUM_OPENCL_VERSION 120

@@ -1,6 +1,6 @@
 #pragma once
 
-/// The classes of OpenCL's C++ bindings by name alone. Headers point to them, so that only the
+/// Declares the classes of OpenCL's C++ bindings. Headers use only their names, so that only the
 /// sources of this folder read the bindings (cl.hpp), which are large.
 namespace cl {
 class Buffer;

@@ -9,10 +9,11 @@
 
 namespace aerostat::opencl {
 
-/// A one-dimensional range of work-items; a plain number leaves the group size to the driver.
+/// A one-dimensional range of work-items. A plain number leaves the size of groups to the driver.
 struct LaunchSize {
   std::size_t global = 0;
-  std::size_t local = 0;  // at most; 0: the driver's choice
+  /// The largest size of a group, or 0 to leave it to the driver.
+  std::size_t local = 0;
   std::size_t offset = 0;
 
   LaunchSize(std::size_t global_items) : global(global_items) {}  // NOLINT: implicit on purpose
@@ -20,21 +21,22 @@ struct LaunchSize {
       : global(global_items), local(local_items), offset(first) {}
 };
 
-/// The largest group size up to `wanted` that divides `global`, as OpenCL 1.2 demands; 0 stays 0.
+/// Returns the largest group size up to `wanted` that divides `global`, as OpenCL 1.2 demands.
+/// Returns 0 if `wanted` is 0.
 std::size_t dividing_group_size(std::size_t global, std::size_t wanted);
 
-/// A command that was enqueued; null: there was nothing to do.
+/// A command that was enqueued, or null if there was nothing to do.
 using Event = std::shared_ptr<const cl::Event>;
 
-/// Enqueues `kernel` with the arguments it has and flushes, so that the device starts at once.
-/// Nothing is launched, and the event is null, if the range is empty.
+/// Enqueues `kernel` with its present arguments and flushes the queue, so that the device starts at
+/// once. If the range is empty, nothing is launched and the event is null.
 Event enqueue(const Context& context, const Kernel& kernel, const LaunchSize& size);
 
-/// Waits for `event` and returns how long its command ran by the device's own clock; 0 for a null
-/// event. Throws Error{exhausted} or Error{internal} if the command failed.
+/// Waits for `event` and returns the seconds that its command ran by the device's own clock.
+/// Returns 0 for a null event. Throws Error{exhausted} or Error{internal} if the command failed.
 double device_seconds(const Event& event);
 
-/// Waits for all that was enqueued.
+/// Waits for all commands that were enqueued.
 void finish(const Context& context);
 
 /// Sets argument `index` of `kernel`, counted from 0, to the `bytes` bytes at `value`, or to a
@@ -47,8 +49,8 @@ void set_argument(const Kernel& kernel, unsigned index, const Buffer<T>& buffer)
   set_argument(kernel, index, buffer.raw());
 }
 
-/// A scalar or a shared struct, by value. Types whose size differs between host and device are
-/// refused.
+/// Sets an argument to a scalar or a shared struct by value. Types whose size differs between host
+/// and device are refused.
 template <typename T>
 requires std::is_trivially_copyable_v<T>
 void set_argument(const Kernel& kernel, unsigned index, const T& value) {
@@ -57,8 +59,8 @@ void set_argument(const Kernel& kernel, unsigned index, const T& value) {
   set_argument(kernel, index, &value, sizeof(T));
 }
 
-/// Sets all arguments of `kernel` (buffers, 32-bit scalars, shared structs) in their order and
-/// enqueues it over `size` work-items on the context's in-order queue. Does not wait. Throws
+/// Sets all arguments of `kernel` (buffers, 32-bit scalars, shared structs) in their order. Then
+/// enqueues it over `size` work-items on the context's in-order queue, without waiting. Throws
 /// Error{exhausted} or Error{internal} with the kernel's name.
 template <typename... Args>
 Event launch(const Context& context, const Kernel& kernel, const LaunchSize& size,

@@ -11,24 +11,25 @@
 
 namespace aerostat::opencl {
 
-/// Kernel sources by path relative to the kernel folder ("device/core/lanes.clh").
+/// Kernel sources by their paths relative to the kernel folder ("device/core/lanes.clh").
 using SourceTree = std::map<std::string, std::string>;
 
-/// The sources in the binary, or those of the folder AEROSTAT_KERNEL_DIR if that is set.
+/// Returns the sources in the binary, or those of the folder AEROSTAT_KERNEL_DIR if it is set.
 /// Throws Error{io} if the folder cannot be read.
 SourceTree kernel_sources();
 
-/// The sources in a folder, likewise.
+/// Returns the sources in a folder. Throws Error{io} if it cannot be read.
 SourceTree kernel_sources(const std::filesystem::path& folder);
 
-/// `entry` with every `#include "..."` replaced by its file (once each, found beside the including
-/// file, then under `device/`, `shared/` and the tree's root), and `#line` marks that keep messages
-/// true. `#include <...>` stays. Throws Error{internal} with file and line if a file is missing, or
-/// if it is included for everyone after it was included inside an `#if` that may hide it.
+/// Returns the text of `entry` with every `#include "..."` replaced by its file, once for each
+/// file. A file is searched beside the including file, then under `device/`, `shared/` and the
+/// tree's root. `#line` marks keep the places in messages right. `#include <...>` stays. Throws
+/// Error{internal} with file and line if a file is missing, or if a file is included
+/// unconditionally after it was included inside an `#if` that may hide it.
 std::string flatten(const SourceTree& sources, const std::string& entry);
 
 /// A context and an in-order queue (with profiling) on one device. Throws Error{exhausted} or
-/// Error{no_device} in words if the driver refuses.
+/// Error{no_device} with a description if the driver refuses.
 class Context {
  public:
   explicit Context(Device device);
@@ -43,23 +44,24 @@ class Context {
   std::shared_ptr<const cl::CommandQueue> queue_;
 };
 
-/// A kernel and its arguments, which copies share.
+/// A kernel and its arguments. Copies share the arguments.
 using Kernel = std::shared_ptr<cl::Kernel>;
 
-/// The options every program of the product is built with, for `lanes` rays per work-item.
+/// Returns the options with which every program of the product is built, for `lanes` rays per
+/// work-item.
 std::string build_options(int lanes);
 
-/// A built program. Extra sources (a test's probe) may include the product's headers.
+/// A built program. Extra sources (such as a test's probe) may include the product's headers.
 class Program {
  public:
-  /// Builds `entry` of `sources` for `lanes` in {1, 4, 8, 16}; `defines` are further "NAME=VALUE"
-  /// macros. Takes the machine code of a former run where that is kept (see binaries.hpp). Throws
+  /// Builds `entry` of `sources` for `lanes` in {1, 4, 8, 16}. `defines` are further "NAME=VALUE"
+  /// macros. Takes the machine code of a former run if it is kept (see binaries.hpp). Throws
   /// Error{internal} with the build log.
   Program(const Context& context, const SourceTree& sources, const std::string& entry, int lanes,
           const std::vector<std::string>& defines = {});
 
-  /// A new kernel object. Throws Error{internal} if the driver makes none of that name, be it that
-  /// the program has none or that the driver's compiler failed at it.
+  /// Returns a new kernel object. Throws Error{internal} if the driver makes none of that name,
+  /// either because the program contains none or because the driver's compiler failed.
   Kernel kernel(const std::string& name) const;
 
   int lanes() const { return lanes_; }
@@ -70,7 +72,8 @@ class Program {
   std::string binary() const;
 
   std::shared_ptr<cl::Program> program_;
-  std::string device_;  // in words
+  /// A description of the device for messages.
+  std::string device_;
   std::string entry_;
   int lanes_ = 1;
 };

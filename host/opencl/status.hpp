@@ -4,23 +4,25 @@
 
 #include "opencl/cl.hpp"
 
-/// What OpenCL's statuses and exceptions mean. For sources: it brings in the bindings.
+/// Explains OpenCL's statuses and exceptions. Only sources include this header, because it includes
+/// the bindings.
 namespace aerostat::opencl {
 
-/// The name of an OpenCL status, such as "CL_OUT_OF_RESOURCES".
+/// Returns the name of an OpenCL status, such as "CL_OUT_OF_RESOURCES".
 std::string status_name(int status);
 
-/// "CL_OUT_OF_RESOURCES from clBuildProgram"
+/// Returns a text such as "CL_OUT_OF_RESOURCES from clBuildProgram".
 std::string status_text(const cl::Error& error);
 
-/// Whether a status says that there is too little memory.
+/// Returns whether a status reports too little memory.
 bool is_out_of_memory(int status);
 
-/// Whether `rethrow` would take a status for exhaustion: too little memory, or a device lost.
+/// Returns whether `rethrow` treats a status as exhaustion, which is too little memory or a lost
+/// device.
 bool is_exhaustion(int status);
 
-/// Throws an Error that says what was being done, with the right kind (out of memory and lost
-/// devices: exhausted; everything else: internal).
+/// Throws an Error that says what was being done. Its kind is `exhausted` for too little memory and
+/// lost devices, and `internal` for everything else.
 [[noreturn]] void rethrow(const char* doing, const cl::Error& error);
 
 /// Runs `f` and turns a cl::Error into an Error as `rethrow` does.
