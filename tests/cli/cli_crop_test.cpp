@@ -1,4 +1,4 @@
-// Parts of pictures.
+// Tests renders of parts of pictures.
 #include <OpenEXR/ImfHeader.h>
 #include <OpenEXR/ImfInputFile.h>
 

@@ -1,5 +1,5 @@
-// The man page, the completions and the manual name every command and option that --help shows, and
-// no others.
+// Tests that the man page, the completions and the manual name exactly the commands and options
+// that --help shows.
 
 #include <array>
 #include <cstdio>
@@ -30,7 +30,7 @@ std::string repository_file(const std::string& path) {
   return text;
 }
 
-/// All that group 1 of the pattern matches.
+/// Returns all matches of group 1 of the pattern.
 Words all_of(const std::string& text, const std::string& pattern) {
   const std::regex regex(pattern, std::regex::multiline);
   Words words;
@@ -46,7 +46,7 @@ Words options_in(const std::string& text) {
   return all_of(text, kOption);
 }
 
-/// The text after `from` up to `to`; fails if there is no such part.
+/// Returns the text after `from` up to `to`. Fails the test if there is no such part.
 std::string part(const std::string& text, const std::string& from, const std::string& to) {
   const auto start = text.find(from);
   EXPECT_NE(start, std::string::npos) << from;
@@ -60,7 +60,7 @@ Words words_of(const std::string& text) {
   return {std::istream_iterator<std::string>(stream), {}};
 }
 
-/// What --help says of each command; "" is the program itself.
+/// The text of --help for each command. The empty name is the program itself.
 class Help {
  public:
   explicit Help(const std::function<std::string(std::vector<std::string>)>& ask)
@@ -115,7 +115,8 @@ TEST_F(DocsOfHelp, TheManPageIsComplete) {
   }
 }
 
-/// The first cells of a table of the manual's page, its backquotes and header left out.
+/// Returns the rows of a table on a page of the manual by their first cells, without backquotes and
+/// header.
 std::map<std::string, std::string> table_of(const std::string& page, const std::string& header) {
   std::map<std::string, std::string> rows;
   std::istringstream lines(part(page, header, "\n\n"));
@@ -182,7 +183,7 @@ TEST_F(DocsOfHelp, ManPagesHaveADateAndTheVersion) {
   }
 }
 
-/// What bash offers after `line`.
+/// Returns the words that bash offers after `line`.
 Words bash_offers(const std::string& line) {
   const std::string command = "bash -c 'source \"" AEROSTAT_SOURCE_DIR
                               "/packaging/completions/aerostat.bash\"; COMP_LINE=\"" +
@@ -210,7 +211,8 @@ TEST_F(DocsOfHelp, BashCompletes) {
   EXPECT_EQ(bash_offers("aerostat contact-sheet --device c"), (Words{"cpu"}));
 }
 
-/// The options that a part of the zsh file names, those of the arrays that it uses included.
+/// Returns the options that a part of the zsh file names, including those of the arrays that it
+/// uses.
 Words zsh_options(const std::string& file, const std::string& text) {
   Words options = options_in(text);
   for (const std::string& array : all_of(text, R"(\$([a-z]+))")) {

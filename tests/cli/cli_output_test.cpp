@@ -1,4 +1,4 @@
-// Outputs destroy nothing that they should not.
+// Tests that outputs destroy no file that they must keep.
 #include <fcntl.h>
 #include <sys/stat.h>
 #include <unistd.h>
@@ -28,7 +28,8 @@ TEST_F(Output, TheSceneFileIsNotOverwrittenByAnyOfItsNames) {
   fs::create_symlink("scene.png", folder_ / "link.ply");
   fs::create_directory(folder_ / "sub");
   const std::vector<std::vector<std::string>> commands = {
-      {"render", "scene.png"},  // by default
+      // The output is scene.png by default.
+      {"render", "scene.png"},
       {"render", "scene.png", "-o", "scene.png"},
       {"render", "scene.png", "-o", "./sub/../scene.png"},
       {"render", "scene.png", "-o", (folder_ / "scene.png").string()},

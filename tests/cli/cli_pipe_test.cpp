@@ -1,4 +1,4 @@
-// "-": scenes from standard input, files to standard output.
+// Tests "-" for scenes from standard input and files to standard output.
 #include <cstdlib>
 #include <string>
 
@@ -13,7 +13,8 @@ namespace {
 
 class Pipe : public CliTest {
  protected:
-  /// Runs a line of the shell, where $A is the program and $S the scenes, in the test's folder.
+  /// Runs a line of the shell in the test's folder. $A is the program and $S the folder of the
+  /// scenes.
   Outcome shell(const std::string& line) const {
     const std::string set_up = "cd '" + folder_.string() +
                                "' && A='" AEROSTAT_BINARY "' S='" AEROSTAT_SOURCE_DIR
@@ -40,7 +41,7 @@ TEST_F(Pipe, ASceneComesFromStandardInput) {
 }
 
 TEST_F(Pipe, EveryCommandNamesStandardInputWhereASceneCannotStand) {
-  // Above the ground it would be more than 1000 km up.
+  // Counted from the ground, the balloon would be more than 1000 km up.
   const std::string far =
       " --set /balloon/height_above=ground --set '/balloon/position=[0,1000000,0]'"
       " --set /terrain/cells=64 <$S/snow.json";
@@ -86,7 +87,7 @@ TEST_F(Pipe, WhatHasNoNameIsAskedForOne) {
   }
 }
 
-/// The exit code of a command whose standard output is a terminal.
+/// Returns the exit code of a command whose standard output is a terminal.
 int code_in_terminal(const std::string& command) {
   int master = -1;
   const pid_t child = ::forkpty(&master, nullptr, nullptr, nullptr);

@@ -1,4 +1,4 @@
-// Whole renders, small ones.
+// Tests whole, small renders.
 
 #include <chrono>
 #include <csignal>
@@ -127,7 +127,7 @@ TEST_F(Render, AFullDiskIsAnError) {
 TEST_F(Render, AnInterruptEndsItSoonAndKeepsTheOlderFile) {
   write("snow.png", "older");
   for (const auto& [signal, code] : {std::pair{SIGINT, 130}, {SIGTERM, 143}}) {
-    // Far more samples than anyone waits for.
+    // The render has far more samples than it could take before the signal.
     Process process(small_render("snow", {"--width", "2000", "--height", "2000", "--spp", "60000"}),
                     folder_, {});
     std::this_thread::sleep_for(std::chrono::seconds(2));

@@ -1,4 +1,4 @@
-// Scenes that are good and bad, and the commands that only read them.
+// Tests good and bad scenes, and the commands that only read them.
 
 #include <algorithm>
 #include <cmath>
@@ -55,7 +55,8 @@ TEST_F(Scenes, SetChangesTheScene) {
   EXPECT_EQ(json.at("terrain").at("seed"), 6);
 }
 
-/// Waves of the ground so short that their number over the land is more than an integer holds.
+/// Tests waves of the ground that are so short that an integer cannot hold their number across the
+/// land.
 TEST_F(Scenes, TheFinestFractalsAreNumbers) {
   const std::string scenes[] = {
       R"({"version": 1, "biome": "snow", "terrain": {"cells": 48, "fractal": {"octaves": 17, "lacunarity": 4}},
@@ -81,7 +82,7 @@ TEST_F(Scenes, ACameraMayLookStraightDown) {
   EXPECT_TRUE(contains(same.err, "/camera/target: found the camera's own position"));
 }
 
-/// The environment in which the repository's scenes are the installed ones.
+/// Returns the environment in which the repository's scenes are the installed ones.
 Environment with_scenes() {
   return {"AEROSTAT_SCENE_DIR=" + std::filesystem::path(scene_path("")).parent_path().string()};
 }
@@ -90,7 +91,7 @@ TEST_F(Scenes, InstalledOnesGoByTheirNames) {
   const Outcome by_name = run({"dump", "sand-empty"}, with_scenes());
   ASSERT_EQ(by_name.code, 0) << by_name.err;
   EXPECT_EQ(by_name.out, run({"dump", scene_path("sand-empty")}).out);
-  // A file of the name comes first; a folder or an extension makes it a path.
+  // A file of the name has priority. A folder or an extension makes the name a path.
   write("snow", R"({"version": 1, "image": {"width": 77}})");
   EXPECT_TRUE(contains(run({"dump", "snow"}, with_scenes()).out, "\"width\": 77"));
   for (const char* path : {"snow.json", "./sand", "nothing", "aerostat-scene.schema"}) {

@@ -1,4 +1,4 @@
-// Contact sheets, tiny ones.
+// Tests tiny contact sheets.
 
 #include <algorithm>
 #include <chrono>
@@ -28,7 +28,8 @@ TEST_F(ContactSheet, IsWrittenByTheScenesName) {
   EXPECT_EQ(outcome.out, "");
   EXPECT_TRUE(contains(outcome.err, "wrote snow-seeds.png (3 tiles of 32 x 18, 1 spp)"));
   EXPECT_EQ(files(), std::vector<std::string>{"snow-seeds.png"});
-  // Two columns and rows of 32 x 18 with labels of 11 and margins of 4.
+  // The sheet has two columns and two rows of 32 x 18 pixels, with labels of 11 pixels and margins
+  // of 4.
   EXPECT_EQ(png_size(read_bytes(folder_ / "snow-seeds.png")), (std::pair{76u, 70u}));
 }
 

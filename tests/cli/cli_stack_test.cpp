@@ -1,5 +1,5 @@
-// The commands where threads have little room: glibc gives them the system's limit of the stack,
-// and 2 MiB where that is "unlimited".
+// Tests the commands with small stacks of threads. glibc gives threads the system's limit of the
+// stack, and 2 MiB if that is "unlimited".
 
 #include "run_process.hpp"
 
@@ -48,7 +48,7 @@ TEST_F(SmallStacks, EveryOtherCommand) {
   }
 }
 
-/// As deep as a file may be: what is recursive over it ends before the stack does.
+/// Tests files that are as deep as they may be. Recursive functions must end before the stack does.
 TEST_F(SmallStacks, DeepFiles) {
   const std::string deep = std::string(100000, '[');
   EXPECT_EQ(run({"check", write("deep.json", deep)}, {}, kOneMebibyte).code, 65);

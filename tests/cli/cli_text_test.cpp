@@ -1,4 +1,4 @@
-// The parts of the command line that are plain functions.
+// Tests the parts of the command line that are plain functions.
 
 #include <algorithm>
 #include <csignal>
@@ -159,7 +159,7 @@ TEST(TerminalLine, ColoursOnlyIfAsked) {
   EXPECT_EQ(colored, plain);
 }
 
-/// A bar that writes into a string.
+/// A progress bar that writes into a string.
 struct Recorded {
   explicit Recorded(ProgressStyle::Mode mode)
       : bar({mode, false, [] { return 80; }}, [this](std::string_view part) { text += part; }) {}
@@ -171,7 +171,7 @@ struct Recorded {
 TEST(ProgressBar, WritesSparseLinesToFiles) {
   Recorded recorded(ProgressStyle::Mode::lines);
   for (int i = 0; i <= 10000; ++i) {
-    // Forty seconds, a hundred times slower than lines are due.
+    // The reports cover forty seconds and come a hundred times as often as lines are due.
     recorded.bar.update({Stage::rays, i / 10000.0, static_cast<std::uint64_t>(i), i * 0.004, 0});
   }
   const auto lines = std::count(recorded.text.begin(), recorded.text.end(), '\n');

@@ -1,4 +1,4 @@
-// Help, versions, devices, and command lines that are wrong.
+// Tests help, versions, devices, and wrong command lines.
 
 #include <algorithm>
 #include <cstdint>
@@ -40,7 +40,7 @@ TEST_F(Usage, HelpNamesEveryOptionOfRender) {
   }
 }
 
-/// The words of a text, without the backslashes of examples that go on.
+/// Returns the words of a text without the backslashes of examples that continue on the next line.
 std::vector<std::string> words_of(const std::string& text) {
   std::istringstream stream(text);
   std::vector<std::string> words{std::istream_iterator<std::string>(stream), {}};
@@ -77,7 +77,8 @@ TEST_F(Usage, TellsItsVersion) {
 
 struct Mistake {
   std::vector<std::string> arguments;
-  std::string part;  // of the message
+  /// A part of the message.
+  std::string part;
 };
 
 TEST_F(Usage, MistakesAreOneClearLineAndCode64) {
@@ -187,7 +188,7 @@ TEST_F(Usage, ADriverThatCannotBeLoadedIsNamed) {
 }
 
 TEST_F(Usage, TooLittleMemoryIsToldAsSuch) {
-  // A limit of this process goes on to those that it starts; 400000 KiB are too few for a driver.
+  // Processes that this one starts inherit its limits. 400000 KiB are too little for a driver.
   rlimit former = {};
   ASSERT_EQ(getrlimit(RLIMIT_AS, &former), 0);
   const rlimit little{400000u * 1024u, former.rlim_max};

@@ -17,7 +17,8 @@ namespace fs = std::filesystem;
 
 namespace {
 
-// In the child only; ends the process.
+// Turns the child process into the program. It must be called only in the child, and it ends the
+// process on failure.
 [[noreturn]] void become(const std::vector<std::string>& arguments, const fs::path& folder,
                          const Environment& environment, const std::vector<Limit>& limits,
                          const fs::path& out, const fs::path& err) {

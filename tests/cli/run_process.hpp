@@ -9,26 +9,31 @@
 #include <gtest/gtest.h>
 #include <sys/resource.h>
 
-/// Running the program as a user does.
+/// Runs the program as a user does.
 namespace aerostat::test {
 
 struct Outcome {
-  int code = -1;  // exit code; 128 + signal if one ended it
+  /// The exit code, or 128 + signal if a signal ended the process.
+  int code = -1;
   std::string out;
   std::string err;
-  std::uint64_t peak_bytes = 0;  // of memory that was resident
+  /// The largest amount of resident memory in bytes.
+  std::uint64_t peak_bytes = 0;
 };
 
-/// What of the environment differs from this process: "NAME=VALUE", or "NAME" to take it away.
+/// The differences from the environment of this process: "NAME=VALUE" sets a variable, and "NAME"
+/// removes it.
 using Environment = std::vector<std::string>;
 
-/// A limit that the program runs under, as the shell's `ulimit` sets it: RLIMIT_STACK and bytes.
+/// A limit for the program, as the shell's `ulimit` sets it. `resource` is a constant such as
+/// RLIMIT_STACK, and `most` is in its unit, such as bytes.
 struct Limit {
   int resource = 0;
   rlim_t most = RLIM_INFINITY;
 };
 
-/// A program that was started and not yet waited for. Its stdout and stderr go to files.
+/// A program that was started and that nobody has waited for yet. Its stdout and stderr go to
+/// files.
 class Process {
  public:
   Process(const std::vector<std::string>& arguments, const std::filesystem::path& folder,
@@ -42,7 +47,7 @@ class Process {
   int pid_ = -1;
 };
 
-/// A test with an empty folder of its own, which is also the program's current folder.
+/// A test with an empty folder of its own, which is also the current folder of the program.
 class CliTest : public testing::Test {
  protected:
   void SetUp() override;
@@ -55,25 +60,26 @@ class CliTest : public testing::Test {
   /// Writes a file into the folder and returns its name.
   std::string write(const std::string& name, const std::string& text) const;
 
-  /// The names in the folder.
+  /// Returns the names in the folder.
   std::vector<std::string> files() const;
 
   std::filesystem::path folder_;
 };
 
-/// A scene of the repository, such as "snow".
+/// Returns the path of a scene of the repository, such as "snow".
 std::string scene_path(const std::string& name);
 
-/// Arguments that make a render of `scene` small enough for a test, 32 x 18 pixels by default.
+/// Returns arguments that make a render of `scene` small enough for a test. It has 32 x 18 pixels
+/// by default.
 std::vector<std::string> small_render(const std::string& scene,
                                       const std::vector<std::string>& more = {});
 
 std::string read_bytes(const std::filesystem::path& path);
 
-/// Width and height in a PNG's header; zeros if it is none.
+/// Returns the width and height in a PNG's header, or zeros if the text is not a PNG.
 std::pair<unsigned, unsigned> png_size(const std::string& png);
 
-/// Whether `text` has `part`, and what it has if not.
+/// Returns whether `text` contains `part`. If it does not, the message shows the text.
 testing::AssertionResult contains(const std::string& text, const std::string& part);
 
 }  // namespace aerostat::test

@@ -8,7 +8,7 @@ namespace aerostat::test {
 
 namespace {
 
-// Values that readers stumble over.
+// Values that readers often handle wrongly.
 const std::vector<std::string> kValues = {"0",
                                           "-0.0",
                                           "-1",
@@ -87,7 +87,7 @@ Mutator::Mutator(std::vector<std::string> corpus, std::uint32_t seed)
     : corpus_(std::move(corpus)), random_(seed) {}
 
 std::size_t Mutator::below(std::size_t count) {
-  // Not a distribution of the library's: those differ from one to the other.
+  // A distribution of the standard library is not used, because libraries differ in their results.
   return random_() % std::max<std::size_t>(count, 1);
 }
 
@@ -132,7 +132,7 @@ void Mutator::change_piece(std::string& text) {
   }
 }
 
-/// Puts a value in the place of a number, a word or a string, or one such token in that of another.
+/// Replaces a number, a word or a string by a value or by another token of the text.
 void Mutator::change_token(std::string& text) {
   const auto token_at = [&text, this] {
     std::size_t start = below(text.size() + 1);

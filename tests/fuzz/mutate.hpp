@@ -5,18 +5,19 @@
 #include <string>
 #include <vector>
 
-/// Damaged copies of scene files.
+/// Makes damaged copies of scene files.
 namespace aerostat::test {
 
-/// Makes texts out of those of a corpus, the same ones for the same seed.
+/// Makes texts out of those of a corpus. The same seed gives the same texts.
 class Mutator {
  public:
   Mutator(std::vector<std::string> corpus, std::uint32_t seed);
 
-  /// A text of the corpus with one to eight changes: bytes, pieces, or values and keys of the JSON.
+  /// Returns a text of the corpus with one to eight changes of bytes, pieces, or values and keys of
+  /// the JSON.
   std::string next();
 
-  /// What might stand behind --set.
+  /// Returns a text that could stand behind --set.
   std::string next_override();
 
  private:

@@ -1,5 +1,6 @@
-// The reader of scenes takes any bytes: it gives a scene that can be written and read again, or an
-// error that says where. AEROSTAT_FUZZ_COUNT, _SECONDS and _SEED make it go on for longer.
+// Tests that the reader of scenes takes any bytes. It returns a scene that can be written and read
+// again, or an error that says where the fault is. AEROSTAT_FUZZ_COUNT, _SECONDS and _SEED make the
+// test longer.
 
 #include <algorithm>
 #include <chrono>
@@ -24,7 +25,7 @@ std::optional<std::uint64_t> variable(const char* name) {
   return value == nullptr ? std::nullopt : std::optional(std::strtoull(value, nullptr, 10));
 }
 
-/// The scenes that come with it, and all that there is to say in one.
+/// Returns the scenes of the product, and a scene in which every key is given.
 std::vector<std::string> corpus() {
   std::vector<std::filesystem::path> paths;
   for (const auto& entry : std::filesystem::directory_iterator(AEROSTAT_SOURCE_DIR "/scenes")) {
@@ -44,7 +45,7 @@ std::vector<std::string> corpus() {
   return texts;
 }
 
-/// Nothing if the reader did as it should.
+/// Returns a description of the reader's fault, or an empty string if the reader did as it should.
 std::string fault_of(const std::string& text, const std::vector<std::string>& changes) {
   bool is_read = false;
   std::string written;
@@ -88,7 +89,7 @@ TEST(SceneFuzz, AnyBytesAreReadOrRefusedInWords) {
     const std::string text = mutator.next();
     std::vector<std::string> changes;
     if (done % 4 == 3) changes.push_back(mutator.next_override());
-    // Kept for the case that it ends the process.
+    // The text is kept in case the reader ends the process.
     if (seconds) std::ofstream("scene-fuzz-last.json", std::ios::binary) << text;
     const std::string fault = fault_of(text, changes);
     if (fault.empty()) {

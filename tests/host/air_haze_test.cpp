@@ -1,4 +1,5 @@
-// Haze so thick that it hides the sky, up to fog: no light is lost or won but by absorption.
+// Tests haze so thick that it hides the sky, up to fog. Light is lost only by absorption, and none
+// is gained.
 
 #include <algorithm>
 #include <cmath>
@@ -28,7 +29,7 @@ scene::Scene hazy(double visibility_m, double sun_deg = 60.0) {
   return scene;
 }
 
-/// Grey droplets that absorb nothing, over land that sends nothing back.
+/// Returns a scene with grey droplets that absorb nothing, over a land that reflects nothing.
 scene::Scene white_haze(double visibility_m, double sun_deg = 60.0) {
   auto scene = hazy(visibility_m, sun_deg);
   scene.haze.albedo = vec3(1.0f);
@@ -37,7 +38,7 @@ scene::Scene white_haze(double visibility_m, double sun_deg = 60.0) {
   return scene;
 }
 
-/// Share of the light from above the air that reaches level ground.
+/// Returns the share of the light from above the air that reaches level ground.
 dvec3 share_on_the_ground(const scene::Scene& scene) {
   const Light light(scene);
   return light.sky.irradiance_from_above() / scene.sun.direction.y +
@@ -118,7 +119,7 @@ TEST(ThickHaze, IsGreyAndBright) {
     for (const double slope : {0.02, 0.3, 1.0, 10.0}) {
       for (const double side : {-1.0, 1.0}) {
         const dvec3 sky = light.sky.radiance(glm::normalize(dvec3(0.3, slope, side)));
-        // Through less of it a low sun is seen to be warm.
+        // In thinner haze, the side of a low sun is visibly warm.
         if (visibility_m > 1000.0 && side < 0.0) continue;
         EXPECT_NEAR(sky.x / sky.y, 1.0, 0.15) << visibility_m << ", " << slope;
         EXPECT_NEAR(sky.z / sky.y, 1.0, 0.25) << visibility_m << ", " << slope;
@@ -130,7 +131,7 @@ TEST(ThickHaze, IsGreyAndBright) {
   }
 }
 
-/// What the kernels evaluate in the haze.
+/// Returns the light around the eye in the haze as the kernels compute it.
 dvec3 around_on_device(const Light& light, double height) {
   const double thinner = -std::expm1(-height / light.atmosphere.haze_height);
   const double x = std::min(light.thick_haze ? thinner : height, light.around_top);
@@ -183,7 +184,8 @@ TEST(AnyAir, GivesLightAndNothingBelowIt) {
     }
     for (const auto& cell : light.sky.cells()) {
       ASSERT_TRUE(is_light(cell.add) && is_light(cell.haze));
-      // Of an even sky that sends all that the sun does, over a white land, and the sun's glow.
+      // The bound is that of an even sky that sends as much light as the sun, over a white land,
+      // with the glow of the sun.
       ASSERT_LT(std::max({cell.add.x, cell.add.y, cell.add.z}), 1.0);
     }
     for (const dvec3& part : light.ambient) ASSERT_TRUE(std::isfinite(part.x + part.y + part.z));

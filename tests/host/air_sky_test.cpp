@@ -1,4 +1,4 @@
-// Sky, sunlight and distance as one air makes them.
+// Tests that sky, sunlight and distance follow from the same air.
 
 #include <algorithm>
 #include <cmath>
@@ -32,7 +32,8 @@ bool is_light(const dvec3& c) {
 
 TEST(Way, OfAUniformLayerIsKnownInClosedForm) {
   Atmosphere air;
-  air.haze_extinction = {1e-5, 2e-5, 4e-5};  // absorbs, scatters nothing
+  // This haze absorbs and scatters nothing.
+  air.haze_extinction = {1e-5, 2e-5, 4e-5};
   air.haze_height = 1e12;
   const Scattering light(air, towards(0.0, 30.0));
   const PathLight path = light.follow({0.0, {0.0, 1.0, 0.0}, 30000.0}, 20);
@@ -47,7 +48,8 @@ TEST(Way, GoesOnFromItsMiddle) {
   near.length = 15000.0;
   far.length = 45000.0;
   far.height = height_after(400.0, whole.direction.y, near.length);
-  const double turn = near.length / (kGroundRadius + 400.0);  // the upright leans by this
+  // The upright direction turns by this angle along the first part of the path.
+  const double turn = near.length / (kGroundRadius + 400.0);
   far.direction.y += turn;
   far.direction = glm::normalize(far.direction);
   const PathLight a = light.follow(near, 200), b = light.follow(far, 200);
@@ -129,7 +131,7 @@ TEST(Sky, DarkensAsTheSunGoesDown) {
   EXPECT_LT(before, 1e-4);
 }
 
-/// Irradiance / pi by brute force.
+/// Returns the irradiance divided by pi, computed by brute force.
 dvec3 irradiance_over_pi(const SkyTable& sky, const dvec3& normal) {
   const int rings = 200, sectors = 200;
   dvec3 sum(0.0);

@@ -1,4 +1,4 @@
-// The air by itself: densities, phases and ways whose answers are known in closed form.
+// Tests densities, phase functions and paths of the air whose values are known in closed form.
 
 #include <cmath>
 #include <utility>
@@ -17,7 +17,7 @@ Atmosphere morning_air() {
   return atmosphere_of(scene::defaults(scene::BiomeKind::snow, scene::View::outside));
 }
 
-/// Integral over the sphere of a phase function, by the midpoint rule over the cosine.
+/// Returns the integral of a phase function over the sphere, by the midpoint rule over the cosine.
 template <typename Phase>
 double over_the_sphere(const Phase& phase) {
   const int steps = 20000;
@@ -40,7 +40,7 @@ TEST(Phase, OfMoleculesIsThatOfTheSmallestDroplets) {
 }
 
 TEST(RayleighDepth, HasThePublishedValues) {
-  // Bodhaine et al. 1999, table 3, for 1013.25 mbar.
+  // The values are from Bodhaine et al. 1999, table 3, for 1013.25 mbar.
   EXPECT_NEAR(rayleigh_depth(0.55), 0.09714, 2e-4);
   EXPECT_NEAR(rayleigh_depth(0.40), 0.36022, 1e-3);
 }
@@ -133,7 +133,7 @@ TEST(SunShare, GoesFromNoneToAllOverTheDisc) {
   EXPECT_EQ(sun_share(0.0, std::sin(0.27 * kPi64 / 180.0)), 1.0);
   EXPECT_NEAR(sun_share(0.0, 0.0), 0.5, 1e-12);
   EXPECT_EQ(sun_share(0.0, -std::sin(0.27 * kPi64 / 180.0)), 0.0);
-  // From 3000 m the horizon lies 1.76 degrees down.
+  // From a height of 3000 m the horizon lies 1.76 degrees below the level.
   EXPECT_EQ(sun_share(3000.0, -std::sin(1.4 * kPi64 / 180.0)), 1.0);
   EXPECT_EQ(sun_share(3000.0, -std::sin(2.1 * kPi64 / 180.0)), 0.0);
 }
@@ -142,7 +142,7 @@ TEST(FogLight, IsAllAboveAndLessTheDeeper) {
   const FogLayer fog{0.008, 300.0, 20.0};
   EXPECT_EQ(fog_light({}, 0.0, 0.3), 1.0);
   EXPECT_NEAR(fog_light(fog, 600.0, 0.3), 1.0, 1e-5);
-  // 200 m deep: tau = 0.008 * 200 / 0.3.
+  // At a depth of 200 m, tau = 0.008 * 200 / 0.3.
   EXPECT_NEAR(fog_light(fog, 100.0, 0.3), 1.0 / (1.0 + 0.15 * 0.008 * 200.0 / 0.3), 1e-5);
 }
 

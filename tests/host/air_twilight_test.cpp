@@ -1,4 +1,4 @@
-// The sky from sunset into the night, in absolute terms.
+// Tests the sky from sunset into the night in absolute units.
 
 #include <algorithm>
 #include <cmath>
@@ -13,7 +13,8 @@ namespace aerostat::air {
 namespace {
 
 constexpr double kPi64 = std::numbers::pi;
-constexpr double kSunLux = 133100.0;  // outside the air
+/// The illuminance of the sun outside the air, in lux.
+constexpr double kSunLux = 133100.0;
 
 double luminance(const dvec3& c) {
   return 0.2126 * c.x + 0.7152 * c.y + 0.0722 * c.z;
@@ -27,7 +28,7 @@ SkyTable solve(double sun_deg, scene::BiomeKind biome) {
   return Light(scene).sky;
 }
 
-/// Of snow, solved once.
+/// Returns the sky over snow. Each sky is computed once.
 const SkyTable& sky_under(double sun_deg) {
   static std::map<double, SkyTable> skies;
   const auto found = skies.find(sun_deg);
@@ -39,8 +40,9 @@ double lux_under(double sun_deg) {
   return kSunLux * luminance(sky_under(sun_deg).irradiance_from_above());
 }
 
-/// Of a sun without a moon. Source: P. M. Janiczek and J. A. DeYoung, "Computer Programs for Sun
-/// and Moon Illuminance", US Naval Observatory Circular 171, 1987.
+/// Returns the published illuminance in lux under a sun without a moon. Source: P. M. Janiczek and
+/// J. A. DeYoung, "Computer Programs for Sun and Moon Illuminance", US Naval Observatory Circular
+/// 171, 1987.
 double published_lux(double sun_deg) {
   const double x = sun_deg / 90.0;
   const auto cubic = [x](double a, double b, double c, double d) {
@@ -54,7 +56,8 @@ double published_lux(double sun_deg) {
 TEST(Twilight, GivesThePublishedLight) {
   for (const double sun_deg : {-1.0, -2.0, -4.0, -6.0, -8.0, -10.0, -12.0, -14.0, -16.0, -18.0}) {
     const double lux = lux_under(sun_deg), expected = published_lux(sun_deg);
-    // Of one clear air; three stops are what clear airs differ by.
+    // The published light is that of one clear air. Clear airs differ by up to three stops, so a
+    // factor of 3.5 either way is allowed.
     EXPECT_LT(lux, 3.5 * expected) << sun_deg;
     EXPECT_GT(lux, expected / 3.5) << sun_deg;
   }
@@ -73,7 +76,7 @@ TEST(Twilight, FallsWithTheSunToTheNightsOwnLight) {
   }
 }
 
-/// No green cast: never more green than of red and of blue.
+/// Expects no green cast: green may not exceed both red and blue.
 void expect_no_green(const dvec3& light) {
   EXPECT_LT(light.y, 1.08 * std::max(light.x, light.z))
       << light.x / light.y << ", " << light.z / light.y;

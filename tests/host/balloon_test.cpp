@@ -34,7 +34,7 @@ const mesh::TriangleMesh& part(const std::vector<Part>& parts, ObjectId id) {
   throw std::runtime_error("part not found");
 }
 
-/// Whether a ray from `origin` along `direction` meets a triangle.
+/// Returns whether a ray from `origin` along `direction` hits a triangle.
 bool hits(const mesh::TriangleMesh& mesh, const dvec3& origin, const dvec3& direction) {
   for (const uvec3& t : mesh.triangles) {
     const dvec3 a(mesh.positions[t.x]), u = dvec3(mesh.positions[t.y]) - a;
@@ -143,7 +143,8 @@ TEST(Balloon, HasTheTrianglesThatItsSizeInThePictureAsksFor) {
       count += p.mesh.triangles.size();
     return count;
   };
-  const double pixel = 1.15e-3;  // 720 lines over 45 degrees
+  // The angle of a pixel for 720 lines over 45 degrees, in radians.
+  const double pixel = 1.15e-3;
   EXPECT_GT(triangles({0.0, 1.6, 0.0}, pixel), 200000u);
   EXPECT_LT(triangles({0.0, 5.0, 86.0}, pixel), 40000u);
   EXPECT_LT(triangles({0.0, 5.0, 2000.0}, pixel), 10000u);
@@ -152,7 +153,8 @@ TEST(Balloon, HasTheTrianglesThatItsSizeInThePictureAsksFor) {
 TEST(Detail, GoesWithThePixelInStepsOfTwo) {
   const scene::Balloon b = sample();
   const Detail far = detail_for(b, {0.0, 5.0, 86.0}, {1e-3, 0.0});
-  // 85 m from the basket and 76.6 from the envelope: an eighth of 85 and 77 mm.
+  // The eye is 85 m from the basket and 76.6 m from the envelope, where a pixel is 85 mm and 77 mm
+  // wide. An eighth of these is rounded down to a power of two.
   EXPECT_DOUBLE_EQ(far.basket_m, 0x1p-7);
   EXPECT_DOUBLE_EQ(far.envelope_m, 0x1p-7);
   EXPECT_EQ(detail_for(b, {0.0, 5.0, 86.0}, {2e-3, 0.0}).envelope_m, 2.0 * far.envelope_m);
@@ -213,7 +215,7 @@ TEST(Balloon, BasketSurroundsTheEye) {
   }
   EXPECT_TRUE(hits(part(parts, ObjectId::floor), eye, {0.011, -1.0, 0.007}));
   EXPECT_TRUE(hits(part(parts, ObjectId::envelope), eye, {0.011, 1.0, 0.007}));
-  // The floor's upper side is at the balloon's position.
+  // The upper side of the floor is at the balloon's position.
   EXPECT_FALSE(hits(part(parts, ObjectId::floor), {0.2, 0.001, 0.2}, {0.0, 1.0, 0.0}));
   EXPECT_TRUE(hits(part(parts, ObjectId::floor), {0.2, 0.001, 0.2}, {0.0, -1.0, 0.0}));
 }
@@ -227,7 +229,7 @@ TEST(Balloon, PartsHoldTogether) {
     EXPECT_NEAR(std::abs(wire.from.x), kFrameHalf.x, 1e-9);
     EXPECT_NEAR(wire.to.y, mouth, 1e-9);
     EXPECT_NEAR(std::hypot(wire.to.x, wire.to.z), shape.mouth_radius(), 1e-9);
-    // Each wire stays on its own corner's side.
+    // Each wire stays on the side of its own corner.
     EXPECT_GT(wire.from.x * wire.to.x, 0.0);
     EXPECT_GT(wire.from.z * wire.to.z, 0.0);
   }

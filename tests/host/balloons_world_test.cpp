@@ -1,4 +1,4 @@
-// Balloons in the world: further ones, their detail, their light.
+// Tests the further balloons of a world, their level of detail and their light.
 #include <numbers>
 
 #include <gtest/gtest.h>
@@ -100,7 +100,7 @@ TEST(BalloonLight, IsThatOfAnIntegratingSphere) {
   const AeroBalloon light = pack::pack_balloon(scene);
   EXPECT_NEAR(light.glow_sky[1], 0.2 / (1.0 - 0.4), 1e-6);
   EXPECT_NEAR(light.glow_sun[1], 0.25 * 0.2 / (1.0 - 0.4), 1e-6);
-  // Light that nothing absorbs gets out as it got in.
+  // If nothing is absorbed, all light that enters the envelope leaves it again.
   scene.balloon.colors = {vec3(1.0f)};
   cloth.diffuse = 0.6;
   EXPECT_NEAR(pack::pack_balloon(scene).glow_sky[0], 1.0, 1e-6);

@@ -1,4 +1,4 @@
-// An eye that a coarse land would bury.
+// Tests an eye that a coarse land would bury.
 #include <algorithm>
 
 #include <gtest/gtest.h>
@@ -41,7 +41,7 @@ TEST_F(BuriedEye, IsLiftedAboveTheMesh) {
       const float diagonals[] = {ground.height(i, j) + ground.height(i + 1, j + 1),
                                  ground.height(i + 1, j) + ground.height(i, j + 1)};
       const double mesh = 0.5 * std::max(diagonals[0], diagonals[1]);
-      // The mesh leaves out what its cells are too coarse for.
+      // The mesh leaves out shapes that are finer than its cells.
       EXPECT_GT(seen.camera.position.y, mesh - 25.0) << x << ' ' << z;
       EXPECT_NEAR(seen.camera.target.y - seen.camera.position.y, 10.0, 1e-6);
     }

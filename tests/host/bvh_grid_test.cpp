@@ -23,7 +23,7 @@ void PrintTo(const Size& size, std::ostream* out) {
   *out << size.columns << " x " << size.rows;
 }
 
-// A bumpy grid over [-1, 1]^2 whose lines draw apart towards the border.
+// Returns a bumpy grid over [-1, 1]^2 whose lines are farther apart towards the border.
 mesh::GridMesh grid(const Size& size, float height = 0.3f) {
   mesh::GridMesh mesh(test::grid_lines(size.columns), test::grid_lines(size.rows));
   for (std::uint32_t j = 0; j <= size.rows; ++j) {
@@ -36,7 +36,7 @@ mesh::GridMesh grid(const Size& size, float height = 0.3f) {
   return mesh;
 }
 
-/// Walks a grid's tree by the definitions in bvh_node.h alone.
+/// Traverses the tree of a grid by nothing but the definitions in bvh_node.h.
 class GridInspector {
  public:
   GridInspector(const Bvh& tree, const mesh::GridMesh& mesh)
@@ -49,7 +49,8 @@ class GridInspector {
   }
 
   std::uint32_t nodes = 0;
-  bool sound = true;  // bounds contain, references are valid
+  /// Tells whether all bounds contain their content and all references are valid.
+  bool sound = true;
 
  private:
   void visit(std::uint32_t index, const bvh::Bounds& bounds) {
@@ -125,7 +126,7 @@ TEST(BvhGridBuild, GivesTheSameTreeOnAnyNumberOfThreads) {
 }
 
 TEST(BvhGridBuild, CostsHardlyMoreThanTheGeneralBuild) {
-  // Cliffs would like some blocks cut elsewhere.
+  // A general tree would cut some blocks at cliffs elsewhere.
   for (const auto& [height, limit] : {std::pair(0.01f, 1.1), {0.3f, 1.1}, {3.0f, 1.25}}) {
     const mesh::GridMesh mesh = grid({256, 256}, height);
     const mesh::TriangleMesh soup = mesh::to_triangles(mesh);

@@ -10,7 +10,7 @@
 #include "bvh/collapse.hpp"
 #include "bvh_meshes.hpp"
 
-/// Checks of finished trees against their definition.
+/// Checks finished trees against their definition.
 namespace aerostat::test {
 
 inline bool contains(const bvh::Bounds& outer, const vec3& p) {
@@ -22,7 +22,8 @@ inline bvh::Bounds child_bounds(const AeroBvhNode& node, int i) {
           {node.hi[0][i], node.hi[1][i], node.hi[2][i]}};
 }
 
-// Walks a tree by the definitions in bvh_node.h alone and collects what its stats claim.
+// Traverses a tree by nothing but the definitions in bvh_node.h, and collects the values that its
+// statistics claim.
 class Inspector {
  public:
   Inspector(const bvh::Bvh& tree, const Soup& soup, std::uint32_t max_leaf)
@@ -35,7 +36,9 @@ class Inspector {
   }
 
   std::uint32_t nodes = 0, leaves = 0, stack = 0;
-  bool sound = true;  // bounds contain, leaves are within their size, references within the tree
+  /// Tells whether all bounds contain their content, all leaves have at most their largest size,
+  /// and all references lie within the tree.
+  bool sound = true;
 
  private:
   std::uint32_t visit(std::uint32_t index, const bvh::Bounds& bounds) {

@@ -47,7 +47,8 @@ void expect_same(const bvh::Bins& a, const bvh::Bins& b) {
   }
 }
 
-// Not of the loops but of what calls them: that they can be compared at all.
+// Checks the list that the other tests rely on: the plain loops come first and the chosen ones
+// last.
 TEST(BvhLoops, ArePlainFirstAndChosenLast) {
   ASSERT_FALSE(bvh::all_loops().empty());
   EXPECT_EQ(bvh::all_loops().back(), &bvh::loops());
@@ -144,7 +145,7 @@ TEST(BvhLoops, OfAllWidthsBuildTheSameSmallTrees) {
   }
 }
 
-// A forest of any kind: more slots are never dearer.
+// Returns a random forest in which more slots never cost more.
 bvh::Forest random_forest(std::mt19937& random) {
   bvh::Forest forest;
   float cost = std::uniform_real_distribution<float>(1.0f, 2.0f)(random);
@@ -157,7 +158,7 @@ bvh::Forest random_forest(std::mt19937& random) {
   return forest;
 }
 
-// The cheapest way to give `slots` to two children, tried one by one.
+// Returns the cost of the cheapest way to give `slots` to two children, found by trying every way.
 float least_cost(const bvh::Forest& left, const bvh::Forest& right, int slots) {
   float least = kInfinity;
   for (int k = std::max(1, slots - 7); k <= std::min(7, slots - 1); ++k)
@@ -249,7 +250,8 @@ TEST(BvhRanks, CountWhatComesBefore) {
     bvh::Ranks<false, 16> ranks{};
     std::vector<int> order;
     for (int i = 0; i < n; ++i) {
-      ranks.key[i] = static_cast<float>(random() % 8);  // some are equal
+      // The keys have few values, so that some are equal.
+      ranks.key[i] = static_cast<float>(random() % 8);
       order.push_back(i);
     }
     ranks.count(n);

@@ -7,7 +7,7 @@
 
 #include "core/math.hpp"
 
-/// Small meshes for the tests of the BVH, all reproducible.
+/// Builds small, reproducible meshes for the tests of the BVH.
 namespace aerostat::test {
 
 struct Soup {
@@ -27,7 +27,8 @@ inline vec3 random_point(std::mt19937& random, float radius) {
   return {x, y, z};
 }
 
-/// Coordinates of a grid's lines over [-1, 1], which draw apart towards the border.
+/// Returns the coordinates of a grid's lines over [-1, 1], which are farther apart towards the
+/// border.
 inline std::vector<float> grid_lines(std::uint32_t cells) {
   std::vector<float> values;
   for (std::uint32_t i = 0; i <= cells; ++i) {
@@ -37,7 +38,7 @@ inline std::vector<float> grid_lines(std::uint32_t cells) {
   return values;
 }
 
-/// Triangles of mixed sizes in [-1, 1]^3.
+/// Returns triangles of mixed sizes in [-1, 1]^3.
 inline Soup random_soup(std::size_t count, unsigned seed) {
   std::mt19937 random(seed);
   Soup soup;
@@ -50,7 +51,7 @@ inline Soup random_soup(std::size_t count, unsigned seed) {
   return soup;
 }
 
-/// A grid over [-1, 1]^2 in x and z of cells^2 cells, two triangles each, over a bumpy height.
+/// Returns a bumpy terrain over [-1, 1]^2 in x and z, with cells^2 cells of two triangles each.
 inline Soup terrain(std::uint32_t cells) {
   Soup soup;
   for (std::uint32_t j = 0; j <= cells; ++j) {
@@ -73,7 +74,8 @@ inline Soup terrain(std::uint32_t cells) {
   return soup;
 }
 
-/// A unit sphere of `slices` by slices / 2 quads; at the poles these have a side of no length.
+/// Returns a unit sphere of `slices` by slices / 2 quads. The quads at the poles have a side of
+/// length zero.
 inline Soup sphere(std::uint32_t slices) {
   Soup soup;
   const std::uint32_t stacks = slices / 2;
@@ -92,7 +94,7 @@ inline Soup sphere(std::uint32_t slices) {
   return soup;
 }
 
-/// Needles across [-1, 1]^3, 10^4 times as long as wide.
+/// Returns needles across [-1, 1]^3 that are 10^4 times as long as wide.
 inline Soup slivers(std::size_t count, unsigned seed) {
   std::mt19937 random(seed);
   Soup soup;
@@ -103,7 +105,8 @@ inline Soup slivers(std::size_t count, unsigned seed) {
   return soup;
 }
 
-/// Triangles with one corner at the origin whose sizes grow geometrically from 10^-e to 10^e.
+/// Returns triangles with one corner at the origin whose sizes grow geometrically from 10^-e to
+/// 10^e.
 inline Soup geometric(std::size_t count, double exponent) {
   Soup soup;
   for (std::size_t i = 0; i < count; ++i) {
@@ -114,8 +117,9 @@ inline Soup geometric(std::size_t count, double exponent) {
   return soup;
 }
 
-/// Clusters of seven triangles, each cluster 16 times the size of the one before and beside it: the
-/// cheapest wide nodes spend their slots on the large triangles and descend one cluster at a time.
+/// Returns clusters of seven triangles. Each cluster is beside the one before and 16 times its
+/// size. The cheapest wide nodes spend their slots on the large triangles and descend one cluster
+/// at a time.
 inline Soup nested_clusters(int clusters) {
   Soup soup;
   for (int k = 0; k < clusters; ++k) {

@@ -15,7 +15,7 @@ namespace {
 
 using bvh::Bvh;
 
-/// Rise for each metre along x and z.
+/// The range of the rise for each metre along x or z.
 struct Range {
   double lo = std::numeric_limits<double>::infinity();
   double hi = -std::numeric_limits<double>::infinity();
@@ -34,7 +34,8 @@ struct Range {
 using Ground = std::array<Range, 2>;
 
 constexpr double kStep = 1.0 / AERO_SLOPE_STEPS;
-// The steepest that bytes can say, less and more the steps that rounding may take.
+// The steepest slope that bytes can hold, reduced and increased by the steps that rounding may
+// take.
 constexpr double kSurelyKnown = (AERO_SLOPE_ZERO - 3.0) * kStep;
 constexpr double kSurelyUnknown = (AERO_SLOPE_ZERO - 1.0) * kStep;
 
@@ -45,7 +46,7 @@ Range told(aero_uint slope, int axis) {
   return {value(2 * axis), value(2 * axis + 1)};
 }
 
-/// Walks a grid's tree and holds what nodes tell of slopes against the cells below.
+/// Traverses the tree of a grid and compares the slopes in its nodes with the cells below them.
 class SlopeInspector {
  public:
   SlopeInspector(const Bvh& tree, const mesh::GridMesh& mesh) : tree_(tree), mesh_(mesh) {
@@ -53,9 +54,12 @@ class SlopeInspector {
   }
 
   int known = 0, unknown = 0;
-  int wrong = 0;    // a slope below is outside of what is told
-  int loose = 0;    // more is told than rounding asks for
-  int missing = 0;  // unknown, though no slope below is steep
+  /// The number of children below which a slope is outside of the range in the node.
+  int wrong = 0;
+  /// The number of children whose range is wider than rounding needs.
+  int loose = 0;
+  /// The number of children without a range, although no slope below them is steep.
+  int missing = 0;
 
  private:
   Ground visit(std::uint32_t index) {
@@ -88,7 +92,7 @@ class SlopeInspector {
     }
   }
 
-  // The slopes of the triangles themselves, by their planes.
+  // Returns the slopes of the triangles themselves, computed from their planes.
   Ground patch(aero_uint child) const {
     const bool wide = (child >> AERO_PATCH_SHAPE_SHIFT & AERO_PATCH_SHAPE_MASK) == AERO_PATCH_WIDE;
     const aero_uint i0 = child & AERO_PATCH_CELL_MASK;
@@ -104,7 +108,7 @@ class SlopeInspector {
   void add_cell(Ground& ground, aero_uint i, aero_uint j) const {
     const dvec3 corner[4] = {mesh_.position(i, j), mesh_.position(i + 1, j),
                              mesh_.position(i, j + 1), mesh_.position(i + 1, j + 1)};
-    // Whichever way a cell is split, its triangles are two of these four.
+    // A cell may be split along either diagonal. Its triangles are two of these four.
     const int triangles[4][3] = {{0, 2, 1}, {1, 2, 3}, {0, 2, 3}, {0, 3, 1}};
     for (const auto& t : triangles) {
       const dvec3 n = glm::cross(corner[t[1]] - corner[t[0]], corner[t[2]] - corner[t[0]]);
@@ -117,7 +121,7 @@ class SlopeInspector {
   const mesh::GridMesh& mesh_;
 };
 
-// Bumps that get steeper to the right, so that slopes of neighbours differ.
+// Returns bumps that get steeper to the right, so that the slopes of neighbours differ.
 mesh::GridMesh bumps(std::uint32_t columns, std::uint32_t rows, float height) {
   mesh::GridMesh mesh(test::grid_lines(columns), test::grid_lines(rows));
   for (std::uint32_t j = 0; j <= rows; ++j) {
@@ -179,7 +183,7 @@ TEST(BvhSlopes, AreUnknownInTreesOfMeshesAndInstances) {
   EXPECT_TRUE(knows_nothing(bvh::build({}, {})));
 }
 
-// How many children below `index` that tell slopes are not ground alone.
+// Counts the children with a range of slopes, and those of them that contain more than ground.
 class GroundAlone {
  public:
   explicit GroundAlone(const Bvh& tree) : tree_(tree) { visit(0); }

@@ -157,7 +157,8 @@ TEST(BvhBuild, GivesTheSameTreeOnMoreThreadsThanCores) {
   EXPECT_TRUE(same_bytes(first, bvh::build(soup.positions, soup.triangles)));
 }
 
-// The cost, by the stats' formula, of halving by count along the widest axis, eight ways a node.
+// Computes the cost of a tree by the formula of the statistics. The tree is halved by count along
+// the widest axis and has eight children per node.
 class MedianTree {
  public:
   explicit MedianTree(const Soup& soup) : soup_(soup), order_(soup.triangles.size()) {
@@ -244,7 +245,7 @@ TEST_P(BvhJoin, HoldsAllTreesUnderOneRoot) {
   std::vector<Bvh> trees;
   std::vector<const Bvh*> pointers;
   for (std::size_t i = 0; i < GetParam(); ++i) {
-    // The second tree is empty: it must leave no trace.
+    // The second tree is empty and must leave no trace.
     soups.push_back(i == 1 ? Soup() : test::random_soup(100 + i, static_cast<unsigned>(i)));
     for (vec3& p : soups.back().positions) p += 2.5f * static_cast<float>(i);
     trees.push_back(bvh::build(soups.back().positions, soups.back().triangles));

@@ -8,7 +8,7 @@
 #include "bvh/bvh.hpp"
 #include "bvh_meshes.hpp"
 
-/// Rays through a tree in double precision, and without one.
+/// Traces rays in double precision, with a tree and without one.
 namespace aerostat::test {
 
 inline constexpr double kMiss = std::numeric_limits<double>::infinity();
@@ -16,7 +16,8 @@ struct Ray {
   dvec3 origin, direction;
 };
 
-// Moeller and Trumbore, in double.
+// Returns the distance to a triangle by the method of Moeller and Trumbore in double precision, or
+// kMiss.
 inline double hit_triangle(const Soup& soup, std::uint32_t triangle, const Ray& ray) {
   const uvec3 t = soup.triangles[triangle];
   const dvec3 v0(soup.positions[t.x]);
@@ -31,7 +32,8 @@ inline double hit_triangle(const Soup& soup, std::uint32_t triangle, const Ray& 
   return u >= 0.0 && v >= 0.0 && u + v <= 1.0 && distance > 0.0 ? distance : kMiss;
 }
 
-// Distance to a child's box, or kMiss; a little too generous rather than too strict.
+// Returns the distance to a child's box, or kMiss. The test is slightly too generous rather than
+// too strict.
 inline double hit_box(const AeroBvhNode& node, int i, const Ray& ray, double nearest) {
   double enter = 0.0, leave = nearest;
   for (int axis = 0; axis < 3; ++axis) {
@@ -44,7 +46,7 @@ inline double hit_box(const AeroBvhNode& node, int i, const Ray& ray, double nea
   return enter <= leave * (1.0 + 1e-12) + 1e-12 ? enter : kMiss;
 }
 
-// The plainest traversal: every child that is hit goes on the stack.
+// Traces rays by the plainest traversal, which puts every child that is hit onto the stack.
 class Tracer {
  public:
   Tracer(const bvh::Bvh& tree, const Soup& soup) : tree_(tree), soup_(soup) {}
@@ -87,7 +89,7 @@ class Tracer {
   const Soup& soup_;
 };
 
-// From outside or inside of [-2, 2]^3 towards a random point near the mesh.
+// Returns a ray from a random point in [-2, 2]^3 towards a random point near the mesh.
 inline Ray random_ray(std::mt19937& random) {
   const vec3 origin = random_point(random, 2.0f);
   const vec3 target = random_point(random, 0.8f);

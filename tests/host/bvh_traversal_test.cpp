@@ -28,7 +28,9 @@ struct Case {
   const char* name;
   Soup soup;
   int fewest_hits;
-  double most_tests;  // of a ray, as a share of the triangles: boxes of long needles overlap
+  /// The most tests of a ray as a share of the triangles. It is large for long needles, because
+  /// their boxes overlap.
+  double most_tests;
 };
 
 void PrintTo(const Case& test, std::ostream* out) {
@@ -79,7 +81,7 @@ TEST(BvhBesideEmbree, AgreesOnALargerTerrain) {
     const double a = tracer.closest(ray), b = hit.met() ? double{hit.distance} : kMiss;
     if (a != b && !(std::abs(a - b) < 1e-3)) ++wrong;
   }
-  // Single precision decides a graze at a silhouette or at the border otherwise.
+  // Single precision may decide differently where a ray grazes a silhouette or the border.
   EXPECT_LE(wrong, kRays / 1000);
 }
 #endif

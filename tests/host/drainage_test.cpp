@@ -18,7 +18,7 @@ DrainageOptions small_options() {
   return options;
 }
 
-// A coast along the first row of a plateau of even uplift.
+// Makes the first row of a plateau of even uplift a coast.
 void coast(const Points& points, Bedrock* rock) {
   for (int i = 0; i < points.count; ++i) {
     rock[i] = Bedrock{};
@@ -55,7 +55,7 @@ TEST(Drainage, OutletsStayAndPeaksReachTheHeight) {
 }
 
 TEST(Drainage, ValleysDivideTheGround) {
-  // A cone or a ramp would fall evenly along a row; carved ground goes up and down.
+  // A cone or a ramp would fall evenly along a row. Carved ground rises and falls.
   const HeightGrid grid = carve_valleys(small_options(), coast);
   const int row = grid.nodes / 3;
   int turns = 0;

@@ -10,7 +10,8 @@
 
 namespace aerostat::test {
 
-/// Embree's nearest hits on a mesh, at the quality that leaks nowhere.
+/// Finds the nearest hits on a mesh with Embree in its robust mode, in which no ray slips through
+/// an edge.
 class EmbreeMesh {
  public:
   EmbreeMesh(const std::vector<vec3>& positions, const std::vector<uvec3>& triangles)
@@ -42,7 +43,7 @@ class EmbreeMesh {
     bool met() const { return distance != std::numeric_limits<float>::infinity(); }
   };
 
-  /// Up to `t_max`.
+  /// Returns the nearest hit up to the distance `t_max`.
   Hit nearest(const vec3& origin, const vec3& direction,
               float t_max = std::numeric_limits<float>::infinity()) const {
     RTCRayHit query{};

@@ -52,7 +52,7 @@ TEST(NaturalShape, FollowsThePublishedTable) {
       const double middle = (low + high) / 2.0;
       (shape.at(middle).height < height ? low : high) = middle;
     }
-    // At the crown the curve is level: any arc near the end has that height.
+    // At the crown the curve is level, so every arc near the end has that height.
     const double radius = i == 10 ? shape.at(shape.arc_length()).radius : shape.at(low).radius;
     EXPECT_NEAR(radius * 2.0, table[i], 0.0015) << "at " << i << " tenths of the height";
   }
@@ -60,7 +60,8 @@ TEST(NaturalShape, FollowsThePublishedTable) {
 
 TEST(NaturalShape, ComesToTheAxisLevel) {
   const NaturalShape& shape = natural_shape();
-  const double step = shape.arc_length() / 2048.0;  // the last that is not closed by force
+  // The last step is excluded, because the curve is closed by force there.
+  const double step = shape.arc_length() / 2048.0;
   const MeridianPoint before = shape.at(shape.arc_length() - step);
   EXPECT_NEAR(before.radius / step, 1.0, 1e-6);
   EXPECT_NEAR(before.angle + kTwoPi / 4.0, -before.curvature * step / 2.0, 1e-9);
@@ -153,7 +154,7 @@ TEST(Envelope, IsOneSheetOpenAtTheMouthAlone) {
             envelope_of(painted(pattern, gores), {tolerance, tolerance});
         const test::Edges edges = test::count_edges(mesh);
         EXPECT_EQ(edges.crowded, 0u);
-        // The pattern may cut the mouth's edges, but nothing else is open.
+        // The pattern may cut the edges of the mouth, but no other edge is open.
         const std::size_t cells = tolerance == 0.0 ? 8 : 2;
         EXPECT_GE(edges.open, static_cast<std::size_t>(gores) * cells);
         EXPECT_LE(edges.open, static_cast<std::size_t>(gores) * 12);
@@ -163,7 +164,8 @@ TEST(Envelope, IsOneSheetOpenAtTheMouthAlone) {
   }
 }
 
-/// Distance of a point from the plane of the nearest of some triangles around it, upper bound.
+/// Returns an upper bound of the distance of a point from the plane of the nearest triangle around
+/// it.
 double off_mesh(const mesh::TriangleMesh& mesh, const dvec3& point) {
   double nearest = 1e9;
   for (const uvec3& t : mesh.triangles) {
@@ -192,7 +194,7 @@ TEST(Envelope, FacetsStayWithinTheToleranceOfTheSurface) {
       const EnvelopeRow row{shape.mouth_arc() + panel * up, up - std::floor(up)};
       worst = std::max(worst, off_mesh(mesh, shape.fabric(i % 24, share, row).position));
     }
-    // Both ways of a cell add up, and the pieces of a cell are two triangles.
+    // The errors of both directions of a cell add up, and the pieces of a cell are two triangles.
     EXPECT_LT(worst, 2.0 * tolerance);
     EXPECT_GT(worst, 0.1 * tolerance) << "finer than need be";
   }
@@ -205,7 +207,7 @@ TEST(Envelope, UvsCountGoresAndPanels) {
   ASSERT_EQ(mesh.uvs.size(), mesh.positions.size());
   for (const uvec3& t : mesh.triangles) {
     const vec2 a = mesh.uvs[t.x], b = mesh.uvs[t.y], c = mesh.uvs[t.z];
-    // No triangle goes across a tape or a seam.
+    // No triangle crosses a tape or a seam.
     const vec2 low = glm::min(glm::min(a, b), c), high = glm::max(glm::max(a, b), c);
     ASSERT_LE(high.x - std::floor(low.x + 1e-4f), 1.0f + 1e-4f);
     ASSERT_LE(high.y - std::floor(low.y + 1e-4f), 1.0f + 1e-4f);
@@ -222,7 +224,7 @@ TEST(Envelope, UvsCountGoresAndPanels) {
 TEST(Envelope, ManyGoresApproachTheNaturalVolume) {
   const scene::Balloon balloon = painted(scene::Pattern::stripes, 160);
   const double cubed = std::pow(balloon.diameter_m, 3.0);
-  // Seen from the middle of the mouth, the opening itself adds nothing.
+  // The apex is the middle of the mouth, so the opening itself adds nothing to the volume.
   EXPECT_NEAR(test::volume(envelope_of(balloon)) / cubed, 0.4506, 0.004);
 }
 

@@ -6,7 +6,7 @@
 
 namespace aerostat::test {
 
-/// The error that `f` ends in; fails the test if it ends well.
+/// Returns the error that `f` throws. Fails the test if `f` throws none.
 template <typename F>
 Error error_of(F&& f) {
   try {

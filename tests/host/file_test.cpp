@@ -1,4 +1,4 @@
-// Files are written whole or not at all.
+// Tests that files are written completely or not at all.
 
 #include "core/file.hpp"
 
@@ -151,7 +151,8 @@ TEST_F(WriteFile, LeavesAFileThatIsReadOnly) {
 TEST_F(WriteFile, KeepsOwnerAndGroup) {
   const fs::path path = folder_ / "a";
   write_file(path, bytes_of("old"));
-  if (::chown(path.c_str(), 12345, 23456) != 0) return;  // root alone gives files away
+  // Only root may give files away.
+  if (::chown(path.c_str(), 12345, 23456) != 0) return;
   ASSERT_EQ(::chmod(path.c_str(), 0640), 0);
   write_file(path, bytes_of("new"));
   struct stat status {};
@@ -164,7 +165,8 @@ TEST_F(WriteFile, KeepsOwnerAndGroup) {
 TEST_F(WriteFile, RemovesWhatKilledRunsLeft) {
   const pid_t child = ::fork();
   if (child == 0) ::_exit(0);
-  ::waitpid(child, nullptr, 0);  // now there is no such process
+  // After this call there is no process with this number.
+  ::waitpid(child, nullptr, 0);
   const auto name = [this](pid_t process) {
     return folder_ / (".aerostat-" + std::to_string(process) + "-0.tmp");
   };
@@ -208,7 +210,8 @@ TEST_F(WriteFile, StampsTellReplacedAndChangedFiles) {
   const FileStamp first = file_stamp(path);
   EXPECT_TRUE(first.exists());
   EXPECT_EQ(file_stamp(path), first);
-  fs::create_hard_link(path, folder_ / "older");  // its number is not given out anew
+  // The link keeps the number of the old file from being used again.
+  fs::create_hard_link(path, folder_ / "older");
   write_file(path, bytes_of("2"));
   const FileStamp second = file_stamp(path);
   EXPECT_NE(second, first);
@@ -239,7 +242,7 @@ TEST_F(WriteFile, WritesSpecialFilesDirectly) {
 TEST_F(WriteFile, AnInterruptedWriteKeepsTheOlderFileAndLeavesNothing) {
   const fs::path path = folder_ / "a";
   write_file(path, bytes_of("older"));
-  // A limit on file sizes stands in for a disk that fills up half-way.
+  // A limit on file sizes stands in for a disk that fills up during a write.
   rlimit before{};
   ::getrlimit(RLIMIT_FSIZE, &before);
   std::signal(SIGXFSZ, SIG_IGN);
@@ -288,7 +291,7 @@ TEST_F(WriteFile, NeedsAFolder) {
 }
 
 TEST_F(WriteFile, ReportsAFolderThatCannotBeWritten) {
-  // Permissions do not bind root; nobody creates files in /proc.
+  // Permissions do not restrict root, but nobody can create files in /proc.
   const fs::path locked = ::geteuid() == 0 ? fs::path("/proc") : folder_;
   if (::geteuid() != 0) ::chmod(folder_.c_str(), 0500);
   EXPECT_EQ(error_of([&] { require_writable(locked / "a.png"); }).kind(), ErrorKind::io);

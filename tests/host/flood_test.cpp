@@ -1,4 +1,4 @@
-// The order of a flood and where water runs, against the plainest way to find them.
+// Tests the order of a flood and the flow of water against the plainest algorithms.
 
 #include "terrain/flood.hpp"
 
@@ -19,7 +19,7 @@ namespace {
 
 constexpr int kLast = std::numeric_limits<int>::max();
 
-/// A rough ground of few heights, so that many are equal, with a rim above all.
+/// A rough ground of few heights, so that many of them are equal, with a rim above all.
 struct Ground {
   RimmedGrid grid{61, 10.0f};
   Rimmed<float> heights;

@@ -8,7 +8,7 @@
 namespace aerostat::terrain {
 namespace {
 
-/// A plane that falls along (down_x, down_z), sampled by `at`.
+/// Returns a plane that falls along (down_x, down_z), sampled at `points` and carved by `gullies`.
 Slopes gullied_plane(const Gullies& gullies, const Points& points, float down_x, float down_z,
                      float strength = 1.0f) {
   Slopes ground;
@@ -59,8 +59,8 @@ TEST(Gullies, StayWithinTheirDepthAndSpareFlatGround) {
   float most = 0.0f;
   for (int i = 0; i < points.count; ++i)
     most = std::max(most, std::fabs(ground.height[i] + points.x[i]));
-  // 0.5 * 80 m from crest to floor on ground of slope 1, times 1 / 1.35; rounding the crests lowers
-  // everything by 1 % of that.
+  // The depth from crest to floor is 0.5 * 80 m on ground of slope 1, divided by 1.35. Rounding the
+  // crests lowers everything by 1 % of that.
   EXPECT_LT(most, 1.021f * 0.5f * 0.5f * 80.0f / 1.35f);
   EXPECT_GT(most, 0.3f * 0.5f * 80.0f / 1.35f);
   const Slopes flat = gullied_plane(gullies, points, 0.0f, 0.0f);
@@ -85,7 +85,7 @@ TEST(Gullies, ReportTheSlopeOfWhatTheyAdd) {
     left.z[i] -= e;
     right.z[i] += e;
   }
-  // The plane falls along x, so that the waves run along z.
+  // The plane falls along x, so the waves run along z.
   const Slopes ground = gullied_plane(gullies, points, 1.0f, 0.0f);
   const Slopes a = gullied_plane(gullies, left, 1.0f, 0.0f);
   const Slopes b = gullied_plane(gullies, right, 1.0f, 0.0f);
@@ -95,7 +95,7 @@ TEST(Gullies, ReportTheSlopeOfWhatTheyAdd) {
     error += std::fabs(slope - ground.dz[i]);
     size += std::fabs(slope);
   }
-  // Only the waves' own slope counts, not that of their blending.
+  // Only the slope of the waves counts, not that of their blending.
   EXPECT_LT(error, 0.35 * size);
 }
 

@@ -1,4 +1,4 @@
-// Sheets of tiles.
+// Tests sheets of tiles.
 
 #include <gtest/gtest.h>
 
@@ -61,7 +61,8 @@ TEST(Sheet, LabelsStandInTheMiddleBelow) {
   Sheet sheet(layout);
   const std::uint8_t paper = red(sheet.pixels(), 0, 0);
   sheet.place(1, plain(41, 20, 0), "8");
-  // An 8 is as wide to the left of the tile's middle as to the right, and seven rows high.
+  // The digit 8 is seven rows high and reaches as far to the left of the tile's middle as to the
+  // right.
   const int middle = layout.tile_x(1) + 20, below = layout.tile_y(1) + 20;
   int inked = 0;
   for (int y = below; y < layout.height(); ++y) {

@@ -1,4 +1,4 @@
-// The encoders, checked by other decoders.
+// Tests the encoders with other decoders.
 
 #include <cmath>
 #include <cstring>
@@ -52,7 +52,7 @@ TEST(Png, DecodesToTheSamePixels) {
   }
 }
 
-/// A chunk's checksum bit by bit, as the standard's annex D defines it.
+/// Returns the checksum of a chunk, computed bit by bit as annex D of the standard defines it.
 std::uint32_t checksum(const std::uint8_t* bytes, std::size_t count) {
   std::uint32_t sum = ~0u;
   for (std::size_t i = 0; i < count; ++i) {
@@ -91,7 +91,7 @@ TEST(Png, RefusesWhatTheEncoderCannotCount) {
   EXPECT_THROW(encode_png(wrong), Error);
 }
 
-/// A file that lies in memory, for OpenEXR's reader.
+/// A file in memory for OpenEXR's reader.
 class MemoryInput : public Imf::IStream {
  public:
   explicit MemoryInput(const std::vector<std::uint8_t>& bytes)

@@ -1,4 +1,4 @@
-// The way from radiance to display values: properties of the curve and values in closed form.
+// Tests properties and closed-form values of the tone curve from radiance to display values.
 
 #include <algorithm>
 #include <cmath>
@@ -32,7 +32,7 @@ TEST(ToneCurve, IsStrictlyIncreasingUpToTheWhitePoint) {
 
 TEST(ToneCurve, MeetsMiddleGrey) {
   EXPECT_NEAR(tone_curve(0.18), 0.19, 1e-9);
-  // About the scene's own contrast there: the slope in a log-log diagram.
+  // The contrast there is about that of the scene, as the slope in a log-log diagram.
   const double slope = std::log(tone_curve(0.19) / tone_curve(0.17)) / std::log(0.19 / 0.17);
   EXPECT_GT(slope, 0.95);
   EXPECT_LT(slope, 1.25);
@@ -43,8 +43,8 @@ TEST(ToneCurve, IsContinuousAtTheWhitePoint) {
 }
 
 TEST(ToneCurve, KeepsDetailInSunlitSnow) {
-  // Snow of albedo 0.9 in the sun (pi) and a patch 3 % darker stay apart in eight bits and below
-  // white.
+  // Snow of albedo 0.9 in a sun of irradiance pi and a patch that is 3 % darker stay different in
+  // eight bits and below white.
   const double lit = 255.0 * srgb_from_linear(tone_curve(0.9));
   const double darker = 255.0 * srgb_from_linear(tone_curve(0.9 * 0.97));
   EXPECT_LT(lit, 250.0);
@@ -61,7 +61,8 @@ TEST(ToneMap, KeepsGreysGrey) {
   }
 }
 
-// Hue as in HSV's circle, by where the middle component lies between the others.
+// Returns the place of the middle component between the others, which fixes the hue in HSV's
+// circle.
 double middle_share(const dvec3& c) {
   const double lo = std::min({c.x, c.y, c.z});
   const double hi = std::max({c.x, c.y, c.z});
@@ -141,8 +142,8 @@ TEST(Dither, IsRightOnTheMeanAndNeverFartherThanOneStep) {
 }
 
 TEST(Develop, BreaksUpBands) {
-  // A sky so even that it spans one step of eight bits: rounding alone would be wrong by up to half
-  // a step, over hundreds of pixels at a stretch.
+  // The sky is so even that it spans one step of eight bits. Rounding alone would be wrong by up to
+  // half a step over hundreds of adjacent pixels.
   Film film;
   film.width = 512;
   film.height = 8;
@@ -178,7 +179,7 @@ Film grey_film(const std::vector<float>& radiances) {
 TEST(AutomaticExposure, BringsAnEvenPictureToGrey) {
   for (const float light : {4e-3f, 0.02f, 0.25f, 30.0f}) {
     const double ev = automatic_exposure_ev(grey_film(std::vector<float>(100, light)));
-    // Half a stop up at most where nothing is bright.
+    // If nothing is bright, the exposure rises by 0.45 stops above the middle grey.
     EXPECT_NEAR(static_cast<double>(light) * std::exp2(ev), 0.25 * std::exp2(0.45), 1e-6);
   }
 }
@@ -207,7 +208,7 @@ TEST(AutomaticExposure, DoesNotClipSnow) {
 }
 
 TEST(AutomaticExposure, GoesUpWhereTheLightsLeaveRoom) {
-  // The middle at 0.1 asks for 1.32 stops; the lights would bear another half of a stop.
+  // The middle at 0.1 asks for 1.32 stops. The lights would allow another half of a stop.
   std::vector<float> radiances(1000, 0.1f);
   std::fill_n(radiances.begin(), 20, static_cast<float>(2.0 / 2.5 / std::sqrt(2.0)));
   const double wanted = std::log2(2.5);
@@ -221,7 +222,7 @@ TEST(AutomaticExposure, LetsAGlitterClipRatherThanLoseTheRest) {
   EXPECT_NEAR(automatic_exposure_ev(grey_film(radiances)), ev - 0.45 - 2.0, 1e-6);
 }
 
-/// What an even picture of this luminance (cd/m^2) is exposed to.
+/// Returns the exposed value of an even picture with this luminance in cd/m^2.
 double shown_candelas(double candelas) {
   const double radiance = candelas / 26620.0;
   const Film film = grey_film(std::vector<float>(100, static_cast<float>(radiance)));
@@ -230,9 +231,10 @@ double shown_candelas(double candelas) {
 
 TEST(AutomaticExposure, LeavesDuskAndNightDark) {
   const double day = shown_candelas(3000.0);
-  // Krawczyk's key 1.03 - 2 / (2 + log10(L + 1)) of that of 100 cd/m^2.
+  // The expected ratio is that of Krawczyk's key 1.03 - 2 / (2 + log10(L + 1)) to the key of 100
+  // cd/m^2.
   EXPECT_NEAR(shown_candelas(1.0) / day, 0.1607 / 0.5305, 0.002);
-  // A quarter of each stop below 0.01 cd/m^2 is seen, too.
+  // Below 0.01 cd/m^2, a quarter of each stop remains visible.
   EXPECT_NEAR(shown_candelas(1.7e-4) / day, 0.0300 / 0.5305 * std::pow(0.017, 0.25), 0.0005);
   double before = 0.0;
   for (double candelas = 1e-4; candelas < 90.0; candelas *= 1.5) {
@@ -255,7 +257,7 @@ TEST(AutomaticExposure, TakesAPictureWithoutLight) {
   EXPECT_EQ(automatic_exposure_ev({}), 0.0);
 }
 
-/// Light of many brightnesses, and some that is none.
+/// Returns a film with light of many brightnesses and some pixels without light.
 Film varied_film(int width, int height) {
   Film film;
   film.width = width;
@@ -286,7 +288,7 @@ TEST(AutomaticExposure, IsThatOfAllStopsInTheirOrder) {
   };
   const double middle =
       std::accumulate(at(0.2), at(0.95), 0.0) / static_cast<double>(at(0.95) - at(0.2));
-  // Lights this bright hold the whole back by two stops.
+  // Lights of this brightness darken the whole picture by two stops.
   ASSERT_GT(*at(0.99) - middle, 5.0);
   EXPECT_NEAR(automatic_exposure_ev(film), std::log2(0.25) - middle - 2.0, 1e-11);
 }
@@ -301,7 +303,8 @@ TEST(AutomaticExposure, DoesNotDependOnTheNumberOfThreads) {
 TEST(Develop, TakesRowsOfAnyLengthAndWhatIsNoColour) {
   for (const int width : {1, 5, 127, 129, 300}) {
     Film film = varied_film(width, 9);
-    film.radiance[2] = vec3(0.5f);  // a film has no NaN
+    // A film contains no NaN, so this value is replaced.
+    film.radiance[2] = vec3(0.5f);
     const Pixels pixels = develop(film, 0.0);
     for (int i = 0; i < width * 9; ++i) {
       const dvec3 display = tone_map(dvec3(film.radiance[static_cast<std::size_t>(i)]));
@@ -346,7 +349,7 @@ TEST(Develop, FollowsTheCurvesThoughItReadsThemFromTables) {
 }
 
 TEST(Develop, DithersAPartAsTheWhole) {
-  // Light between two steps: the pattern shows.
+  // The light lies between two steps, so that the pattern of the dither is visible.
   std::vector<float> radiances(40 * 24);
   for (std::size_t i = 0; i < radiances.size(); ++i) {
     radiances[i] = 0.1f + 1e-5f * static_cast<float>(i);

@@ -1,4 +1,4 @@
-// White balance and vignette.
+// Tests the white balance and the vignette.
 #include <cmath>
 
 #include <gtest/gtest.h>
@@ -42,9 +42,9 @@ TEST(WhiteBalance, GoesAsFarAsItIsAsked) {
   EXPECT_LT(glm::distance(none, dvec3(0.3, 0.5, 0.7)), 1e-9);
 }
 
-/// CIE 15: the chromaticity of a black body, here as ratios of linear Rec. 709.
+/// Compares black bodies with CIE 15 as ratios of linear Rec. 709.
 TEST(WhiteBalance, KnowsBlackBodies) {
-  // 2856 K is illuminant A, x = 0.44757, y = 0.40745.
+  // A black body of 2856 K is illuminant A with x = 0.44757, y = 0.40745.
   const dvec3 a = black_body(2856.0);
   const double x = 0.4123908 * a.x + 0.3575843 * a.y + 0.1804808 * a.z;
   const double z = 0.0193308 * a.x + 0.1191948 * a.y + 0.9505322 * a.z;
@@ -61,7 +61,7 @@ TEST(WhiteBalance, KnowsBlackBodies) {
 TEST(WhiteBalance, ByTemperatureLeaves6504AsItIs) {
   const dvec3 color(0.2, 0.5, 0.9);
   EXPECT_LT(glm::distance(white_balance_for(6504.0) * color, color), 1e-9);
-  // A lower temperature takes the yellow of such light away: a grey turns blue.
+  // A lower temperature removes the yellow of such light, so a grey turns blue.
   const dvec3 grey = white_balance_for(3200.0) * dvec3(0.5);
   EXPECT_GT(grey.z, grey.x * 1.3);
   EXPECT_LT((white_balance_for(12000.0) * dvec3(0.5)).z, 0.5);
@@ -89,7 +89,7 @@ TEST(Vignette, LosesItsShareInTheCornersAndNothingInTheMiddle) {
   for (const double lost : {0.1, 0.5, 0.9}) {
     EXPECT_EQ(vignette_share(0.0, lost), 1.0);
     EXPECT_NEAR(vignette_share(1.0, lost), 1.0 - lost, 1e-12);
-    // The fourth power of a cosine of an angle: 1 / (1 + tan^2)^2.
+    // The share is the fourth power of a cosine: cos^4 = 1 / (1 + tan^2)^2.
     const double tangent = 0.5 * std::sqrt(1.0 / std::sqrt(1.0 - lost) - 1.0);
     EXPECT_NEAR(vignette_share(0.5, lost), std::pow(std::cos(std::atan(tangent)), 4.0), 1e-12);
   }

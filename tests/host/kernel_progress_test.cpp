@@ -1,4 +1,4 @@
-// Progress of kernels that are compiled, by a clock of the test's own.
+// Tests the progress of kernels that are compiled, with a clock of the test's own.
 #include "render/kernel_progress.hpp"
 
 #include <gtest/gtest.h>

@@ -32,7 +32,8 @@ TEST(LandMemory, RefusalNamesTheNeedTheBoundAndTheField) {
 }
 
 TEST(LandMemory, IsAskedForBeforeALandIsBuilt) {
-  scene::Scene huge = land_of(1 << 22);  // 288 TiB
+  // This land would need 288 TiB.
+  scene::Scene huge = land_of(1 << 22);
   EXPECT_THROW(build(huge), Error);
 }
 

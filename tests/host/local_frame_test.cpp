@@ -1,4 +1,4 @@
-// What meshes count from, and that all of them do.
+// Tests the origin from which all meshes count.
 #include "scene/local_frame.hpp"
 
 #include <gtest/gtest.h>
@@ -31,7 +31,8 @@ TEST(Origin, IsNeverFarFromTheEye) {
       Scene resolved = scene;
       resolved.origin = origin;
       const dvec3 place = place_of(resolved, origin);
-      // To the rounding of world coordinates in double precision.
+      // Single precision holds this place, except for the rounding of world coordinates in double
+      // precision.
       EXPECT_LT(glm::distance(place, dvec3(vec3(place))), 1e-9);
     }
   }

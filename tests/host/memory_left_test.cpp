@@ -1,4 +1,4 @@
-// What is left of memory, by made-up files of the system.
+// Tests how much memory is left according to made-up files of the system.
 #include "core/memory_left.hpp"
 
 #include <filesystem>

@@ -10,10 +10,10 @@
 
 #include "mesh/mesh.hpp"
 
-/// Measurements on meshes that tests share.
+/// Measures meshes for several tests.
 namespace aerostat::test {
 
-/// Vertices at the same place, to the last bit, get the same number.
+/// Returns a number for each vertex. Vertices at exactly the same place get the same number.
 inline std::vector<std::uint32_t> welded(const mesh::TriangleMesh& mesh) {
   std::map<std::array<float, 3>, std::uint32_t> numbers;
   std::vector<std::uint32_t> result;
@@ -27,12 +27,16 @@ inline std::vector<std::uint32_t> welded(const mesh::TriangleMesh& mesh) {
 }
 
 struct Edges {
-  std::size_t open = 0;     // used once; `open_vertices` are their ends
-  std::size_t crowded = 0;  // the same direction used twice: a flipped triangle or a third one
+  /// The number of edges that are used once. `open_vertices` contains their ends.
+  std::size_t open = 0;
+  /// The number of edges that are used twice in the same direction, by a flipped or a third
+  /// triangle.
+  std::size_t crowded = 0;
   std::vector<vec3> open_vertices;
 };
 
-/// In a closed surface every directed edge is used once, and so is its reverse.
+/// Counts the faulty edges. In a closed surface every directed edge is used once, and so is its
+/// reverse.
 inline Edges count_edges(const mesh::TriangleMesh& mesh) {
   const std::vector<std::uint32_t> weld = welded(mesh);
   std::unordered_map<std::uint64_t, int> uses;
@@ -64,7 +68,7 @@ inline double area(const mesh::TriangleMesh& mesh, const uvec3& t) {
   return 0.5 * glm::length(glm::cross(b - a, c - a));
 }
 
-/// Signed volume of the cones from `apex` to all triangles.
+/// Returns the signed volume of the cones from `apex` to all triangles.
 inline double volume(const mesh::TriangleMesh& mesh, const dvec3& apex = dvec3(0.0)) {
   double sum = 0.0;
   for (const uvec3& t : mesh.triangles) {
@@ -74,7 +78,7 @@ inline double volume(const mesh::TriangleMesh& mesh, const dvec3& apex = dvec3(0
   return sum;
 }
 
-/// Smallest cosine between a triangle's plane and the mean of its vertex normals.
+/// Returns the smallest cosine between a triangle's normal and the mean of its vertex normals.
 inline double worst_normal(const mesh::TriangleMesh& mesh) {
   double worst = 1.0;
   for (const uvec3& t : mesh.triangles) {

@@ -48,7 +48,8 @@ TEST(Mesh, AppendWithoutColorsStaysWithout) {
 
 TEST(Mesh, NormalsAreWeightedByArea) {
   TriangleMesh mesh;
-  // Areas 2 (facing +z) and 1 (facing +x) meet in vertex 0; vertex 4 belongs to a line.
+  // Triangles with the areas 2 (facing +z) and 1 (facing +x) meet in vertex 0. Vertex 5 belongs to
+  // no triangle.
   mesh.positions = {{0, 0, 0}, {2, 0, 0}, {0, 2, 0}, {0, 1, -2}, {0, 0, -2}, {5, 5, 5}};
   mesh.triangles = {{0, 1, 2}, {0, 4, 3}};
   mesh.triangles[1] = {0, 4, 3};
@@ -120,11 +121,13 @@ TEST(Ply, ReadsBackExactly) {
   };
   EXPECT_EQ(rgb(0, 0), 0);
   EXPECT_EQ(rgb(1, 0), 255);
-  EXPECT_EQ(rgb(2, 1), 188);  // 0.5 linear
+  // The linear value is 0.5.
+  EXPECT_EQ(rgb(2, 1), 188);
   EXPECT_EQ(rgb(3, 0), 255);
   EXPECT_EQ(rgb(3, 1), 0);
   EXPECT_EQ(rgb(3, 2), 10);
-  EXPECT_EQ(rgb(6, 1), 255);  // the second object has no colours
+  // The second object has no colours.
+  EXPECT_EQ(rgb(6, 1), 255);
   const std::size_t faces = 8 * 27;
   EXPECT_EQ(ply.at<std::uint8_t>(faces), 3);
   EXPECT_EQ(ply.at<uvec3>(faces + 17 + 1), uvec3(0, 2, 3));
@@ -202,7 +205,8 @@ TEST(Obj, ReadsBackExactly) {
 }
 
 TEST(GridMesh, RowsAreSetAsVerticesAre) {
-  // 41 x 12 vertices: whole vectors and a rest, and a rim that fills up blocks.
+  // The grid has 41 x 12 vertices, so that there are whole vectors, a rest and partly filled blocks
+  // at the rim.
   std::vector<float> x(41), z(12);
   std::iota(x.begin(), x.end(), 0.0f);
   std::iota(z.begin(), z.end(), 0.0f);

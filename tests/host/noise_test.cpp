@@ -11,7 +11,7 @@
 namespace aerostat::terrain {
 namespace {
 
-// Worked out apart from the code, from the definitions in noise.hpp.
+// The expected values were computed from the definitions in noise.hpp without the code.
 TEST(LatticeHash, HasTheDocumentedValues) {
   EXPECT_EQ(lattice_hash(0u, 0, 0), 0x00000000u);
   EXPECT_EQ(lattice_hash(1u, 0, 0), 0xEB40FAD2u);
@@ -182,7 +182,8 @@ TEST(NoiseLayer, BlocksMatchThePointFunction) {
   }
 }
 
-/// Where single precision has nothing between lattice points, and beyond what an integer counts.
+/// Tests coordinates at which single precision has no values between lattice points, and beyond the
+/// range of an integer.
 TEST(Noise, IsANumberHoweverFarAway) {
   for (const double wavelength : {1e-3, 1e-6, 3.6e-12}) {
     const NoiseLayer layer = make_layer(wavelength, 5u, 2u);

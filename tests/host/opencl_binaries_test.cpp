@@ -1,4 +1,4 @@
-// Compiled programs that outlive the run.
+// Tests compiled programs that outlive the run.
 #include <chrono>
 #include <cstdlib>
 #include <filesystem>
@@ -99,7 +99,7 @@ TEST_F(Binaries, TakeNoMoreThanTheirShare) {
   const std::string binary(800, 'x');
   for (const char* key : {"a", "b", "c"}) {
     store.keep(key, binary);
-    // Times of files must differ.
+    // The times of the files must differ.
     std::this_thread::sleep_for(std::chrono::milliseconds(20));
   }
   EXPECT_TRUE(store.find("a")) << "now the one that was used last";
@@ -157,7 +157,7 @@ TEST_F(Binaries, ServePrograms) {
   setenv("AEROSTAT_KERNEL_BINARIES", "on", 1);
   const char* const former = std::getenv("XDG_CACHE_HOME");
   const std::string kept_home = former != nullptr ? former : "";
-  // The driver has its own cache already; only the folder beside it is another.
+  // The driver has set up its own cache already. Only the folder beside it changes.
   const Context context(select_device(effective_selector("")));
   setenv("XDG_CACHE_HOME", root_.c_str(), 1);
   const SourceTree tree{{"a.cl", "kernel void give(global int* out, int v) { out[0] = v; }\n"}};
@@ -178,7 +178,7 @@ TEST_F(Binaries, ServePrograms) {
   fs::resize_file(file, 100);
   EXPECT_EQ(answer(3), 3) << "the damaged one is replaced";
   EXPECT_GT(fs::file_size(file), 100u);
-  // Whole, but nothing that the driver takes.
+  // The file is whole, but the driver does not accept its content.
   const auto options = build_options(1);
   const auto key = binary_key(context.device(), flatten(tree, "a.cl"), options);
   BinaryStore::of_user().keep(key, "no binary of any driver");

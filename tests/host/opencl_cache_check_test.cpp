@@ -1,4 +1,4 @@
-// Damage to PoCL's compiled kernels is found before PoCL comes upon it.
+// Tests that damage to PoCL's compiled kernels is found before PoCL reads them.
 #include <algorithm>
 #include <csignal>
 #include <cstdlib>
@@ -24,7 +24,7 @@ constexpr const char* kProgram = "PN/DMMLEJNLHPLFDLFAICCDNBPDLGBMGDKPPDNID";
 constexpr const char* kOther = "AA/IFGMFJGKGFPJGAKLIAHDAJBDDEEMIIKOLDGEM";
 constexpr const char* kLibrary = "trace/4-1-1-goffs0-smallgrid/trace.so";
 
-/// Headers, some code, and the section headers at the end.
+/// Returns a library with headers, some code, and the section headers at the end.
 std::string library() {
   Elf64_Ehdr head = {};
   std::copy_n(ELFMAG, SELFMAG, head.e_ident);
@@ -40,7 +40,7 @@ std::string library() {
   return bytes;
 }
 
-/// Two blocks, of four words and of two.
+/// Returns bitcode with two blocks, of four words and of two.
 std::string bitcode() {
   const std::uint32_t words[] = {0xdec04342u, 0x1435u, 4, 1, 2, 3, 4, 0xc21u, 2, 1, 2};
   return {reinterpret_cast<const char*>(words), sizeof words};
@@ -74,7 +74,8 @@ class CacheCheck : public testing::Test {
     write(cache_ / "tempfile_CVnfAr", "");
   }
 
-  /// That `damage` to the one program is found, sealed or not, and takes it away alone.
+  /// Expects that `damage` to a program is found, sealed or not, and that only this program is
+  /// removed.
   void expect_removal(const char* what, const std::function<void(const fs::path&)>& damage) const {
     for (const bool is_sealed : {false, true}) {
       fill();

@@ -1,4 +1,4 @@
-// Where PoCL's compiled kernels are kept.
+// Tests where PoCL's compiled kernels are kept.
 #include <filesystem>
 #include <fstream>
 #include <limits>
@@ -30,7 +30,7 @@ class Cache : public testing::Test {
     return status.st_mode & 0777;
   }
 
-  /// A path below a plain file: nobody can make a folder there, not even root.
+  /// Returns a path below a plain file, where nobody can make a folder, not even root.
   fs::path impossible() const {
     std::ofstream(root_ / "file") << "x";
     return root_ / "file" / "below";

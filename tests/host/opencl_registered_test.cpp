@@ -1,4 +1,4 @@
-// Why a registered driver is not among the platforms.
+// Tests the explanations of why a registered driver is not among the platforms.
 #include <algorithm>
 #include <cstdlib>
 #include <filesystem>
@@ -36,7 +36,7 @@ class Registered : public testing::Test {
     return root_ / name;
   }
 
-  /// "library (file), library (file)"
+  /// Returns the drivers in the form "library (file), library (file)".
   std::string found() const {
     std::string text;
     for (const auto& driver : registered_drivers(environment_)) {

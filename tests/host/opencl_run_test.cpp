@@ -1,4 +1,4 @@
-// Programs, buffers and launches on a real device; no device is a failure.
+// Tests programs, buffers and launches on a real device. A machine without a device is a failure.
 #include <numeric>
 
 #include <gtest/gtest.h>
@@ -15,7 +15,7 @@ namespace {
 
 using test::error_of;
 
-/// Kept to the end: no OpenCL after main.
+/// Returns a context that is never destroyed, because OpenCL must not be called after main.
 const Context& context() {
   static const auto& instance = *new Context(select_device(effective_selector("")));
   return instance;

@@ -1,4 +1,4 @@
-// Which devices a selector names: made-up ones, then parts of a real one.
+// Tests which devices a selector names, first with made-up devices, then with parts of a real one.
 #include <cstdlib>
 #include <numeric>
 
@@ -16,8 +16,8 @@ namespace {
 
 using test::error_of;
 
-/// PoCL's device has three compute units, however many cores there are. Set before the first call
-/// of OpenCL.
+/// Gives PoCL's device three compute units, however many cores there are. It must be set before the
+/// first call of OpenCL.
 class ThreeComputeUnits : public testing::Environment {
  public:
   void SetUp() override { ::setenv("POCL_MAX_PTHREAD_COUNT", "3", 1); }
@@ -28,7 +28,7 @@ bool contains(const std::string& text, const std::string& part) {
   return text.find(part) != std::string::npos;
 }
 
-/// "0:0 1:1/2.0"
+/// Returns the selectors of devices, such as "0:0 1:1/2.0".
 std::string selectors(const std::vector<Device>& devices) {
   std::string text;
   for (const Device& device : devices) {
@@ -171,7 +171,8 @@ TEST(Shares, AreEvenAndLeaveNothing) {
   EXPECT_EQ(even_shares(7, 1), (std::vector<unsigned>{7}));
 }
 
-/// Whose device can be cut and has three compute units here; other drivers for a CPU need not.
+/// The platform whose device can be cut and has three compute units here. Other drivers for a CPU
+/// need not have these properties.
 const std::string kPocl = "Portable Computing Language";
 
 Device whole_pocl() {

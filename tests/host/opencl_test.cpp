@@ -1,4 +1,4 @@
-// Sources, includes and options: what needs no device.
+// Tests sources, includes and options, which need no device.
 #include <algorithm>
 #include <cstdlib>
 #include <filesystem>
@@ -130,7 +130,7 @@ TEST(Flatten, RefusesAFileThatAConditionMayHide) {
                   {"shared/x.h", "#ifndef X\n#define X\n#include \"y.h\"\n#endif\n"},
                   {"shared/y.h", "int y;\n"}};
   EXPECT_EQ(error_of([&] { flatten(tree, "a.cl"); }).kind(), ErrorKind::internal);
-  // A guard around a whole header is no condition.
+  // A guard around a whole header does not count as a condition.
   tree["a.cl"] = "#include \"x.h\"\n#include \"y.h\"\n";
   EXPECT_EQ(occurrences(flatten(tree, "a.cl"), "int y;"), 1);
 }

@@ -1,4 +1,5 @@
-// Plants: their levels of detail agree, and their meshes are what the renderer expects.
+// Tests that the levels of detail of plants agree, and that their meshes meet the needs of the
+// renderer.
 #include "plant/plant.hpp"
 
 #include <algorithm>
@@ -85,13 +86,13 @@ TEST_P(PlantModel, TakesTheTrianglesOfItsLevel) {
   }
 }
 
-/// What of a square grid of rays along +-z a mesh covers, and its mean colour there.
+/// The share of a square grid of rays along +-z that a mesh covers, and the mean colour there.
 struct Silhouette {
   double share = 0.0;
   vec3 color{0.0f};
 };
 
-/// Marks the cells whose middle lies in a triangle, keeping the colour nearest to the eye.
+/// Marks the cells whose middle lies in a triangle, and keeps the colour nearest to the eye.
 Silhouette silhouette(const mesh::TriangleMesh& mesh, double yaw, double width) {
   constexpr int kCells = 96;
   const auto c = static_cast<float>(std::cos(yaw)), s = static_cast<float>(std::sin(yaw));
@@ -197,7 +198,8 @@ TEST(Plant, BouldersAreClosedAndTurnOutwards) {
   }
 }
 
-/// Mean colour of the brighter quarter of what is green: the inside of a crown is darker.
+/// Returns the mean colour of the brighter quarter of the green vertices, because the inside of a
+/// crown is darker.
 vec3 brightest_mean(const ModelKey& model) {
   const mesh::TriangleMesh mesh = build(model, Detail::near);
   std::vector<vec3> colors = mesh.colors;
@@ -258,7 +260,7 @@ TEST(PlantRandom, IsEvenAndRepeats) {
     sum += u;
     squares += u * u;
   }
-  // Five standard deviations of the mean of so many even numbers.
+  // The tolerances are five standard deviations of the mean of 20000 evenly distributed numbers.
   EXPECT_NEAR(sum / 20000, 0.5, 5 * 0.2887 / std::sqrt(20000.0));
   EXPECT_NEAR(squares / 20000, 1.0 / 3.0, 5 * 0.2981 / std::sqrt(20000.0));
 }

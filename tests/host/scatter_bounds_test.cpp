@@ -1,4 +1,4 @@
-// What is asked first of a candidate, because it costs little, decides nothing by itself.
+// Tests that the cheap tests of a candidate only reject what the full tests reject too.
 #include <algorithm>
 #include <cmath>
 #include <random>
@@ -82,7 +82,7 @@ TEST(Lines, FindTheCellThatHoldsAValue) {
   for (const std::size_t count : {2u, 3u, 10u, 1000u}) {
     SCOPED_TRACE(count);
     std::vector<float> values;
-    // Cells of very different widths.
+    // The cells have very different widths.
     std::uniform_real_distribution<float> width(-6.0f, 4.0f);
     for (float at = -500.0f; values.size() < count; at += std::exp2(width(random)))
       values.push_back(at);
@@ -91,7 +91,7 @@ TEST(Lines, FindTheCellThatHoldsAValue) {
     lines.index();
     std::uniform_real_distribution<double> inside(values.front() - 1.0, values.back() + 1.0);
     for (int k = 0; k < 2000; ++k) {
-      // On lines as well as between them.
+      // Half of the values lie on lines, the others between them.
       const double value = k % 2 == 0 ? inside(random) : double{values[random() % count]};
       const auto next = std::upper_bound(values.begin() + 1, values.end() - 1, value);
       const Lines::Place place = lines.at(value);

@@ -1,4 +1,4 @@
-// Plants stand where the rules of their biome put them, on the ground, in the number asked for.
+// Tests that plants stand on the ground, where their biome allows them, in the right number.
 #include "scatter/scatter.hpp"
 
 #include <algorithm>
@@ -23,7 +23,7 @@ namespace {
 using plant::Species;
 using scene::BiomeKind;
 
-/// A square grid of cells x cells over a function of the place.
+/// Returns a square grid of cells x cells whose height is a function of the place.
 template <class Height>
 mesh::GridMesh mesh_over(int cells, double size_m, Height height) {
   std::vector<float> lines;
@@ -43,7 +43,7 @@ mesh::GridMesh mesh_over(int cells, double size_m, Height height) {
   return mesh;
 }
 
-/// A small version of a biome's usual land, seen from a place that has all kinds of ground.
+/// Returns a small version of a biome's usual land, seen from a place with all kinds of ground.
 scene::Scene small_scene(BiomeKind kind) {
   scene::Scene scene = scene::defaults(kind, scene::View::outside);
   scene.terrain.cells = 256;
@@ -53,7 +53,7 @@ scene::Scene small_scene(BiomeKind kind) {
   return scene;
 }
 
-/// Height of the triangle of a terrain_mesh over a place, by trying them all around the cell.
+/// Returns the height over a place of a terrain_mesh, found by trying all its triangles.
 double brute_height(const mesh::TriangleMesh& mesh, double x, double z) {
   double found = -1e30;
   for (const uvec3& t : mesh.triangles) {
@@ -91,7 +91,7 @@ TEST(Surface, IsTheMeshToTheMillimetre) {
       ASSERT_NEAR(static_cast<double>(point.position.y), brute_height(triangles, x, z), 2e-3);
       ASSERT_NEAR(glm::length(point.normal), 1.0f, 1e-5f);
     }
-    // Outside, the rim goes on.
+    // Outside the mesh, its rim continues level.
     EXPECT_EQ(surface.height(1e6, 0.0), surface.height(2300.0, 0.0));
   }
 }
@@ -149,7 +149,7 @@ TEST_P(Biome, KeepsToItsRules) {
       case Species::spruce:
       case Species::snowy_spruce:
         ASSERT_EQ(GetParam(), BiomeKind::snow);
-        // Noise of amplitude 2.2 moves the limit by a quarter of itself for each unit.
+        // Noise of amplitude 2.2 moves the limit by a quarter of its height for each unit.
         ASSERT_LT(static_cast<double>(p.y), rules.forest_top_m * 1.6);
         ASSERT_LT(slope_deg, rules.rock_slope_deg[1] + 20.0);
         break;
@@ -236,7 +236,7 @@ TEST(Scatter, WoodsAreAsDenseAsThePaintedOnes) {
   scene.balloon.enabled = false;
   const mesh::GridMesh ground = mesh_over(4, 4000.0, [](double, double) { return 100.0; });
   const GroundRule rule(scene.biome.ground, scene.terrain.seed, 1.0f);
-  // The mean share of woods within half the reach, times one tree to a canopy's square.
+  // The share of woods within half the reach is averaged. A canopy's square holds one tree.
   double share = 0.0;
   std::vector<vec3> places;
   for (int i = 0; i < 20000; ++i) {
@@ -310,7 +310,7 @@ TEST(Scatter, NothingGrowsUnderWaterOrOnCliffs) {
   scene::Scene scene = scene::defaults(BiomeKind::tropical, scene::View::outside);
   scene.terrain.cells = 200;
   scene.vegetation.reach_m = 1000.0;
-  // The sea, a beach, and a cliff of 70 degrees.
+  // The ground is the sea, a beach, and a cliff of 70 degrees.
   const auto shore = [](double x, double) {
     return x < 300.0 ? 0.02 * x : 6.0 + 2.75 * (std::min(x, 500.0) - 300.0);
   };
@@ -360,7 +360,7 @@ TEST(Scatter, AxesAreATurnWithTheLeanAsked) {
 TEST(Scatter, DetailFallsWithDistance) {
   Instance tree;
   const plant::ModelKey model{Species::spruce, 0};
-  const scene::PixelSize pixel{1e-3, 0.0};  // 17 m are 120 pixels at 142 m, 30 at 567
+  const scene::PixelSize pixel{1e-3, 0.0};  // 17 m are 120 pixels at 142 m, and 30 at 567 m.
   EXPECT_EQ(detail_of(tree, model, {0.0, 0.0, 120.0}, pixel), plant::Detail::near);
   EXPECT_EQ(detail_of(tree, model, {0.0, 0.0, 200.0}, pixel), plant::Detail::middle);
   EXPECT_EQ(detail_of(tree, model, {0.0, 0.0, 650.0}, pixel), plant::Detail::far);
@@ -390,7 +390,7 @@ TEST(Scatter, HalfAMillionTakesFewSecondsOfProcessorTime) {
   const Growth growth = scatter(scene, ground);
   const double seconds = static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
   EXPECT_GT(growth.instances.size(), 500000u);
-  // One second on two idle cores with AVX2; the bound leaves room for busy ones.
+  // It takes one second on two idle cores with AVX2. The bound leaves room for busy ones.
 #if !defined(__SANITIZE_ADDRESS__)
   EXPECT_LT(seconds, 5.0);
 #endif

@@ -9,7 +9,7 @@
 namespace aerostat::scene {
 namespace {
 
-/// The error of `action`, or an empty message if it succeeds.
+/// Returns the error of `action`, or an empty message if it succeeds.
 template <class Action>
 std::pair<ErrorKind, std::string> error_of(Action action) {
   try {

@@ -1,4 +1,4 @@
-// All that is wrong with a scene is told at once, with its place in the text.
+// Tests that all faults of a scene are reported together, with their places in the text.
 #include <algorithm>
 #include <string>
 #include <vector>
@@ -14,7 +14,7 @@ namespace {
 
 using Lines = std::vector<std::string>;
 
-/// What is said of a scene; empty if it is right.
+/// Returns the messages about a scene, or nothing if it is right.
 Lines lines_of(const std::string& text, const std::vector<Override>& overrides = {}) {
   try {
     read_text(text, "x.json", overrides);
@@ -26,7 +26,7 @@ Lines lines_of(const std::string& text, const std::vector<Override>& overrides =
   return {};
 }
 
-/// The line up to what was found, for the expectations that list many words.
+/// Returns the messages up to the value that was found, for expectations that list many words.
 Lines places_of(const std::string& text, const std::vector<Override>& overrides = {}) {
   Lines lines = lines_of(text, overrides);
   for (std::string& line : lines) line = line.substr(0, line.find(", expected"));
@@ -69,7 +69,7 @@ TEST(SceneFaults, OfOneKindDoNotHideEachOther) {
                          {"rock_slope_deg": [9, 1], "snow_slope_deg": [9, 1]}}})")
                 .size(),
             2u);
-  // What follows from a fault that is told already is no fault of its own.
+  // A consequence of a reported fault is not reported as another fault.
   EXPECT_EQ(lines_of(R"({"version": 1, "sun": {"date": "2024-06-21", "time": 5,
                          "latitude_deg": 1, "longitude_deg": 1}})")
                 .size(),

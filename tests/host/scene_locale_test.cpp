@@ -1,4 +1,4 @@
-// Scene files say the same in every locale that the process may be in.
+// Tests that scene files mean the same in every locale of the process.
 #include <clocale>
 #include <cstdio>
 #include <cstdlib>
@@ -15,8 +15,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Its decimal mark has two bytes. It is compiled here where the system has its source; elsewhere
-/// there is nothing to try.
+/// The name of a locale whose decimal mark has two bytes. The test compiles it if the system has
+/// its source. On other systems the test does nothing.
 const std::string kName = "ps_AF";
 
 class SceneLocale : public testing::Test {

@@ -1,5 +1,5 @@
-// The manual's reference of scene files is what the schema and the defaults say. To renew it after
-// a change of theirs: AEROSTAT_UPDATE_DOCS=1 scene_reference_test
+// Tests that the manual's reference of scene files agrees with the schema and the defaults. After a
+// change of these, AEROSTAT_UPDATE_DOCS=1 scene_reference_test renews the reference.
 
 #include <array>
 #include <cmath>
@@ -28,7 +28,7 @@ std::string file_text(const std::string& path) {
   return {std::istreambuf_iterator<char>(file), {}};
 }
 
-/// The reference in Markdown.
+/// Builds the reference in Markdown.
 class Reference {
  public:
   Reference()
@@ -50,7 +50,7 @@ class Reference {
     return rule.contains("anyOf") ? rule["anyOf"].back() : rule;
   }
 
-  /// A table of the keys of an object, then those of the objects in it.
+  /// Adds a table of the keys of an object, then the tables of the objects in it.
   void section(const std::string& pointer, const Json& object, const std::string& description) {
     text_ +=
         fmt::format("\n## {}\n\n{}\n\n| key | value | default | meaning |\n|---|---|---|---|\n",
@@ -109,7 +109,7 @@ class Reference {
     return range.empty() ? type : type + ", " + range;
   }
 
-  /// A bar would end the cell.
+  /// Escapes bars, because a bar would end the cell.
   static std::string cell(const std::string& text) {
     std::string escaped;
     for (const char character : text) {
@@ -127,8 +127,8 @@ class Reference {
     return fmt::format("[{}]", fmt::join(parts, ", "));
   }
 
-  /// One value, or one for each biome where they differ; nothing where the key is left out or, in
-  /// an array or a material, depends on which one it is.
+  /// Returns the default of a key, or one default for each biome if they differ. Returns nothing if
+  /// the key is left out, or if its default depends on the element of an array or on the material.
   std::string default_of(const std::string& pointer) const {
     const Json::json_pointer at(pointer);
     std::array<std::string, 3> values;

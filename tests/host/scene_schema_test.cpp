@@ -26,7 +26,7 @@ const json& follow(const json& rule, const json& root) {
   return rule.contains("anyOf") ? rule["anyOf"].back() : rule;
 }
 
-/// Calls `visit` for every rule of a field, with its path.
+/// Calls `visit` with the path and the rule of every field.
 void walk(const json& rule, const json& root, const std::string& path,
           const std::function<void(const std::string&, const json&)>& visit) {
   const json& resolved = follow(rule, root);
@@ -110,7 +110,8 @@ TEST(SceneSchema, BoundsAreEnforcedAtBothEnds) {
     if (path.starts_with("/lights/") || rule.contains("enum")) return;
     if (rule["type"] != "number" && rule["type"] != "integer") return;
     std::string text = R"({"version": 1})";
-    if (path == "/sun/latitude_deg" || path == "/sun/longitude_deg") {  // come with the others
+    // These two fields need the date and the time as well.
+    if (path == "/sun/latitude_deg" || path == "/sun/longitude_deg") {
       text = R"({"version": 1, "sun": {"date": "2024-06-21", "time": "06:30", "latitude_deg": 0,
                  "longitude_deg": 0}})";
     }

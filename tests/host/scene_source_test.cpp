@@ -1,4 +1,4 @@
-// Scenes that are edited: what is written is the least that says the same.
+// Tests that an edited scene is written as the shortest text with the same meaning.
 #include <algorithm>
 #include <filesystem>
 
@@ -16,7 +16,7 @@ SceneSource source(const std::string& body) {
                                 "test");
 }
 
-/// That the text reads back to the same scene.
+/// Expects that the text is read back as the same scene.
 void expect_kept(const SceneSource& source) {
   const std::string text = source.text();
   const SceneSource again = SceneSource::from_text(text, "again");
@@ -38,10 +38,12 @@ TEST(SceneSource, KnowsTheUsualDropletsOfTheVisibility) {
 TEST(SceneSource, SaysOnlyWhatDiffers) {
   EXPECT_EQ(SceneSource().text(), "{\n  \"version\": 1,\n  \"biome\": \"snow\"\n}\n");
   const auto edited = source(R"("biome": {"kind": "sand", "water": {"enabled": false}})")
-                          .with({{"/terrain/height_m", "320"},  // the default
+                          // 320 is the default.
+                          .with({{"/terrain/height_m", "320"},
                                  {"/balloon/gores", "30"},
                                  {"/quality", "final"},
-                                 {"/image/spp", "256"}});  // the quality's
+                                 // 256 is the value of the quality.
+                                 {"/image/spp", "256"}});
   EXPECT_EQ(edited.text(),
             "{\n  \"version\": 1,\n  \"biome\": \"sand\",\n  \"balloon\": {\n    \"gores\": 30\n  "
             "},\n  \"quality\": \"final\"\n}\n");
@@ -97,7 +99,7 @@ TEST(SceneSource, ObjectsOfAListGoBackToTheirDefaults) {
   EXPECT_EQ(plain.scene().balloons[1].gores, scene::Balloon().gores);
   EXPECT_EQ(plain.scene().balloons[1].position, dvec3(10.0, 0.0, 30.0));
   EXPECT_FALSE(plain.differs("/balloons/1/gores"));
-  // One that says nothing of its place is moved along one axis.
+  // A balloon whose place is not given is moved along one axis.
   EXPECT_EQ(two.with({{"/balloons/0/position/1", "70"}}).scene().balloons[0].position,
             dvec3(0.0, 70.0, 0.0));
   expect_kept(two);

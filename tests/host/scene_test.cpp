@@ -71,12 +71,12 @@ TEST(Haze, IsMadeOfEverLargerDropletsAsItThickens) {
   };
   EXPECT_EQ(haze(R"("visibility_m": 6000)").angstrom, usual.angstrom);
   EXPECT_EQ(haze(R"("visibility_m": 6000)").albedo, usual.albedo);
-  // Kim's exponents.
+  // The expected values are Kim's exponents.
   EXPECT_NEAR(haze(R"("visibility_m": 2000)").angstrom, 0.66, 1e-12);
   EXPECT_NEAR(haze(R"("visibility_m": 800)").angstrom, 0.3, 1e-12);
   EXPECT_EQ(haze(R"("visibility_m": 500)").angstrom, 0.0);
   EXPECT_NEAR(haze(R"("visibility_m": 600)").albedo.y, 1.0 - 0.1 * (1.0 - usual.albedo.y), 1e-6);
-  // What the scene says counts.
+  // Values that the scene gives are not replaced.
   const Haze smoke = haze(R"("visibility_m": 500, "angstrom": 2, "albedo": [0.3, 0.3, 0.3])");
   EXPECT_EQ(smoke.angstrom, 2.0);
   EXPECT_EQ(smoke.albedo, vec3(0.3f));
@@ -120,7 +120,8 @@ TEST(ScenePalettes, GiveTheColorsUnlessColorsAreGiven) {
   const Scene both = read(R"("balloon": {"palette": "plum", "colors": [[0.1, 0.2, 0.3]]})");
   ASSERT_EQ(both.balloon.colors.size(), 1u);
   EXPECT_FLOAT_EQ(both.balloon.colors[0].y, 0.2f);
-  // A scene that was written out has both; another palette takes their place.
+  // A scene that was written out has both the palette and its colours. Another palette replaces
+  // both.
   const std::string dumped = write_text(both);
   EXPECT_EQ(read_text(dumped, "x.json").balloon.colors, both.balloon.colors);
   EXPECT_EQ(read_text(dumped, "x.json", {{"/balloon/palette", "glacier"}}).balloon.colors,

@@ -1,4 +1,4 @@
-// What the schema's texts promise in numbers is what the schema and the program hold to.
+// Tests that the numbers in the schema's texts agree with the schema and the program.
 #include <cmath>
 #include <cstdint>
 #include <regex>
@@ -13,13 +13,13 @@
 namespace aerostat::scene {
 namespace {
 
-/// As the texts write it: 1000000, 0.1.
+/// Returns a number as the texts write it, such as 1000000 or 0.1.
 std::string number_text(double value) {
   return value == std::trunc(value) ? std::to_string(static_cast<std::int64_t>(value))
                                     : fmt::format("{}", value);
 }
 
-/// Without what stands in parentheses: "0 (none) to 10" is "0 to 10".
+/// Returns a text without its parentheses: "0 (none) to 10" becomes "0 to 10".
 std::string plain(const std::string& text) {
   return std::regex_replace(text, std::regex(R"( \([^)]*\))"), "");
 }
@@ -27,7 +27,7 @@ std::string plain(const std::string& text) {
 bool has_range(const FieldRule& rule) {
   const bool counts = rule.type == FieldType::integer || rule.type == FieldType::number ||
                       rule.type == FieldType::array;
-  // Of points in space only the reference of the manual says how far they may be.
+  // For points in space, only the manual's reference states the range.
   const bool says_range = std::regex_search(plain(rule.description), std::regex(R"(\d to -?\d)"));
   if (rule.type == FieldType::array && !says_range) return false;
   return counts && rule.minimum > -1e299 && rule.maximum < 1e299 && rule.maximum > rule.minimum;

@@ -10,7 +10,7 @@
 namespace aerostat::terrain {
 namespace {
 
-/// Uneven lines under steps, spikes and slopes.
+/// Returns ground with uneven lines under steps, spikes and slopes.
 GradedHeights rough_ground(std::uint32_t seed) {
   std::mt19937 random(seed);
   std::uniform_real_distribution<float> unit(0.0f, 1.0f);
@@ -51,14 +51,15 @@ TEST(Scree, LiesNoSteeperThanTheAngleOfRepose) {
   }
 }
 
-// A straight wall on level ground has an apron of one slope whose top and foot are known.
+// Tests a straight wall on level ground. Its apron has one slope, and its top and foot are known.
 TEST(Scree, OfAWallClimbsToItsShareOfTheHeight) {
   GradedHeights ground;
   for (int i = 0; i < 41; ++i) ground.lines.push_back(10.0f * static_cast<float>(i));
   for (int j = 0; j < 41; ++j)
     for (int i = 0; i < 41; ++i) ground.values.push_back(i < 20 ? 0.0f : 100.0f);
   lay_scree(ground, 0.4f);
-  // Columns 19 and 20 are steep: 0 + 0.4 * 0 at the foot, 0.4 * 100 at the edge.
+  // Columns 19 and 20 are steep. The scree begins at 0 + 0.4 * 0 at the foot and at 0.4 * 100 at
+  // the edge.
   for (int i = 1; i < 20; ++i) {
     const float expected = std::max(40.0f - 7.0f * static_cast<float>(20 - i), 0.0f);
     EXPECT_NEAR(ground.values[20 * 41 + i], expected, 1e-3f) << i;

@@ -1,4 +1,4 @@
-// Plants stand where a picture can show them, or the shade that they give.
+// Tests that plants stand only where a picture can show them or the shade that they give.
 #include "scatter/sight.hpp"
 
 #include <cmath>
@@ -10,7 +10,7 @@
 namespace aerostat::scatter {
 namespace {
 
-/// A plain with a wall of 300 m along x, 1000 m before the eye of `looking`.
+/// Returns a plain with a wall of 300 m along x, 1000 m before the eye of `looking`.
 mesh::GridMesh walled_plain() {
   std::vector<float> lines;
   for (int i = 0; i <= 256; ++i) lines.push_back(32.0f * static_cast<float>(i - 128));
@@ -38,7 +38,8 @@ TEST(PlanView, IsTheAngleOfThePicture) {
   EXPECT_NEAR(level->left.x, -std::sqrt(0.5), 1e-4);
   EXPECT_NEAR(level->left.y, -std::sqrt(0.5), 1e-4);
   EXPECT_NEAR(level->right.x, std::sqrt(0.5), 1e-4);
-  // A foot of the picture that dips by 75 degrees: what is 1 ahead there is 1 / sin(30) aside.
+  // The lower edge of the picture dips by 75 degrees. A point 1 m ahead there is 1 / sin(30) m to
+  // the side.
   const double dip = glm::radians(30.0);
   const auto dipping = plan_view(looking({0.0, -std::sin(dip), -std::cos(dip)}), image);
   ASSERT_TRUE(dipping);

@@ -1,4 +1,4 @@
-// Long host work that is given up.
+// Tests long work of the host that is given up.
 #include "core/stop_scope.hpp"
 
 #include <gtest/gtest.h>

@@ -155,7 +155,8 @@ TEST_P(EveryKind, FieldAgreesWithItselfOneByOneAndInBlocks) {
 TEST_P(EveryKind, NormalMatchesFiniteDifferences) {
   scene::Terrain terrain = small_terrain(GetParam());
   terrain.center = {1000.0, 2000.0};
-  terrain.erosion = 0.0;  // ribs between gullies are rounded by the spacing, as dunes are
+  // The spacing rounds the ribs between gullies as it rounds dunes, so there is no erosion here.
+  terrain.erosion = 0.0;
   const HeightField field(terrain);
   int different = 0;
   for (int i = 0; i < 200; ++i) {
@@ -168,7 +169,7 @@ TEST_P(EveryKind, NormalMatchesFiniteDifferences) {
     const double dz = (field.height(x, z + e) - field.height(x, z - e)) / (2 * e);
     different += std::hypot(dx + n.x / n.y, dz + n.z / n.y) > 0.03 ? 1 : 0;
   }
-  // The crests of dunes are rounded by the spacing that normal() is given, heights are not.
+  // The crests of dunes are rounded by the spacing that normal() gets, but heights are not.
   EXPECT_LE(different, GetParam() == TerrainKind::dunes ? 8 : 0);
 }
 
@@ -223,7 +224,8 @@ TEST_P(EveryKind, ReliefDoesNotGoByTheMesh) {
   EXPECT_EQ(static_cast<float>(HeightField(terrain).height(410.0, -120.0)), here + 500.0f);
 }
 
-// Cells at the centre are 7 mm wide, where single precision steps by up to 250 mm.
+// Tests cells at the centre that are 7 mm wide, although single precision has steps of up to 250 mm
+// there.
 TEST(TerrainMesh, KeepsFineCellsApartHoweverFarFromTheOrigin) {
   scene::Terrain terrain = small_terrain(TerrainKind::dunes);
   terrain.cells = 1024;

@@ -1,4 +1,5 @@
-// The Russian texts of the window: none is missing, and each takes what its original takes.
+// Tests that no Russian text of the window is missing, and that each takes the arguments of its
+// original.
 
 #include <algorithm>
 #include <fstream>
@@ -25,7 +26,7 @@ std::vector<std::string> all_of(const std::string& text, const std::regex& patte
   return found;
 }
 
-/// "%1", "%n" and "[*]", each as often as it stands there.
+/// Returns every "%1", "%n" and "[*]" in a text, each as often as it occurs.
 std::vector<std::string> places_in(const std::string& text) {
   auto places = all_of(text, std::regex(R"((%[n0-9]|\[\*\]))"));
   std::sort(places.begin(), places.end());
@@ -45,7 +46,7 @@ TEST(Translation, RussianIsComplete) {
 TEST(Translation, RussianKeepsPlacesAndForms) {
   const std::string text =
       file_text(AEROSTAT_SOURCE_DIR "/host/viewer/translations/aerostat_ru.ts");
-  // One message after the other: std::regex is too weak for all at once.
+  // The messages are matched one by one, because std::regex fails on all of them at once.
   for (std::size_t at = 0; (at = text.find("<message", at)) != std::string::npos; ++at) {
     const std::string message = text.substr(at, text.find("</message>", at) - at);
     const auto source = all_of(message, std::regex("<source>([^<]*)</source>"));

@@ -1,4 +1,5 @@
-// Where right, up and ahead are for a camera, above all where its up vector cannot tell.
+// Tests the right, up and ahead axes of a camera, above all if its up vector does not determine
+// them.
 #include "scene/view_axes.hpp"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,5 @@
-// Samples go where noise is: the same ones whatever the tiles, devices and widths.
+// Tests that samples are taken where noise is, and that they are the same for all tiles, devices
+// and widths of packets.
 #include <cmath>
 #include <numeric>
 
@@ -48,7 +49,8 @@ TEST(Adaptive, TakesFewerSamplesForMoreNoise) {
   EXPECT_EQ(before, 16u * 64u * 48u) << "nothing is noisier than white beside black";
 }
 
-/// Few samples are taken where few suffice: the picture is nearly that of all samples.
+/// Tests that the picture is nearly that of all samples, because few samples are taken only where
+/// few suffice.
 TEST(Adaptive, IsNearThePictureOfAllSamples) {
   const image::Film film = shared_session().render(adaptive_scene(0.01));
   const image::Film all = shared_session().render(adaptive_scene(1e-9));
@@ -88,7 +90,7 @@ TEST(Adaptive, TakesTheSameSamplesAtAnotherWidth) {
   for (std::size_t i = 0; i < film.samples.size(); ++i) {
     different += film.samples[i] == expected.samples[i] ? 0 : 1;
   }
-  // The last bit of a library's function may decide.
+  // The last bit of a library function may decide whether a pixel converges.
   EXPECT_LE(different, static_cast<int>(film.samples.size()) / 200);
 }
 

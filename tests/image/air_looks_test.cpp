@@ -1,4 +1,4 @@
-// Whole pictures, developed, of thick haze and of the hours after sunset.
+// Tests whole, developed pictures of thick haze and of the hours after sunset.
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -17,7 +17,7 @@ scene::Scene unlit_snow() {
   return scene;
 }
 
-/// As its quality's automatic exposure and white balance show it.
+/// A picture with the automatic exposure and white balance of its quality.
 struct Shown {
   image::Film film;
   image::Pixels pixels;
@@ -26,7 +26,7 @@ struct Shown {
     pixels = image::develop(film, render::look_of(scene.image, film));
   }
 
-  /// Mean of the sky's or of all pixels, encoded 0 to 255.
+  /// Returns the mean of all pixels or of those of the sky, encoded from 0 to 255.
   dvec3 mean(bool sky_alone) const {
     dvec3 sum(0.0);
     double count = 0.0;
@@ -77,7 +77,7 @@ TEST(ThickHaze, IsShownGreyAndHidesWhatIsFar) {
     EXPECT_GT(image::luminance(mean), 90.0) << visibility_m;
     EXPECT_LT(std::max({mean.x, mean.y, mean.z}), 1.15 * std::min({mean.x, mean.y, mean.z}))
         << visibility_m;
-    // Clouds and far mountains would be edges.
+    // Clouds and far mountains would be edges, so neighbours there are left out.
     const auto width = static_cast<std::size_t>(haze.film.width);
     for (std::size_t i = 1; i < haze.film.radiance.size(); ++i) {
       if (i % width == 0) continue;

@@ -1,4 +1,4 @@
-// Pixels whose value is known in closed form: gloss, lamps, air.
+// Tests gloss, lamps and air at pixels whose values are known in closed form.
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -14,7 +14,8 @@ scene::Material& ground_material(scene::Scene& scene) {
   return scene.material(scene::MaterialId::terrain);
 }
 
-/// Phong: L = E / pi (albedo cos + k_s (r . v)^m), brightest where the mirrored sun is seen.
+/// Tests Phong's reflection: L = E / pi (albedo cos + k_s (r . v)^m), which is brightest where the
+/// mirrored sun is seen.
 TEST(Specular, HasItsPeakAndShapeWhereTheyMustBe) {
   auto scene = flat_land();
   scene.sun.irradiance = kPi64;
@@ -34,7 +35,8 @@ TEST(Specular, HasItsPeakAndShapeWhereTheyMustBe) {
       brightest_point = point;
     }
   });
-  // The eye is seen in the mirror from where the sun's mirrored ray leaves for it.
+  // The eye sees the mirrored sun at the point from which the mirrored ray of the sun reaches the
+  // eye.
   const dvec3 peak = dvec3(sun.x, 0.0, sun.z) * (kEyeHeight / sun.y);
   const double pixel = glm::distance(point_under(scene, 0, 0), point_under(scene, 1, 0));
   EXPECT_LT(glm::distance(brightest_point, peak), pixel);
@@ -47,12 +49,13 @@ TEST(Specular, IsNotSeenInTheShadow) {
   scene.sun.direction = {0.0, 1.0, 0.0};
   scene.balloon.enabled = true;
   scene.balloon.position = {0.0, kEyeHeight + 5.0, 0.0};
-  scene.camera.fov_y_deg = 20.0;  // nothing but the shadow
+  // The picture shows only the shadow.
+  scene.camera.fov_y_deg = 20.0;
   ground_material(scene).specular = 1.0;
   for_pixels(scene, [](const dvec3&, const dvec3& radiance) { EXPECT_EQ(radiance, dvec3(0.0)); });
 }
 
-/// A lamp: L = albedo / pi * I * cos / d^2.
+/// Tests a lamp: L = albedo / pi * I * cos / d^2.
 TEST(Lamp, FallsOffWithTheSquareOfTheDistance) {
   auto scene = flat_land();
   const dvec3 lamp(4.0, 6.0, -3.0);
@@ -92,9 +95,10 @@ void paint(scene::Scene& scene, const vec3& color) {
   ground.snow = ground.beach = color;
 }
 
-/// What a white ground sends through the air beyond what a black one does is its radiance times the
-/// transmittance: the air's own light falls out. It is lit by a lamp, which no air dims. Green is
-/// the colour that visibility speaks of.
+/// Expects the transmittance of the air in every pixel. The radiance of a white ground minus that
+/// of a black one is the light of the ground times the transmittance, because the air's own light
+/// is subtracted. The ground is lit by a lamp, which no air dims. Green is the colour for which the
+/// visibility is defined.
 void expect_transmittance(double visibility_m, double scale_height_m) {
   auto scene = flat_land();
   scene.haze.visibility_m = visibility_m;
@@ -112,7 +116,8 @@ void expect_transmittance(double visibility_m, double scale_height_m) {
       const double distance = glm::distance(point, scene.camera.position);
       const double to_lamp = glm::distance(point, lamp);
       const double lit = 100.0 * lamp.y / (to_lamp * to_lamp * to_lamp) / kPi64;
-      // Koschmieder's extinction, integrated along the ray over exp(-height / scale height).
+      // This is Koschmieder's extinction, integrated along the ray over exp(-height / scale
+      // height).
       const double share = kEyeHeight / scale_height_m;
       const double tau = 3.912 / visibility_m * distance * (1.0 - std::exp(-share)) / share;
       const double found = static_cast<double>(white.radiance[i].y) - black.radiance[i].y;

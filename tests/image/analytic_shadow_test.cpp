@@ -1,4 +1,4 @@
-// The balloon's penumbra and the sky that it hides, by closed forms of its outline.
+// Tests the balloon's penumbra and the sky that it hides against closed forms of its outline.
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -11,13 +11,16 @@ namespace aerostat::test {
 namespace {
 
 constexpr double kPi64 = std::numbers::pi;
-constexpr std::size_t kSectors = 96;  // around the balloon: several to a gore
+/// The number of sectors around the balloon. There are several for each gore.
+constexpr std::size_t kSectors = 96;
 
-/// For each sector around the y axis the largest of `measure` over the edges of the balloon's
-/// triangles: seen from far away it has fewer corners than there are sectors.
+/// Returns for each sector around the y axis the largest value of `measure` over the edges of the
+/// balloon's triangles. The balloon is seen from far away, so it has fewer corners than there are
+/// sectors.
 template <typename Measure>
 std::vector<double> outline(const scene::Scene& scene, Measure measure) {
-  constexpr int kSteps = 16;  // along an edge
+  // The number of steps along an edge.
+  constexpr int kSteps = 16;
   std::vector<double> largest(kSectors, 0.0);
   const world::World built = world::build(scene);
   for (const world::Object& object : *built.balloon) {
@@ -51,13 +54,15 @@ scene::Scene under_a_balloon(scene::Scene scene, double height) {
   return scene;
 }
 
-/// Share of a disc of radius 1 on the one side of a straight edge at `x` from its middle.
+/// Returns the share of a disc of radius 1 on one side of a straight edge at the distance `x` from
+/// its middle.
 double disc_beyond(double x) {
   const double at = std::clamp(x, -1.0, 1.0);
   return 0.5 + (at * std::sqrt(1.0 - at * at) + std::asin(at)) / kPi64;
 }
 
-/// From a point of the ground the sun is a disc behind the balloon's rim, as good as straight.
+/// Tests the penumbra. From a point of the ground, the sun is a disc behind the balloon's rim,
+/// which is nearly straight.
 TEST(SoftShadow, FallsOffAsTheSunsDiscComesOut) {
   auto scene = under_a_balloon(flat_land(), 600.0);
   scene.sun.irradiance = kPi64;
@@ -68,7 +73,7 @@ TEST(SoftShadow, FallsOffAsTheSunsDiscComesOut) {
   int between = 0;
   for_pixels(scene, [&](const dvec3& point, const dvec3& radiance) {
     const double lit = radiance.x / kAlbedo.x;
-    // The rim is curved and has bulges.
+    // The rim is curved and has bulges, so the tolerance is wide.
     EXPECT_NEAR(lit, disc_beyond((std::hypot(point.x, point.z) - rim) / spread), 0.12);
     between += lit > 0.1 && lit < 0.9 ? 1 : 0;
   });
@@ -97,8 +102,9 @@ image::Film render_with(scene::Scene scene, bool occlusion, double reach_m) {
   return shared_session().render(scene);
 }
 
-/// Straight below, a body of revolution that is seen up to the angle a from the vertical hides the
-/// share sin^2 a of what falls onto the ground, and sends half the albedo of it instead.
+/// Tests ambient occlusion straight below the balloon. A body of revolution that reaches up to the
+/// angle a from the vertical hides the share sin^2 a of the light onto the ground, and sends half
+/// the ground's albedo of it instead.
 TEST(AmbientOcclusion, HidesTheShareOfTheSkyThatTheBalloonCovers) {
   auto scene = under_a_balloon(flat_land_under_a_sky(), kEyeHeight + 5.0);
   scene.balloon.diameter_m = 40.0;

@@ -1,4 +1,5 @@
-// Pixels whose value is known in closed form: geometry, Lambert's cosine, ambient light, shadows.
+// Tests geometry, Lambert's cosine, ambient light and shadows at pixels whose values are known in
+// closed form.
 #include <cmath>
 #include <numbers>
 
@@ -41,7 +42,7 @@ TEST(Sky, HasNoSurface) {
   }
 }
 
-/// Lambert: L = albedo / pi * E * cos(angle to the sun).
+/// Tests Lambert's law: L = albedo / pi * E * cos(angle to the sun).
 TEST(Lambert, FollowsTheCosineOfTheSun) {
   auto scene = flat_land();
   scene.sun.irradiance = 3.0;
@@ -125,8 +126,9 @@ TEST(Shadings, DifferOnACurvedSurface) {
   }
 }
 
-/// A balloon of 18.8 m straight above, the sun at the zenith: its shadow is a disc around the
-/// origin. Gores bulge, so that the rim is not a circle: a ring is left out.
+/// Returns a scene with a balloon of 18.8 m straight above and the sun at the zenith. The shadow of
+/// the balloon is a disc around the origin. Gores bulge, so the rim is not a circle, and a ring
+/// around it is left out.
 scene::Scene under_the_balloon() {
   auto scene = flat_land_under_a_sky();
   scene.balloon.enabled = true;
@@ -167,7 +169,8 @@ TEST(Shadow, IsNotCastByALightThatCastsNone) {
   });
 }
 
-/// A lamp above the envelope is hidden; one under the basket is not hidden by what lies behind it.
+/// Tests that a lamp above the envelope is hidden, and that one under the basket is not hidden by
+/// the objects behind it.
 TEST(Shadow, EndsAtTheLamp) {
   auto scene = under_the_balloon();
   scene.air.density = 0.0;

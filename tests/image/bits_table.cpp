@@ -1,7 +1,7 @@
-// Renders scenes in tiles of several sizes and tells whether the bits are the same: the program of
-// scripts/check-bits. A line for each picture: scene, size, lanes, pixels a tile (0: by the
-// measured rate), a hash of the film, and "same" or what differs from the picture in the first
-// tiles. Exits with 1 if any differs.
+// Renders scenes in tiles of several sizes and tells whether the bits are the same. It is the
+// program of scripts/check-bits. It prints a line for each picture: scene, size, lanes, pixels per
+// tile (0 for the measured rate), a hash of the film, and "same" or the differences from the
+// picture in the first tiles. It exits with 1 if any picture differs.
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
@@ -39,7 +39,7 @@ scene::Scene standard_scene(const std::string& name, const Asked& asked) {
   return scene;
 }
 
-/// FNV-1a over the radiance and the distances.
+/// Returns the FNV-1a hash of the radiance and the distances.
 std::uint64_t hash_of(const image::Film& film) {
   std::uint64_t hash = 0xcbf29ce484222325u;
   const auto add = [&](std::span<const std::byte> bytes) {
@@ -51,7 +51,7 @@ std::uint64_t hash_of(const image::Film& film) {
   return hash;
 }
 
-/// "same", or how many pixels differ and the first few of them.
+/// Returns "same", or the number of pixels that differ and the first few of them.
 std::string difference(const image::Film& a, const image::Film& b) {
   std::string places;
   int count = 0;

@@ -7,22 +7,24 @@
 
 namespace aerostat::test {
 
-/// How two 8-bit pictures of one size differ, in steps of 1/255.
+/// The difference of two 8-bit pictures of the same size, in steps of 1/255.
 struct PixelDifference {
-  double mean = 0.0;      // absolute, over all values
-  int percentile_99 = 0;  // 99 of 100 values differ by no more
+  /// The mean absolute difference over all values.
+  double mean = 0.0;
+  /// A difference that 99 of 100 values do not exceed.
+  int percentile_99 = 0;
   int largest = 0;
 };
 
 PixelDifference difference(const image::Pixels& a, const image::Pixels& b);
 
-/// |a - b| eight times as bright, to be looked at.
+/// Returns |a - b| eight times as bright, for a look at it.
 image::Pixels difference_picture(const image::Pixels& a, const image::Pixels& b);
 
-/// A PNG as 8-bit RGB; empty if there is none or it cannot be read.
+/// Returns a PNG as 8-bit RGB, or nothing if the file does not exist or cannot be read.
 std::optional<image::Pixels> read_png(const std::filesystem::path& path);
 
-/// Makes the folder if it has to.
+/// Writes a PNG. Makes its folder if there is none.
 void write_png(const std::filesystem::path& path, const image::Pixels& pixels);
 
 }  // namespace aerostat::test

@@ -1,4 +1,4 @@
-// A part of a picture is what the whole shows there, bit for bit.
+// Tests that a part of a picture is exactly what the whole picture shows there.
 #include <algorithm>
 
 #include "image/write.hpp"
@@ -16,14 +16,15 @@ using render::Session;
 
 constexpr int kWidth = 61, kHeight = 43;
 
-// Corners, the middle, a row, one pixel, odd sizes.
+// The crops are two corners, the middle, a row, one pixel, and odd sizes.
 constexpr std::array kCrops = {Crop{0, 0, 9, 7}, Crop{50, 30, 61, 43}, Crop{20, 15, 41, 28},
                                Crop{0, 21, 61, 22}, Crop{33, 17, 34, 18}};
 
 scene::Scene scene_of(scene::Quality quality) {
   scene::Scene scene = small_scene("snow", {kWidth, kHeight, 1, 128});
   scene::set_quality(scene, quality);
-  // Some decisions about samples are made, in less time than sixteen.
+  // This many samples let some decisions about convergence be made, in less time than the quality's
+  // own number.
   scene.image.spp = std::min(scene.image.spp, 80);
   scene.image.vignette = 0.4;
   return scene;
@@ -107,7 +108,7 @@ INSTANTIATE_TEST_SUITE_P(Qualities, CropAt,
                          name_of);
 
 TEST(CropAtFinal, HoldsPixelsThatTheirNeighboursDecide) {
-  // What the tests above are about: there are pixels that converge and others that do not.
+  // The tests above need both pixels that converge early and pixels that do not.
   const image::Film film = shared_session().render(scene_of(scene::Quality::final));
   EXPECT_TRUE(std::count(film.samples.begin(), film.samples.end(), 16u) > 100);
   EXPECT_TRUE(std::count(film.samples.begin(), film.samples.end(), 80u) > 100);

@@ -1,4 +1,5 @@
-// Several devices at one picture: parts of PoCL's, as they are everywhere.
+// Tests several devices that render one picture. They are parts of PoCL's device, which is
+// available everywhere.
 #include <algorithm>
 #include <atomic>
 #include <cstdlib>
@@ -17,16 +18,16 @@ using render::RowQueue;
 using render::RowRun;
 using render::Session;
 
-/// Three compute units, however many cores there are: halves of two and of one. Set before the
-/// first call of OpenCL.
+/// Gives PoCL's device three compute units, however many cores there are, so that its halves have
+/// two and one. It must be set before the first call of OpenCL.
 class ThreeComputeUnits : public testing::Environment {
  public:
   void SetUp() override { ::setenv("POCL_MAX_PTHREAD_COUNT", "3", 1); }
 };
 const auto* const kThreeUnits = testing::AddGlobalTestEnvironment(new ThreeComputeUnits);
 
-/// Whose device can be cut and has as many compute units as asked for, which other drivers for a
-/// CPU do not promise.
+/// The platform whose device can be cut and has as many compute units as requested. Other drivers
+/// for a CPU do not promise this.
 const std::string kPocl = "Portable Computing Language";
 
 render::Options on(const std::string& selector) {
@@ -45,7 +46,7 @@ Session& halves() {
   return session;
 }
 
-/// The rays of all devices, and how many of them traced any.
+/// Returns the rays of all devices, and the number of devices that traced any.
 std::pair<std::uint64_t, int> rays_and_workers(const Session& session) {
   std::uint64_t rays = 0;
   int workers = 0;
@@ -57,7 +58,8 @@ std::pair<std::uint64_t, int> rays_and_workers(const Session& session) {
 }
 
 TEST(Devices, GiveTheBitsOfOneInPassesOfAnyShape) {
-  // One pass, several of one shape, and a last one with blocks of several rows.
+  // The samples need one pass, several passes of one shape, and a last pass with blocks of several
+  // rows.
   for (const int spp : {1, 4, 5, 16, 37}) {
     const auto scene = planted_scene("snow", {97, 61, spp, 128});
     const image::Film expected = whole().render(scene);
@@ -131,7 +133,8 @@ TEST(Devices, AreNamedWhenOneFails) {
   options.tile_pixels = 1;
   Session frugal(options);
   const image::Film expected = frugal.render(scene);
-  // Enough for all but the hits of larger launches, which are asked for while rays are traced.
+  // The limit is enough for all buffers except the hits of larger launches, which are allocated
+  // while rays are traced.
   std::uint64_t most = 0;
   for (const auto& one : frugal.stats().devices) most = std::max(most, one.bytes);
   options.memory_limit_bytes = most + 1024;
@@ -152,13 +155,13 @@ TEST(Devices, AreNamedWhenOneFails) {
   EXPECT_TRUE(same_bits(session.render(smaller), frugal.render(smaller))) << "the session goes on";
 }
 
-/// What a launch throws on a device that is gone.
+/// Throws the error of a launch on a device that is lost.
 void fail_as_lost() {
   opencl::rethrow("starting the kernel trace_camera_rays",
                   cl::Error(CL_DEVICE_NOT_AVAILABLE, "clEnqueueNDRangeKernel"));
 }
 
-/// Renders until `lost` is set, which happens in the middle, and returns what is said of it.
+/// Renders until `lost` is set, which happens in the middle, and returns the message of the error.
 std::string last_words(Session& session, const scene::Scene& scene, std::atomic<bool>& lost) {
   try {
     session.render(scene, {}, [&](const render::Progress& progress) {
@@ -229,7 +232,7 @@ TEST(Devices, NoneIsAnError) {
   EXPECT_THROW(Session(render::Options{}), Error);
 }
 
-/// What a device is given, of a queue of rows 10 to 19.
+/// Returns the rows of a run that a device gets from a queue.
 std::vector<int> rows_of(const std::optional<RowRun>& run) {
   std::vector<int> rows(run ? static_cast<std::size_t>(run->y1 - run->y0) : 0);
   if (run) std::iota(rows.begin(), rows.end(), run->y0);
@@ -262,10 +265,14 @@ TEST(RowQueue, GivesSeveralLessTowardsTheEnd) {
 TEST(RowQueue, LetsDevicesKeepTheirRowsAndTakeOthersAtTheEnd) {
   RowQueue queue(0, 8, 2);
   queue.begin_pass();
-  EXPECT_EQ(queue.next(0, 1, 2)->holder, RowQueue::kNobody);  // 0, 1
-  queue.next(1, 2, 2);                                        // 2, 3
-  queue.next(0, 2, 2);                                        // 4, 5
-  queue.next(1, 2, 2);                                        // 6, 7
+  // Device 0 gets the rows 0 and 1.
+  EXPECT_EQ(queue.next(0, 1, 2)->holder, RowQueue::kNobody);
+  // Device 1 gets the rows 2 and 3.
+  queue.next(1, 2, 2);
+  // Device 0 gets the rows 4 and 5.
+  queue.next(0, 2, 2);
+  // Device 1 gets the rows 6 and 7.
+  queue.next(1, 2, 2);
   queue.begin_pass();
   EXPECT_EQ(rows_of(queue.next(1, 4, 4)), (std::vector<int>{2, 3})) << "not further than its own";
   EXPECT_EQ(rows_of(queue.next(1, 4, 4)), (std::vector<int>{6, 7}));

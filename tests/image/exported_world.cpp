@@ -30,7 +30,7 @@ struct Header {
   std::size_t vertices = 0, faces = 0, vertex_bytes = 0, bytes = 0;
 };
 
-/// The header's lines; of the properties it needs only how long a vertex is.
+/// Reads the lines of the header. The only use of the properties is the length of a vertex.
 Header read_header(const std::string& text) {
   Header header;
   std::istringstream lines(text.substr(0, 4096));

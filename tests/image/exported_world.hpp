@@ -6,40 +6,44 @@
 #include "core/math.hpp"
 #include "scene/scene.hpp"
 
-/// A scene as another program would see it: the file that `export` writes and the camera that
-/// `dump` tells.
+/// Reads a scene as another program would see it: from the file that `export` writes and the camera
+/// that `dump` prints.
 namespace aerostat::test {
 
 struct ExportedWorld {
   std::vector<vec3> positions;
   std::vector<uvec3> triangles;
-  std::vector<std::uint32_t> objects;  // per triangle
+  /// The object of each triangle.
+  std::vector<std::uint32_t> objects;
 };
 
 /// Reads back the binary PLY of a scene's world.
 ExportedWorld exported_world(const scene::Scene& scene);
 
-/// Rays through the middles of pixels, in double precision, by the words of the manual: vertical
-/// field of view, square pixels, y up, row 0 at the top; or a panorama, or parallel rays.
+/// Computes rays through the middles of pixels in double precision, from the words of the manual:
+/// vertical field of view, square pixels, y up and row 0 at the top, or a panorama, or parallel
+/// rays.
 class DumpedCamera {
  public:
   explicit DumpedCamera(const scene::Scene& scene);
 
-  /// Where the ray through the middle of pixel (x, y) begins.
+  /// Returns the origin of the ray through the middle of pixel (x, y).
   dvec3 origin(int x, int y) const;
-  /// Unit direction through the middle of pixel (x, y).
+  /// Returns the unit direction through the middle of pixel (x, y).
   dvec3 direction(int x, int y) const;
 
  private:
-  /// Of the middle of pixel (x, y) from the picture's, to the right and up, in halves of the
-  /// picture's height.
+  /// Returns the offset of the middle of pixel (x, y) from the middle of the picture, to the right
+  /// and up, in halves of the picture's height.
   dvec2 from_middle(int x, int y) const;
 
   std::string lens_;
   dvec3 origin_, forward_, right_, up_;
   int width_ = 0, height_ = 0;
-  double tangent_ = 0.0;        // of half the vertical field of view
-  double half_height_m_ = 0.0;  // of a picture by parallel rays
+  /// The tangent of half the vertical field of view.
+  double tangent_ = 0.0;
+  /// Half the height in metres of a picture with parallel rays.
+  double half_height_m_ = 0.0;
 };
 
 }  // namespace aerostat::test

@@ -1,4 +1,5 @@
-// Far from the origin of the world's coordinates pictures are as clean as at it.
+// Tests that pictures far from the origin of the world's coordinates are as clean as those at the
+// origin.
 #include <algorithm>
 
 #include "flat_land.hpp"
@@ -28,7 +29,8 @@ scene::Scene unresolved(const std::string& name) {
   return scene;
 }
 
-/// Everything of a scene by the same way: what is given in its own coordinates stays near it.
+/// Moves everything in a scene by the same vector. Objects keep their places relative to each
+/// other.
 scene::Scene moved(scene::Scene scene, const dvec3& by) {
   scene.terrain.center += dvec2(by.x, by.z);
   scene.balloon.position += by;
@@ -45,13 +47,14 @@ image::Film render_resolved(scene::Scene scene) {
 
 class FarScene : public testing::TestWithParam<const char*> {};
 
-// The sums with 1e6 are exact to 2^-33 m: hardly ever does a float see it.
+// Tests that moving a scene keeps every bit. The sums with 1e6 are exact to 2^-33 m, which hardly
+// ever changes a float.
 TEST_P(FarScene, IsTheSamePictureToTheBit) {
   const scene::Scene scene = unresolved(GetParam());
   EXPECT_TRUE(same_bits(render_resolved(scene), render_resolved(moved(scene, kFar))));
 }
 
-/// Mean over both pictures' differences, relative to the mean radiance.
+/// Returns the mean difference of two pictures relative to their mean radiance.
 double difference(const image::Film& a, const image::Film& b) {
   double apart = 0.0, sum = 0.0;
   for (std::size_t i = 0; i < a.radiance.size(); ++i) {
@@ -61,8 +64,9 @@ double difference(const image::Film& a, const image::Film& b) {
   return apart / sum;
 }
 
-// Plants, patterns, waves, clouds, fog and light go by places: another origin of the meshes changes
-// what is rounded and nothing else. Here and there that moves an edge or a shadow by a pixel.
+// Tests another origin of the meshes. Plants, patterns, waves, clouds, fog and light depend on
+// places, so the origin changes nothing except the rounding. In a few places, rounding moves an
+// edge or a shadow by a pixel.
 TEST_P(FarScene, LooksTheSameFromAnotherOrigin) {
   scene::Scene scene = unresolved(GetParam());
   world::resolve(scene);
@@ -81,7 +85,7 @@ INSTANTIATE_TEST_SUITE_P(OfEachKind, FarScene,
                            return text;
                          });
 
-/// A balloon over level land a thousand kilometres across, at places ever farther from its middle.
+/// Returns a scene with a balloon at `where` over level land that is a thousand kilometres wide.
 scene::Scene over_the_plain(const dvec3& where) {
   scene::Scene scene = flat_land();
   scene.terrain.size_m = 1e6;
@@ -122,8 +126,8 @@ TEST(FarBalloon, KeepsItsRopesAndItsWicker) {
         continue;
       }
       ++balloon;
-      // Without air, light depends on nothing but the balloon: edges of shadows move by the two
-      // millimetres by which their rays are lifted off.
+      // Without air, light depends only on the balloon. Edges of shadows move by two millimetres,
+      // the distance by which their rays are lifted off the surface.
       const dvec3 a(film.radiance[i]), b(near.radiance[i]);
       lit_otherwise += glm::length(a - b) > 0.02 * glm::length(b) + 1e-4;
     }
@@ -138,7 +142,7 @@ TEST(FarBalloon, KeepsItsRopesAndItsWicker) {
   }
 }
 
-/// The basket by parallel rays from so far away.
+/// Returns the basket seen by parallel rays from a distance of `distance_m`.
 scene::Scene by_parallel_rays(double distance_m) {
   scene::Scene scene = over_the_plain({0.0, 0.0, 0.0});
   scene.terrain.size_m = 1000.0;

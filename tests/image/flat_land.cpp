@@ -24,7 +24,7 @@ scene::Scene flat_land() {
   scene.biome.water.enabled = false;
   scene.terrain.kind = scene::TerrainKind::dunes;
   scene.terrain.height_m = 0.0;
-  // Cells far wider than dunes leave out even the rounding of their crests: what is left is level
+  // Cells far wider than the dunes leave out even the rounding of their crests. The land is level
   // to a billionth of a metre.
   scene.terrain.dunes.height_m = 1e-9;
   scene.terrain.dunes.wavelength_m = 1.0;

@@ -2,30 +2,33 @@
 
 #include "pictures.hpp"
 
-/// A world whose pictures are known in closed form: a level plane of one colour at y = 0, seen from
-/// straight above. Light, air, balloon and gloss are off until a test wants them.
+/// Provides a world whose pictures are known in closed form: a level plane of one colour at y = 0,
+/// seen from straight above. Light, air, balloon and gloss are off until a test turns them on.
 namespace aerostat::test {
 
 inline constexpr dvec3 kAlbedo{0.5, 0.25, 0.125};
 inline constexpr double kEyeHeight = 25.0;
 
-/// The eye is at (0, kEyeHeight, 0); -z is up in the picture, 64 x 48 pixels, one sample each.
+/// Returns the plane seen from (0, kEyeHeight, 0) with -z up in the picture, 64 x 48 pixels with
+/// one sample each.
 scene::Scene flat_land();
 
-/// The same under molecules alone and a sun at the zenith.
+/// Returns the flat land under an air of molecules only and a sun at the zenith.
 scene::Scene flat_land_under_a_sky();
 
-/// Irradiance / pi of the plane: by the sky, and by the sun straight onto a plane that faces it.
+/// Returns the irradiance of the plane by the sky, divided by pi. `sunlight` returns that of a
+/// plane that faces the sun.
 dvec3 sky_light(const scene::Scene& scene);
 dvec3 sunlight(const scene::Scene& scene);
 
-/// The few metres of air before the eye scatter as much light towards it.
+/// The share of light that the few metres of air before the eye scatter towards it.
 inline constexpr double kAirBefore = 4e-3;
 
-/// The point of the plane that is seen through the middle of pixel (x, y).
+/// Returns the point of the plane that is seen through the middle of pixel (x, y).
 dvec3 point_under(const scene::Scene& scene, int x, int y);
 
-/// Renders and calls `check(x, y, point, radiance)` for every pixel; stops at the first that fails.
+/// Renders `scene` and calls `check(x, y, point, radiance)` for every pixel. Stops at the first
+/// pixel that fails.
 template <typename Check>
 void for_pixels(const scene::Scene& scene, Check check) {
   const image::Film film = shared_session().render(scene);
@@ -40,7 +43,8 @@ void for_pixels(const scene::Scene& scene, Check check) {
   }
 }
 
-/// Within `relative` of the expected value, plus what single precision makes of nothing.
+/// Expects a radiance within the relative error `relative` and the rounding of single precision
+/// near 0.
 void expect_radiance(const dvec3& expected, const dvec3& found, double relative = 2e-5);
 
 }  // namespace aerostat::test

@@ -1,5 +1,5 @@
-// The furnace: what reflects all light, under a sky that is even all around, cannot be told from
-// it.
+// Tests the furnace: an object that reflects all light cannot be seen under a sky that is even on
+// all sides.
 #include <algorithm>
 #include <numbers>
 
@@ -12,7 +12,7 @@ namespace {
 
 constexpr int kWidth = 96, kHeight = 64, kSamples = 16;
 
-/// A ball of radius 1 m with smooth normals, white.
+/// Returns a ball of radius 1 m with smooth normals.
 mesh::TriangleMesh ball(const vec3& centre) {
   constexpr std::uint32_t kRows = 24, kColumns = 48;
   mesh::TriangleMesh mesh;
@@ -33,7 +33,7 @@ mesh::TriangleMesh ball(const vec3& centre) {
   return mesh;
 }
 
-/// Looks at the origin from 6 m; the ground lies far below and out of sight.
+/// Returns a scene that looks at the origin from 6 m. The ground lies far below and out of sight.
 scene::Scene furnace() {
   scene::Scene scene = flat_land();
   scene.terrain.base_m = -5000.0;
@@ -48,7 +48,7 @@ scene::Scene furnace() {
   return scene;
 }
 
-/// Radiance 1 from everywhere, and neither sun nor air.
+/// Returns light of radiance 1 from everywhere, without sun and air.
 AeroScene even_light(const scene::Scene& scene) {
   AeroScene packed = *pack::pack_scene(scene);
   AeroAir& air = packed.air;
@@ -107,7 +107,7 @@ TEST(Furnace, AWhiteBallInAnEvenSkyIsNotSeen) {
   EXPECT_GT(ball_pixels, 400);
 }
 
-/// What is not alone hides some of the sky: the test above would see it.
+/// Tests that two balls hide some of the sky from each other, so that the test above can fail.
 TEST(Furnace, TwoBallsHideTheSkyFromEachOther) {
   const image::Film film = film_of({ball({-1.05f, 0.0f, 0.0f}), ball({1.05f, 0.0f, 0.0f})});
   float least = 1.0f;

@@ -1,9 +1,9 @@
-// The seven pictures as they were when somebody last looked at them. AEROSTAT_UPDATE_GOLDENS=1
-// renews the files in tests/image/golden; look at them before they are kept.
+// Compares the seven pictures with those that somebody last looked at. AEROSTAT_UPDATE_GOLDENS=1
+// renews the files in tests/image/golden. Look at them before they are kept.
 //
-// Tolerance, in steps of 1/255 after development: mean 0.3 and 4 for 99 of 100 values. Lane widths
-// differ by 1e-7 of the radiance, so that other devices turn a few values of the dither and a few
-// samples at edges; a change of colour, light or shape that an eye would notice is more.
+// The tolerance, in steps of 1/255 after development, is a mean of 0.3 and 4 for 99 of 100 values.
+// The widths of packets differ by 1e-7 of the radiance, so other devices change a few values of the
+// dither and a few samples at edges. A visible change of colour, light or shape is larger.
 #include <cstdio>
 #include <cstdlib>
 
@@ -34,7 +34,8 @@ bool renewing() {
   return value != nullptr && std::string(value) == "1";
 }
 
-/// Whether `actual` is the golden picture `name`; if not, both and their difference are written.
+/// Returns whether `actual` is the golden picture `name`. If it is not, writes both pictures and
+/// their difference.
 testing::AssertionResult is_golden(const image::Pixels& actual, const std::string& name) {
   const fs::path golden_file = fs::path(AEROSTAT_GOLDEN_DIR) / (name + ".png");
   const fs::path report = fs::path(AEROSTAT_GOLDEN_REPORT_DIR);
@@ -82,7 +83,8 @@ INSTANTIATE_TEST_SUITE_P(Scenes, Golden, testing::ValuesIn(kScenes), scene_test_
 TEST(GoldenTolerance, LetsNoChangedColourPass) {
   const scene::Scene usual = planted_scene("snow", kGoldenSize);
   const image::Pixels expected = developed("snow");
-  // As the picture was exposed: an automatic exposure would make up for part of a change.
+  // The exposure is that of the golden picture, because an automatic exposure would hide a part of
+  // a change.
   const double exposure_ev = image::automatic_exposure_ev(small_film("snow"));
   const auto off = [&](const scene::Scene& scene) {
     return difference(expected, image::develop(shared_session().render(scene), exposure_ev));

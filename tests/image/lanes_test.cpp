@@ -1,10 +1,11 @@
-// One kernel source at any lane width: the same picture from 1, 4, 8 and 16 rays a work-item.
+// Tests that packets of 1, 4, 8 and 16 rays, built from the same kernel source, give the same
+// picture.
 //
-// The widths run the same operations; only the library's functions (exp, pow, sin ...) round
-// differently in scalar and vector form, by some units in the last place. Measured with PoCL: 1e-7
-// at most, so that 1e-4 of the radiance leaves room for other drivers. Where a ray passes an edge
-// so closely that the last bit decides, a sample may fall on the other side: few pixels may differ
-// by more.
+// All widths run the same operations. Only library functions (exp, pow, sin ...) round differently
+// in scalar and vector form, by some units in the last place. With PoCL, differences of at most
+// 1e-7 were measured, so 1e-4 of the radiance leaves room for other drivers. If a ray passes an
+// edge so closely that the last bit decides, a sample may fall on the other side. A few pixels may
+// therefore differ by more.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -15,15 +16,21 @@
 namespace aerostat::test {
 namespace {
 
-constexpr double kMeanTolerance = 1e-6;      // of linear radiance, over all pixels and channels
-constexpr double kPixelTolerance = 1e-4;     // of linear radiance, relative above 1
-constexpr double kPixelsBeyond = 1e-3;       // share of the pixels that may differ by more
-constexpr double kDistanceTolerance = 1e-4;  // relative
-constexpr double kDistancesBeyond = 1e-3;    // share of the pixels
+/// The tolerance of the mean linear radiance over all pixels and channels.
+constexpr double kMeanTolerance = 1e-6;
+/// The tolerance of a pixel's linear radiance, relative above 1.
+constexpr double kPixelTolerance = 1e-4;
+/// The share of the pixels that may differ by more than the tolerance.
+constexpr double kPixelsBeyond = 1e-3;
+/// The relative tolerance of a distance.
+constexpr double kDistanceTolerance = 1e-4;
+/// The share of the pixels whose distances may differ by more.
+constexpr double kDistancesBeyond = 1e-3;
 
 struct Difference {
   double mean = 0.0, largest = 0.0;
-  double pixels_beyond = 0.0, distances_beyond = 0.0;  // shares
+  /// The shares of pixels that differ by more than the tolerances.
+  double pixels_beyond = 0.0, distances_beyond = 0.0;
 };
 
 bool same_distance(float a, float b) {
@@ -64,7 +71,8 @@ std::string title(std::size_t i) {
   return i < kScenes.size() ? kScenes[i] : "lens " + std::to_string(i - kScenes.size());
 }
 
-/// The films of all scenes and lenses at one width; the sessions live no longer than needed.
+/// Returns the films of all scenes and lenses at one width. The sessions are destroyed as soon as
+/// the films are rendered.
 const std::vector<image::Film>& films(int lanes) {
   static std::map<int, std::vector<image::Film>> all;
   auto& these = all[lanes];

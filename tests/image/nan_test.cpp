@@ -1,4 +1,4 @@
-// No pixel of any scene is no number, negative or infinite.
+// Tests that no pixel of any scene is NaN, negative or infinite.
 #include <algorithm>
 #include <cmath>
 
@@ -53,7 +53,7 @@ TEST_P(CleanFilm, ThroughEveryLens) {
 
 INSTANTIATE_TEST_SUITE_P(Scenes, CleanFilm, testing::ValuesIn(kScenes), scene_test_name);
 
-/// A land may be asked for without any height: a plane.
+/// Tests a land without any height, which is a plane.
 TEST(CleanFilm, SurvivesALandOfNoHeight) {
   for (const char* name : {"snow", "tropical", "sand"}) {
     scene::Scene scene =
@@ -71,14 +71,15 @@ TEST(CleanFilm, SurvivesALandOfNoHeight) {
   }
 }
 
-/// A camera above the balloon's place that looks straight down, and one below that looks up.
+/// Tests a camera above the balloon's place that looks straight down, and one below it that looks
+/// up.
 TEST(CleanFilm, LooksStraightDownAndUpThroughEveryLens) {
   scene::Scene scene = small_scene("sand", {96, 64, 1, 64});
   const dvec3 balloon = scene.balloon.position;
   scene.camera.view_height_m = 200.0;
   scene.camera.fov_y_deg = 100.0;
   for (const double above : {150.0, -20.0}) {
-    // The balloon stands north of what the camera sees in the middle.
+    // The balloon stands north of the point that the camera sees in the middle.
     scene.camera.position = balloon + dvec3(0.0, above, 30.0);
     scene.camera.target = scene.camera.position - dvec3(0.0, above, 0.0);
     for (const auto lens : {scene::Lens::pinhole, scene::Lens::thin_lens, scene::Lens::panorama,
@@ -98,7 +99,7 @@ TEST(CleanFilm, LooksStraightDownAndUpThroughEveryLens) {
   }
 }
 
-/// Lights and cameras at the rim of what a scene may ask for.
+/// Tests lights and cameras at the limits of what a scene may ask for.
 TEST(CleanFilm, SurvivesExtremeLight) {
   const auto count_bad = [](const scene::Scene& scene) {
     return shared_session().render(scene).nan_pixels;

@@ -6,7 +6,7 @@
 
 namespace aerostat::test {
 
-/// A ray tracer that shares nothing with the product: Embree where it is installed, else brute
+/// A ray tracer that shares no code with the product. It uses Embree if it is installed, else brute
 /// force over all triangles in double precision.
 class Oracle {
  public:
@@ -15,11 +15,13 @@ class Oracle {
 
   struct Answer {
     double distance = std::numeric_limits<double>::infinity();
-    std::uint32_t object = 0;  // 0: nothing was met
+    /// The object that was hit, or 0 if nothing was hit.
+    std::uint32_t object = 0;
   };
   Answer nearest(const dvec3& origin, const dvec3& direction) const;
 
-  /// Ask every k-th pixel of each row and column only: 1 with Embree.
+  /// Returns the step between the pixels of a row or a column that should be tested. It is 1 with
+  /// Embree.
   static int stride();
 
  private:

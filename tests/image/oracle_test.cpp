@@ -1,5 +1,5 @@
-// An independent ray tracer on the exported mesh, with the camera of the dump, agrees with the
-// distances and objects of the film on 99.9 % of the pixels within 0.1 %.
+// Tests that an independent ray tracer on the exported mesh, with the camera of the dump, agrees
+// with the distances and objects of the film. 99.9 % of the pixels must agree within 0.1 %.
 #include "oracle.hpp"
 
 #include <algorithm>
@@ -15,7 +15,8 @@ constexpr double kAgree = 0.999;
 constexpr double kRelative = 1e-3;
 
 struct Count {
-  int asked = 0, distances = 0, objects = 0;  // asked, and that agree
+  /// The number of pixels asked, and of those whose distances and objects agree.
+  int asked = 0, distances = 0, objects = 0;
 
   double share(int agreed) const { return static_cast<double>(agreed) / asked; }
 };

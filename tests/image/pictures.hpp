@@ -8,11 +8,12 @@
 #include "render/session.hpp"
 #include "scene/io.hpp"
 
-/// What the tests of whole pictures share: the seven scenes at a small size, and sessions on the
-/// device that aerostat would choose.
+/// Provides the seven scenes at a small size and sessions on the device that aerostat would choose,
+/// for all tests of whole pictures.
 namespace aerostat::test {
 
-/// Neighbours share their terrain, so that a session that renders them in this order keeps it.
+/// The names of the seven scenes. Neighbours share their terrain, so a session that renders them in
+/// this order keeps it.
 inline constexpr std::array<const char*, 7> kScenes = {
     "snow", "snow-basket", "tropical", "tropical-basket", "sand", "sand-basket", "sand-empty"};
 
@@ -20,28 +21,30 @@ struct Size {
   int width = 96;
   int height = 64;
   int spp = 4;
-  int cells = 128;  // of the terrain, per side
+  /// The cells of the terrain on each side.
+  int cells = 128;
 };
 
-/// scenes/<name>.json, resolved, at another size and without plants.
+/// Returns scenes/<name>.json, resolved, at another size and without plants.
 scene::Scene small_scene(const std::string& name, const Size& size = {});
 
-/// The same with plants near the camera.
+/// Returns scenes/<name>.json, resolved, at another size and with plants near the camera.
 scene::Scene planted_scene(const std::string& name, const Size& size = {});
 
-/// The devices of AEROSTAT_DEVICE, else the automatic one. No device is a failure: throws.
+/// Returns the devices of AEROSTAT_DEVICE, or the automatic one if it is not set. Throws if there
+/// is no device, so the test fails.
 const std::vector<opencl::Device>& devices();
 
-/// Options on `devices()`.
+/// Returns options for a render on `devices()`.
 render::Options options(int lanes = 0);
 
-/// The session of all tests of this process that need no session of their own.
+/// Returns the session of all tests of this process that need no session of their own.
 render::Session& shared_session();
 
-/// Whether two films hold the same bits, and where not.
+/// Returns whether two films hold the same bits, and where they differ.
 testing::AssertionResult same_bits(const image::Film& a, const image::Film& b);
 
-/// The part of a film inside `crop`.
+/// Returns the part of a film inside `crop`.
 image::Film cut(const image::Film& film, const render::Crop& crop);
 
 }  // namespace aerostat::test

@@ -1,6 +1,6 @@
-// A progressive render is given up soon after it was asked to. Aimed at: 50 ms, asserted of the
-// median of many tries, because the machine that tests may be busy with something else; what is
-// measured is printed.
+// Tests that a progressive render ends soon after a request to stop. The aim is 50 ms. It is
+// asserted of the median of many tries, because the machine may be busy with something else. The
+// measured times are printed.
 #include <algorithm>
 #include <cstdio>
 #include <future>
@@ -22,7 +22,8 @@ scene::Scene scene_of(int seed) {
                           {{"/terrain/seed", std::to_string(seed)}});
 }
 
-/// Seconds from a request to stop, `wait_s` after the render began, to its end.
+/// Returns the seconds from a request to stop to the end of the render. The request comes `wait_s`
+/// after the render began.
 double seconds_to_stop(render::Progressive& progressive, const scene::Scene& scene, double wait_s) {
   std::stop_source stop;
   Stopwatch since_request;
@@ -34,7 +35,8 @@ double seconds_to_stop(render::Progressive& progressive, const scene::Scene& sce
   try {
     progressive.render(scene, stop.get_token(), [](const render::Look&) {});
     canceller.join();
-    return 0.0;  // it was done before
+    // The render was complete before the request.
+    return 0.0;
   } catch (const Error& error) {
     EXPECT_EQ(error.kind(), ErrorKind::interrupted) << error.what();
   }
@@ -48,7 +50,8 @@ TEST(ProgressiveCancel, SoonWhateverItIsAt) {
   progressive.render(scene_of(1), {}, [](const render::Look&) {});
   std::vector<double> times;
   int seed = 2;
-  // Carving, the coarse land, the pause, the fine land with its plants, rays of all qualities.
+  // The waits fall into carving, the coarse land, the pause, the fine land with its plants, and the
+  // rays of all qualities.
   for (const double wait_s : {0.01, 0.04, 0.07, 0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.8, 1.0, 1.3, 1.6}) {
     for (int i = 0; i < 2; ++i) {
       times.push_back(seconds_to_stop(progressive, scene_of(seed++), wait_s));

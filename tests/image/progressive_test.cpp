@@ -1,4 +1,5 @@
-// Progressive renders: each look is finer than the one before, the last is the picture itself.
+// Tests progressive renders. Each look is finer than the one before, and the last is the picture
+// itself.
 #include "render/progressive.hpp"
 
 #include "core/error.hpp"
@@ -11,7 +12,7 @@ namespace {
 using render::Look;
 using render::Step;
 
-/// Not resolved.
+/// Returns a scene that is not resolved.
 scene::Scene scene_of(const std::string& name, int seed = 1) {
   return scene::read_file(std::string(AEROSTAT_SOURCE_DIR "/scenes/") + name + ".json",
                           {{"/image/width", "150"},
@@ -83,7 +84,7 @@ TEST(Progressive, ALandThatIsThereIsNotBuiltAgain) {
   EXPECT_TRUE(other.front().rough);
 }
 
-// From x = 8192 m on meshes count from elsewhere.
+// Tests a camera from x = 8192 m on, where meshes count from another origin.
 TEST(Progressive, AnotherOriginNeedsNoRoughLook) {
   render::Progressive progressive(options());
   image::Film last;
@@ -100,7 +101,7 @@ TEST(Progressive, AnotherOriginNeedsNoRoughLook) {
   EXPECT_TRUE(same_bits(last, shared_session().render(scene)));
 }
 
-/// The looks of a render that is stopped when one is fine.
+/// Returns for each look whether it was rough. The render is stopped at the first fine look.
 std::vector<bool> rough_until_fine(render::Progressive& progressive, const scene::Scene& scene) {
   std::stop_source stop;
   std::vector<bool> rough;

@@ -24,7 +24,8 @@ struct Range {
   double least, most;
 };
 
-/// Of a number's rule; bounds that are excluded are one step of a double outside.
+/// Returns the range of a number's rule. A bound that is excluded is one step of a double outside
+/// the range.
 Range range_of(const Json& rule) {
   const double inf = std::numeric_limits<double>::infinity();
   Range range{-inf, inf};
@@ -78,7 +79,8 @@ class Maker {
     return type == "integer" ? integer(range_of(rule)) : Json(number(range_of(rule)));
   }
 
-  /// Each key by chance; an object that is there has one at least.
+  /// Returns an object in which each key appears at random. An object that appears has at least one
+  /// key.
   Json object(const Json& rule) {
     Json made = Json::object();
     const Json& properties = rule.at("properties");
@@ -133,7 +135,8 @@ class Maker {
       case 3:
         return std::nextafter(range.most, -inf);
       case 4:
-        break;  // zero, or what is next to it
+        // The number is zero, or next to zero.
+        break;
       case 5:
       case 6:
         made = std::pow(10.0, between(-12.0, std::log10(std::max(range.most, 1.0))));
@@ -160,7 +163,8 @@ class Maker {
     return fmt::format("{}-{:02}-{:02}", whole(1900, 2100), whole(1, 12), whole(1, 28));
   }
 
-  /// The sun stands where a direction, angles or a date say, never two of them.
+  /// Makes the place of the sun follow from a direction, from angles or from a date, but never from
+  /// two of them.
   void settle_sun(Json& made) {
     if (!made.contains("sun")) return;
     Json& sun = made["sun"];
@@ -193,10 +197,12 @@ class Maker {
   }
 
   std::mt19937 random_;
-  double share_;  // of the fields that are given
+  /// The share of the fields that are given.
+  double share_;
 };
 
-std::string note;  // of the scene that is being looked at
+/// A note about the scene that is being tested.
+std::string note;
 
 void tell_note(int signal) {
   [[maybe_unused]] const auto written = ::write(STDERR_FILENO, note.data(), note.size());

@@ -1,5 +1,5 @@
-// Scenes from the whole schema: what `check` lets pass is rendered without a crash, and nothing of
-// it is no number or infinite.
+// Tests scenes from the whole schema. A scene that `check` accepts must render without a crash, and
+// no pixel may be NaN or infinite.
 #include "random_scenes.hpp"
 
 #include <algorithm>
@@ -13,7 +13,8 @@
 namespace aerostat::test {
 namespace {
 
-/// As `aerostat check` takes it; nothing if it is refused, which has to be said clearly.
+/// Returns a scene that `aerostat check` accepts. Returns nothing if it is refused, which must have
+/// a clear message.
 std::optional<scene::Scene> checked(const std::string& text) {
   try {
     scene::Scene scene = scene::read_text(text, "random.json");

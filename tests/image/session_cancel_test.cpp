@@ -1,5 +1,5 @@
-// A render is given up soon after it was asked to. Aimed at: 100 ms. Asserted: 400 ms, because the
-// machine that tests may be busy with something else; what is measured is printed.
+// Tests that a render ends soon after a request to stop. The aim is 100 ms, and 400 ms are
+// asserted, because the machine may be busy with something else. The measured times are printed.
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
@@ -23,8 +23,8 @@ using render::Stage;
 
 constexpr double kPatience_s = 0.4;
 
-/// Seconds from a request to stop, made by another thread as soon as `stage` is reached and
-/// `wait_s` have passed, to the end of the render.
+/// Returns the seconds from a request to stop to the end of the render. Another thread makes the
+/// request `wait_s` after `stage` is reached.
 double seconds_to_stop(Session& session, const scene::Scene& scene, Stage stage, double wait_s) {
   std::stop_source stop;
   std::promise<void> reached;
@@ -54,15 +54,15 @@ double seconds_to_stop(Session& session, const scene::Scene& scene, Stage stage,
   return seconds;
 }
 
-/// An empty folder for PoCL's kernels, so that the first build of the process is a real one. Made
-/// before the first call of OpenCL.
+/// Makes an empty folder for PoCL's kernels before the first call of OpenCL, so that the first
+/// build of the process is a real one.
 class ColdKernelCache : public testing::Environment {
  public:
   void SetUp() override {
     folder_ = fs::temp_directory_path() / ("aerostat-cold-" + std::to_string(::getpid()));
     fs::create_directories(folder_);
     ::setenv("POCL_CACHE_DIR", folder_.c_str(), 1);
-    // A device that can be cut in two, even on a single core.
+    // The device can be cut in two, even on a single core.
     const unsigned cores = std::max(2u, std::thread::hardware_concurrency());
     ::setenv("POCL_MAX_PTHREAD_COUNT", std::to_string(cores).c_str(), 0);
   }
@@ -91,7 +91,8 @@ TEST(Cancel, WhileTheWorldIsBuiltAndKernelsCompile) {
 TEST(Cancel, WhileRaysAreTraced) {
   Session session(options());
   auto endless = small_scene("snow", {640, 360, 4096, 128});
-  endless.balloon.enabled = false;  // it is built anew for a picture of another size
+  // A balloon would be built again for a picture of another size.
+  endless.balloon.enabled = false;
   EXPECT_LT(seconds_to_stop(session, endless, Stage::rays, 1.5), kPatience_s);
   const image::Film kept = session.snapshot();
   ASSERT_EQ(kept.width, 640) << "what was done stays readable";

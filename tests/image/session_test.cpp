@@ -1,4 +1,4 @@
-// The library's promises: progress, re-use, pictures that depend on the scene alone.
+// Tests the promises of the library: progress, re-use, and pictures that depend only on the scene.
 #include <cmath>
 #include <map>
 #include <numeric>
@@ -37,7 +37,7 @@ TEST(Progress, NeverGoesBackAndEndsWithDone) {
     EXPECT_GE(now.rays, before.rays) << "report " << i;
     EXPECT_GE(now.seconds, before.seconds) << "report " << i;
     EXPECT_GE(now.samples_done, before.samples_done) << "report " << i;
-    // Aimed at: 100 ms. A busy machine may be slower.
+    // The aim is 100 ms, but a busy machine may be slower.
     EXPECT_LT(now.seconds - before.seconds, 0.5) << "report " << i;
   }
   EXPECT_EQ(seen.front().stage, Stage::world);
@@ -75,7 +75,7 @@ TEST(Layers, LeftOutLeaveTheLightAndTheCountsAsTheyAre) {
   EXPECT_EQ(whole.stats().primary_rays, samples);
 }
 
-/// One session for the tests of re-use; each begins with a render of the same scene.
+/// One session for the tests of re-use. Each test begins with a render of the same scene.
 class Reuse : public testing::Test {
  protected:
   Reuse() : scene_(small_scene("snow")) { before_ = session().render(scene_); }
@@ -85,14 +85,15 @@ class Reuse : public testing::Test {
     return one;
   }
 
-  /// What the next render of `scene` had to build: worlds, trees, programs.
+  /// Returns the numbers of worlds, trees and programs that the next render of `scene` had to
+  /// build.
   std::array<int, 3> built_by(const scene::Scene& scene) {
     after_ = session().render(scene);
     const render::Stats& stats = session().stats();
     return {stats.worlds_built, stats.trees_built, stats.programs_built};
   }
 
-  /// The session's picture must be that of a session which knows nothing else.
+  /// Returns whether the session's picture is that of a new session.
   testing::AssertionResult as_if_new(const scene::Scene& scene) const {
     Session fresh(options());
     return same_bits(after_, fresh.render(scene));
@@ -158,7 +159,7 @@ TEST(Plants, MayStayAsTheyStand) {
   EXPECT_TRUE(same_bits(exact, Session(options()).render(scene)));
 }
 
-/// The scene's own view, and others to all sides.
+/// Returns the scene's own view for k = 0, and views to other sides for other k.
 scene::Scene seen_from_aside(const std::string& name, int k) {
   auto scene = planted_scene(name, {192, 108, 1, 256});
   scene.vegetation.reach_m = 3000.0;
@@ -234,12 +235,14 @@ TEST_F(Reuse, SurvivesASceneThatCannotBeRendered) {
   EXPECT_TRUE(same_bits(before_, after_));
 }
 
-/// A film that can be told from any other: what `snapshot` returned at one moment.
+/// Tests the films that `snapshot` returns during a render. Each of them can be told from all
+/// others.
 TEST(Snapshot, RefinesWhileTheRenderRuns) {
   Session session(options());
   const auto scene = small_scene("snow", {320, 180, 64, 128});
   EXPECT_EQ(session.snapshot().width, 0) << "before the first render";
-  std::map<float, image::Film> seen;  // by the radiance of one pixel, which every pass changes
+  // The key is the radiance of one pixel, which changes in every pass.
+  std::map<float, image::Film> seen;
   std::jthread watcher([&](const std::stop_token& end) {
     while (!end.stop_requested()) {
       const image::Film film = session.snapshot();
@@ -262,8 +265,8 @@ TEST(Snapshot, RefinesWhileTheRenderRuns) {
       brighter += static_cast<double>(d.x + d.y + d.z) / 3.0;
     }
     const auto pixels = static_cast<double>(film.radiance.size());
-    // Whole passes only: an early picture is rougher than the last (0.021 for the first, which has
-    // one sample), never darker or half-empty.
+    // The film holds whole passes only. An early picture is rougher than the last one (by 0.021 for
+    // the first, which has one sample), but never darker or half empty.
     EXPECT_LT(difference / pixels, 0.04);
     EXPECT_LT(std::abs(brighter) / pixels, 0.004);
   }

@@ -8,7 +8,7 @@ namespace aerostat::test {
 
 inline constexpr Size kGoldenSize = {96, 64, 4, 256};
 
-/// The film of a scene at golden size; each is rendered once a process.
+/// Returns the film of a scene at golden size. Each film is rendered once in a process.
 inline const image::Film& small_film(const std::string& name) {
   static std::map<std::string, image::Film> films;
   const auto [at, missing] = films.try_emplace(name);
@@ -16,7 +16,7 @@ inline const image::Film& small_film(const std::string& name) {
   return at->second;
 }
 
-/// A scene's name as GoogleTest wants it.
+/// Returns a scene's name in the form that GoogleTest needs.
 inline std::string scene_test_name(const testing::TestParamInfo<const char*>& info) {
   std::string name = info.param;
   for (char& c : name) c = c == '-' ? '_' : c;

@@ -1,4 +1,5 @@
-// A pixel does not depend on the tile that it is traced in, nor so on the time that tiles take.
+// Tests that a pixel depends neither on the tile in which it is traced nor on the time that tiles
+// take.
 #include "pictures.hpp"
 #include "world/world.hpp"
 
@@ -32,7 +33,7 @@ TEST_P(Tiles, GiveTheSameBits) {
   }
 }
 
-// Many rays that begin on ground some ten kilometres away and meet slopes edge-on.
+// These scenes have many rays that begin on ground some ten kilometres away and hit slopes edge-on.
 INSTANTIATE_TEST_SUITE_P(FarGround, Tiles, testing::Values("tropical", "sand-basket"));
 
 }  // namespace

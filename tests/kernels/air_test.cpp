@@ -1,5 +1,5 @@
-// The air on the device against the host's, which its own tests hold to physics, and in closed
-// form.
+// Tests the air on the device against closed forms and against the air of the host, which the
+// host's own tests compare with physics.
 #include <algorithm>
 #include <cmath>
 #include <random>
@@ -51,7 +51,7 @@ class Air : public LaneTest {
     return vectors(arriving.read(), paths.distances.size());
   }
 
-  /// Light of the air and radiance with the sun, per direction.
+  /// Returns for each direction the light of the air, and the radiance with the sun.
   std::pair<std::vector<vec3>, std::vector<vec3>> look(const AeroScene& scene,
                                                        const Paths& paths) const {
     const std::size_t count = whole_packets(paths.directions.size());
@@ -111,7 +111,8 @@ TEST_P(Air, IsSeenOverADistanceAsTheHostFollowsIt) {
           air::haze_phase(glm::dot(direction, air.sun()), air.atmosphere().haze_asymmetry);
       const dvec3 expected = scene.sun.irradiance * (path.add + phase * path.haze) +
                              path.transmittance * dvec3(surface);
-      // The device's land is flat and its four steps are long: 2 % at 25 km under a low sun.
+      // The device's land is flat and its four steps are long, so there is an error of 2 % at 25 km
+      // under a low sun.
       EXPECT_LT(glm::distance(dvec3(arriving[i]), expected), 0.03 * glm::length(expected)) << i;
     }
   }
@@ -147,7 +148,8 @@ TEST_P(Air, OfThickHazeIsSeenAsTheHostFollowsIt) {
             air::haze_phase(glm::dot(direction, air.sun()), air.atmosphere().haze_asymmetry);
         const dvec3 expected = scene.sun.irradiance * (path.add + phase * path.haze) +
                                path.transmittance * dvec3(surface);
-        // Four steps, of which the first may hide the others and reach out of the haze.
+        // There are four steps. The first may hide the others and reach beyond the haze, so the
+        // tolerance is wide.
         EXPECT_LT(glm::distance(dvec3(arriving[i]), expected), 0.2 * glm::length(expected) + 1e-6)
             << direction.y << " over " << paths.distances[i];
       }
@@ -155,7 +157,7 @@ TEST_P(Air, OfThickHazeIsSeenAsTheHostFollowsIt) {
   }
 }
 
-/// What the eye sees behind as much haze is the sky, whatever stands there.
+/// Tests that the light from behind so much haze is that of the sky, whatever stands there.
 TEST_P(Air, HidesWhatIsFarBehindThickHaze) {
   for (const double visibility_m : {50.0, 200.0, 500.0}) {
     scene::Scene scene = morning();
@@ -171,7 +173,7 @@ TEST_P(Air, HidesWhatIsFarBehindThickHaze) {
     const auto [sky, radiance] = look(packed, paths);
     const auto black = follow(packed, paths, vec3(0.0f)), white = follow(packed, paths, vec3(1.0f));
     for (std::size_t i = 0; i < sky.size(); ++i) {
-      // Less than a display shows.
+      // This difference is less than a display shows.
       EXPECT_LT(glm::distance(white[i], black[i]), 0.01f * glm::length(sky[i])) << i;
       EXPECT_LT(glm::distance(black[i], sky[i]), 0.04f * glm::length(sky[i])) << i;
     }
@@ -222,7 +224,8 @@ TEST_P(Air, OfAWayToItsEndIsTheSky) {
   const auto [sky, radiance] = look(packed, paths);
   const auto arriving = follow(packed, paths, vec3(0.0f));
   for (std::size_t i = 0; i < sky.size(); ++i) {
-    // Four steps over all heights, and light of later orders as if it ended at nine kilometres.
+    // The device takes four steps over all heights, and treats the light of later orders as if it
+    // ended at nine kilometres.
     EXPECT_LT(glm::distance(arriving[i], sky[i]), 0.2f * glm::length(sky[i])) << i;
   }
 }
@@ -251,7 +254,8 @@ TEST_P(Air, BringsSunAndSkyToSurfacesAsOnTheHost) {
   const std::vector<float> heights{0.0f, 700.0f, 1500.0f, 2600.0f};
   const std::vector<vec3> normals(heights.size(), vec3(0, 1, 0));
   const std::size_t count = whole_packets(heights.size());
-  for (const double sun_deg : {6.0, -0.5}) {  // the second is not up at the sea
+  // The second sun is below the horizon at the height of the sea.
+  for (const double sun_deg : {6.0, -0.5}) {
     const scene::Scene scene = morning(sun_deg);
     const air::Scattering air(air::atmosphere_of(scene), glm::normalize(scene.sun.direction));
     const auto sun = output<float>(3 * count), ambient = output<float>(3 * count);

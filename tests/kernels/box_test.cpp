@@ -1,4 +1,4 @@
-// The box tests lose no child that a ray meets, and let few others through.
+// Tests that the box tests lose no child that a ray hits, and that they let few others through.
 #include <algorithm>
 #include <cmath>
 #include <functional>
@@ -53,7 +53,8 @@ void set_child(AeroBvhNode& node, int c, const vec3& lo, const vec3& hi) {
   node.child[c] = static_cast<std::uint32_t>(c) + 1;
 }
 
-/// Boxes of many sizes in [-10, 10]^3: every sixth is flat on an axis, the last slots may be empty.
+/// Returns a node with boxes of many sizes in [-10, 10]^3. Every sixth box is flat on an axis, and
+/// the last slots may be empty.
 AeroBvhNode random_node(std::mt19937& random, float scale) {
   AeroBvhNode node = empty_node();
   const int children = 4 + static_cast<int>(random() % 5);
@@ -70,10 +71,11 @@ AeroBvhNode random_node(std::mt19937& random, float scale) {
 struct Answers {
   std::vector<std::uint32_t> met, kept;
   std::vector<float> enter;
-  std::vector<std::uint32_t> frustums;  // which packets made one; empty if none was asked to
+  /// Tells which packets made a frustum. It is empty if frustums were not requested.
+  std::vector<std::uint32_t> frustums;
 };
 
-/// The general tests, and over them those by frustums where `by_frustum` says so.
+/// Runs the general tests, and replaces their answers by those of frustums if `by_frustum` is true.
 Answers ask(const Probe& probe, const std::vector<AeroBvhNode>& nodes,
             const std::vector<BoxRay>& rays, bool by_frustum = false) {
   std::vector<vec3> origins, directions;
@@ -100,7 +102,8 @@ struct Slab {
   bool met = false;
 };
 
-/// The closed slab test in double precision; each side of the box is moved out by `margin`.
+/// Returns the closed slab test in double precision. Each side of the box is moved outwards by
+/// `margin`.
 Slab exact_slab(const AeroBvhNode& node, int c, const BoxRay& ray, double margin) {
   double enter = 0.0, leave = static_cast<double>(ray.t_max);
   for (int axis = 0; axis < 3; ++axis) {
@@ -118,7 +121,7 @@ Slab exact_slab(const AeroBvhNode& node, int c, const BoxRay& ray, double margin
   return {enter, leave, enter <= leave};
 }
 
-/// Rays of packet `p`, towards and around its node.
+/// Adds the rays of a packet, towards its node and around it.
 using MakePacket = std::function<void(std::mt19937&, const AeroBvhNode&, std::vector<BoxRay>&)>;
 
 struct Scenario {
@@ -210,7 +213,7 @@ class Boxes : public LaneTest {
   const std::size_t lanes = static_cast<std::size_t>(GetParam());
 };
 
-/// What went wrong over all rays and children of a scenario.
+/// The errors over all rays and children of a scenario.
 struct Tally {
   int met = 0, missed = 0, far_off = 0, culled = 0, late = 0;
 };
@@ -234,7 +237,7 @@ void compare(const Answers& answers, const std::vector<AeroBvhNode>& nodes,
       }
       tally.met += slab.met ? 1 : 0;
       tally.missed += slab.met && !met ? 1 : 0;
-      // A few roundings of the distances involved, no more.
+      // The tolerance is a few roundings of the distances involved.
       tally.far_off += met && !exact_slab(node, c, rays[i], 1e-5 * reach).met &&
                        static_cast<double>(rays[i].t_max) > slab.enter * 1.00001;
       tally.culled += (met || slab.met) && (kept >> c & 1u) == 0 ? 1 : 0;
@@ -289,7 +292,7 @@ TEST_P(Boxes, NoChildThatAFrustumMeetsIsLeftOut) {
   }
 }
 
-// Rays that graze a box exactly: along its faces and edges, and towards its corners.
+// Tests rays that graze a box exactly: along its faces and edges, and towards its corners.
 TEST_P(Boxes, FacesEdgesAndCornersBelongToTheBox) {
   std::vector<AeroBvhNode> nodes;
   std::vector<BoxRay> rays;

@@ -1,4 +1,4 @@
-// Packets that are traced together give every ray what it gets alone.
+// Tests that packets that are traced together give every ray the same hit as the ray alone.
 #include <cmath>
 #include <functional>
 
@@ -8,10 +8,11 @@
 namespace aerostat::test {
 namespace {
 
-constexpr std::size_t kBundle = 64;  // rays: four packets of the widest
+/// The number of rays in a bundle. It is four packets of the widest kind.
+constexpr std::size_t kBundle = 64;
 constexpr int kBundles = 64;
 
-/// The rays of bundle `b`, in and around a mesh of extent `scale` at `offset`.
+/// The rays of a bundle, in and around a mesh of extent `scale` at `offset`.
 struct Pattern {
   const char* name;
   std::function<Ray(std::mt19937&, const MeshCase&, const vec3& eye, const vec3& aim)> ray;
@@ -76,7 +77,7 @@ std::vector<Ray> bundles(const MeshCase& mesh, const Pattern& pattern) {
     const vec3 eye = mesh.offset + random_point(random, 2.0f * mesh.scale);
     const vec3 aim = mesh.offset + random_point(random, 0.6f * mesh.scale);
     for (std::size_t i = 0; i < kBundle; ++i) rays.push_back(pattern.ray(random, mesh, eye, aim));
-    // A packet that is off as a whole, beside others.
+    // One packet is switched off as a whole beside others.
     if (b % 8 == 3) {
       for (std::size_t i = 16; i < 32; ++i) rays[rays.size() - kBundle + i].t_max = -1.0f;
     }
@@ -84,7 +85,8 @@ std::vector<Ray> bundles(const MeshCase& mesh, const Pattern& pattern) {
   return rays;
 }
 
-/// The nearest hit of all triangles, each by itself, at one lane: no tree, no culling.
+/// Returns the nearest hits among all triangles, each tested by itself at one lane, without tree
+/// and culling.
 std::vector<Hit> brute_force(const TracedMesh& mesh, const std::vector<Ray>& rays) {
   const RayBuffers buffers(rays);
   Probe("trace.cl", 1)

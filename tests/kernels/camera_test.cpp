@@ -1,4 +1,4 @@
-// Which pixel and sample a lane works on, where in the pixel it looks, and the ray it sends.
+// Tests the pixel and the sample of each lane, the place in the pixel, and the ray through it.
 #include "camera.h"
 
 #include <algorithm>
@@ -25,7 +25,8 @@ AeroTile tile_of(Word x0, Word y0, Word x1, Word y1, Word log2_w, Word log2_h, W
   return tile;
 }
 
-/// Looks along -z from (1, 2, 3) with 90 degrees across an image twice as wide as high.
+/// Returns a frame that looks along -z from (1, 2, 3). It spans 90 degrees across an image twice as
+/// wide as high.
 AeroFrame frame_of(Word width, Word height, Word samples, Word filter) {
   AeroFrame frame{};
   const float step = 2.0f / static_cast<float>(width);
@@ -103,7 +104,7 @@ void expect_near(const vec3& actual, const vec3& expected) {
 
 TEST_P(Camera, OneSampleLooksThroughThePixelsCentre) {
   for (const Word filter : {AERO_FILTER_BOX, AERO_FILTER_TENT, AERO_FILTER_GAUSSIAN}) {
-    // 5 x 3 pixels: the middle one looks straight ahead.
+    // The image has 5 x 3 pixels, and the middle one looks straight ahead.
     AeroLaunch launch{frame_of(5, 3, 1, Word(filter)), tile_of(2, 1, 3, 2, log2_lanes, 0, 0), {}};
     launch.frame.camera.corner[1] = 0.6f;
     const Rays rays = rays_of(probe, launch);
@@ -181,7 +182,7 @@ Moments moments(const float* values, std::size_t count) {
 
 TEST_P(Camera, FiltersHaveTheirMeanWidthAndReach) {
   const std::size_t count = 16384;
-  // Of a normal distribution cut off at three sigma, in sigmas.
+  // The values belong to a normal distribution that is cut off at three sigma. They are in sigmas.
   const double density = std::exp(-4.5) / std::sqrt(2.0 * std::numbers::pi);
   const double cut_deviation = std::sqrt(1.0 - 6.0 * density / std::erf(3.0 / std::sqrt(2.0)));
   const struct {
@@ -202,7 +203,7 @@ TEST_P(Camera, FiltersHaveTheirMeanWidthAndReach) {
   }
 }
 
-// A pixel and a sample may stand in any lane of any packet.
+// Tests that a pixel and a sample may stand in any lane of any packet.
 TEST_P(Camera, SamplesDoNotDependOnTheLane) {
   const std::size_t count = 1024;
   std::vector<Word> place = counted(count), shuffled(count);

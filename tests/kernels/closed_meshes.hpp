@@ -9,8 +9,8 @@
 
 #include "../host/bvh_meshes.hpp"
 
-/// Closed meshes without a gap: neighbours share their vertices by index, faces wind
-/// counter-clockwise seen from outside.
+/// Builds closed meshes without a gap. Neighbours share their vertices by index, and faces wind
+/// counter-clockwise as seen from outside.
 namespace aerostat::test {
 
 inline std::uint32_t middle_of(
@@ -22,7 +22,7 @@ inline std::uint32_t middle_of(
   return place->second;
 }
 
-/// A unit sphere: an octahedron, each face divided `levels` times into four.
+/// Returns a unit sphere: an octahedron whose faces are divided into four, repeated `levels` times.
 inline Soup icosphere(int levels) {
   Soup soup;
   soup.positions = {{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}};
@@ -41,7 +41,8 @@ inline Soup icosphere(int levels) {
   return soup;
 }
 
-/// The cube [-1, 1]^3, each side of cells^2 squares: edges along the axes, as a tree's boxes are.
+/// Returns the cube [-1, 1]^3 with sides of cells^2 squares. Its edges run along the axes, as the
+/// boxes of a tree do.
 inline Soup subdivided_box(int cells) {
   Soup soup;
   std::map<std::array<int, 3>, std::uint32_t> known;
@@ -71,7 +72,8 @@ inline Soup subdivided_box(int cells) {
   return soup;
 }
 
-/// A torus around y: a circle of radius 1 of `around` steps, a tube of radius 0.4 of `tube` steps.
+/// Returns a torus around y: a circle of radius 1 with `around` steps, and a tube of radius 0.4
+/// with `tube` steps.
 inline Soup torus(std::uint32_t around, std::uint32_t tube) {
   Soup soup;
   for (std::uint32_t i = 0; i < around; ++i) {
@@ -89,7 +91,7 @@ inline Soup torus(std::uint32_t around, std::uint32_t tube) {
   return soup;
 }
 
-/// Scaled, then moved.
+/// Returns the mesh scaled and then moved.
 inline Soup placed(Soup soup, float scale, const vec3& offset) {
   for (vec3& p : soup.positions) p = p * scale + offset;
   return soup;

@@ -1,4 +1,4 @@
-// Heaped clouds: what they let through, and where they are.
+// Tests the transmittance and the places of cumulus clouds.
 #include <algorithm>
 #include <cmath>
 #include <random>
@@ -12,7 +12,7 @@ namespace {
 
 constexpr float kBase = 1000.0f, kThickness = 800.0f, kExtinction = 1e-3f;
 
-/// A deck without gaps whose bulges no footprint of 20 m resolves.
+/// Returns a scene with a deck without gaps. A footprint of 20 m does not resolve its bulges.
 AeroScene closed_deck() {
   AeroScene scene = bare_scene();
   scene.sky.cumulus = {kBase, kThickness, 10.0f, -1e6f, kExtinction, 7u, {}};
@@ -31,7 +31,8 @@ double smooth(double lo, double hi, double x) {
   return t * t * (3.0 - 2.0 * t);
 }
 
-/// Its optical depth straight up: rounded below, thinning out above, dense between.
+/// Returns the optical depth of the deck straight up. The deck is rounded below, thins out above
+/// and is dense between.
 double depth_of_deck(double footprint) {
   constexpr int kSlices = 20000;
   const double edge = 0.1 + 2.0 * footprint / kThickness;
@@ -68,7 +69,8 @@ class Cumulus : public LaneTest {
     return found.read();
   }
 
-  /// As `left`, for rays to the sky.
+  /// Returns the share of white light that is left along rays to the sky, as `left` does, by fine
+  /// steps.
   std::vector<float> left_finely(const AeroScene& scene, const std::vector<vec3>& directions,
                                  float height) const {
     const std::size_t count = whole_packets(directions.size());
@@ -81,7 +83,7 @@ class Cumulus : public LaneTest {
     return values;
   }
 
-  /// What is left of white light that comes along rays from (0, height, 0).
+  /// Returns the share of white light that is left along rays from (0, height, 0).
   std::vector<float> left(const AeroScene& scene, const std::vector<vec3>& directions, float height,
                           float distance) const {
     const std::size_t count = whole_packets(directions.size());
@@ -127,7 +129,7 @@ TEST_P(Cumulus, HidesByBeersLaw) {
   set3(scene.sky.sun_irradiance, vec3(0.0f));
   const auto through = left(scene, {tilted(0.0f), tilted(30.0f), tilted(55.0f)}, 900.0f, INFINITY);
   for (const auto& [i, degrees] : {std::pair{0, 0.0f}, {1, 30.0f}, {2, 55.0f}}) {
-    // A pixel is 0.05 wide: of the footprints only those at the soft upper edge count.
+    // A pixel is 0.05 wide. Of all footprints, only those at the soft upper edge matter.
     const double cosine = static_cast<double>(tilted(degrees).y);
     const double expected = std::exp(-depth_of_deck(45.0 / cosine) / cosine);
     EXPECT_NEAR(through[static_cast<std::size_t>(i)], expected, 0.05 * expected) << degrees;
@@ -148,7 +150,7 @@ TEST_P(Cumulus, CastsTheSameShadowAllAlongTheSunsRay) {
     low[i] = {coordinate(random), 0.0f, coordinate(random)};
     high[i] = low[i] + 700.0f * tilted(50.0f);
   }
-  // The sun's penumbra is narrower than this footprint at either height.
+  // The sun's penumbra is narrower than this footprint at both heights.
   const auto below = shadow(scene, low, 60.0f), above = shadow(scene, high, 60.0f);
   int shaded = 0;
   for (std::size_t i = 0; i < low.size(); ++i) {
@@ -176,7 +178,7 @@ TEST_P(Cumulus, CoversTheShareOfTheSkyThatIsAskedFor) {
   }
 }
 
-/// Points around the eye, some beyond the chart, at all heights of the layer.
+/// Returns points around the eye at all heights of the layer. Some of them are beyond the chart.
 std::vector<vec3> points_among(const AeroScene& scene, std::size_t count) {
   const AeroCumulus& clouds = scene.sky.cumulus;
   const AeroCloudChart& chart = clouds.chart;
@@ -196,7 +198,7 @@ AeroScene without_chart(AeroScene scene) {
   return scene;
 }
 
-// Where the chart says that there are none, density is not evaluated.
+// Tests that there is no cloud where the chart says so, because density is not evaluated there.
 TEST_P(Cumulus, ChartHidesNoCloud) {
   for (const double cover : {0.05, 0.3}) {
     const AeroScene scene = broken_clouds(cover);
@@ -217,7 +219,7 @@ TEST_P(Cumulus, ChartHidesNoCloud) {
   }
 }
 
-/// Of the chart's bytes: whether there may be clouds.
+/// Counts the bytes of the chart that allow clouds.
 std::size_t cloudy_cells(const AeroCloudChart& chart) {
   std::size_t count = 0;
   for (const std::uint32_t word : chart.cells) {
@@ -255,8 +257,8 @@ TEST(CloudChart, LiesTheSameWhateverTheEye) {
   }
 }
 
-// The march leaps, steps and lights in three places; small even steps take a thousand times as
-// long.
+// Tests the march, which leaps, steps and lights in three places, against small even steps, which
+// take a thousand times as long.
 TEST_P(Cumulus, MarchSeesWhatSmallStepsSee) {
   AeroScene scene = broken_clouds(0.3);
   set3(scene.sky.sun_direction, tilted(60.0f));

@@ -1,4 +1,4 @@
-// The product's traversal beside Embree's, ray by ray.
+// Compares the product's traversal with Embree's, ray by ray.
 #include <algorithm>
 
 #include "../host/embree_mesh.hpp"
@@ -10,7 +10,8 @@ namespace {
 
 constexpr std::size_t kRays = 10000;
 
-/// Whether some triangle's edge is so near to the ray that single precision decides.
+/// Returns whether an edge of some triangle is so near to the ray that single precision decides
+/// about a hit.
 bool grazes(const std::vector<AeroTriangle>& triangles, const Ray& ray) {
   return std::any_of(triangles.begin(), triangles.end(), [&](const AeroTriangle& triangle) {
     const ExactHit hit = exact_hit(triangle, ray);

@@ -1,4 +1,4 @@
-// Seams that are finer than pixels, and the burners' light, where the answer is known.
+// Tests seams that are finer than pixels, and the light of the burners, where the answer is known.
 #include <algorithm>
 #include <cmath>
 
@@ -12,10 +12,11 @@ class Glow : public LaneTest {
   const Probe probe{"shading.cl", GetParam()};
 };
 
-/// Pixels side by side share a line out among them: nothing is lost, whatever their width.
+/// Tests that adjacent pixels share out a line completely, whatever their width.
 TEST_P(Glow, PixelsShareALineOut) {
   constexpr std::size_t kPixels = 4096;
-  constexpr float kHalf = 0.02f;  // as the probe has it
+  // The probe has the same constant.
+  constexpr float kHalf = 0.02f;
   for (const float pixel : {0.001f, 0.02f, 0.07f, 0.5f}) {
     for (const float shift : {0.0f, 0.3f}) {
       std::vector<float> distances(kPixels), pixels(kPixels, pixel);
@@ -62,14 +63,14 @@ TEST_P(Glow, BurnersFollowTheInverseSquareAndTheCosine) {
   }
 }
 
-/// In an even light of 1 from all sides, cloth that absorbs nothing is as bright as what is around
-/// it, from without and from within: nothing tells it from the air.
+/// Tests that cloth which absorbs nothing cannot be seen in an even light of 1 from all sides. From
+/// outside and from inside, it is as bright as its surroundings.
 TEST_P(Glow, ClothThatAbsorbsNothingVanishesInEvenLight) {
   AeroScene scene = bare_scene();
   set3(scene.sky.sun_irradiance, vec3(1.0f));
   set_ambient(scene, vec3(1.0f), vec3(1.0f));
   constexpr float kThrough = 0.3f;
-  // What gets in stays until it leaves: transmitted / (1 - reflected) = 1.
+  // Light that gets in stays until it leaves: transmitted / (1 - reflected) = 1.
   set3(scene.balloon.glow_sky, vec3(kThrough / (1.0f - (1.0f - kThrough))));
   std::vector<vec3> normals;
   for (int degrees = 0; degrees <= 180; degrees += 10)
@@ -82,7 +83,7 @@ TEST_P(Glow, ClothThatAbsorbsNothingVanishesInEvenLight) {
             input(planes(normals)), input(inside), glow);
   const auto values = glow.read();
   for (std::size_t i = 0; i < normals.size(); ++i) {
-    // Without, Phong's ambient light adds what the front throws back.
+    // On the outside, Phong's ambient light adds the light that the front reflects.
     const float front = inside[i] != 0u ? 0.0f : 1.0f - kThrough;
     EXPECT_NEAR(from_planes(values, i).x + front, 1.0f, 1e-5f) << i;
   }

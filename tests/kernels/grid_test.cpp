@@ -1,4 +1,4 @@
-// The height grid against the same triangles as a soup: to the bit.
+// Tests that the height grid gives exactly the same hits as the same triangles in a soup.
 #include <cmath>
 #include <ostream>
 #include <random>
@@ -14,7 +14,8 @@ namespace {
 struct GridShape {
   std::uint32_t columns, rows;
   float height;
-  float stretch;  // the widest cell over the narrowest
+  /// The width of the widest cell divided by that of the narrowest.
+  float stretch;
 };
 
 void PrintTo(const GridShape& shape, std::ostream* out) {
@@ -52,14 +53,15 @@ Soup soup_of(const mesh::GridMesh& grid) {
   return {mesh.positions, mesh.triangles};
 }
 
-/// The number of a ground triangle in the order of to_triangles().
+/// Returns the number of a ground triangle in the order of to_triangles().
 std::uint32_t index_of(std::uint32_t number, const mesh::GridMesh& grid) {
   const std::uint32_t i = number >> AERO_GRID_COLUMN_SHIFT & AERO_GRID_CELL_MASK;
   const std::uint32_t j = number >> AERO_GRID_ROW_SHIFT & AERO_GRID_CELL_MASK;
   return 2 * (j * grid.columns() + i) + (number & 1u);
 }
 
-/// Bundles from a camera, along axes, from within the boxes, and in every direction.
+/// Returns bundles of rays from a camera, along axes, from within the boxes, and in every
+/// direction.
 std::vector<Ray> rays_at(const mesh::GridMesh& grid, std::size_t bundles) {
   std::mt19937 random(32);
   std::vector<Ray> rays;
@@ -103,7 +105,8 @@ TEST_P(GridTrace, MeetsTheSameTrianglesAsASoupToTheBit) {
     ASSERT_EQ(hits[i].t, expected[i].t) << "ray " << i;
     if (!expected[i].met()) continue;
     ++met;
-    // Of two triangles at the same distance each takes the one that its numbers put first.
+    // If two triangles are at the same distance, each tree takes the one that comes first in its
+    // own order.
     if (index_of(hits[i].slot, grid) != reference.tree().order[expected[i].slot]) {
       ++others;
       continue;
@@ -118,7 +121,8 @@ TEST_P(GridTrace, MeetsTheSameTrianglesAsASoupToTheBit) {
     ASSERT_EQ(occluded[i].met(), expected[i].met()) << "ray " << i;
 }
 
-// With frustums of one direction, as the sun's, of one origin, and with rays of all directions.
+// Tests frustums of one direction, such as the sun's, frustums of one origin, and rays of all
+// directions.
 TEST_P(GridTrace, FromAboveMeetsWhatARayEnters) {
   const auto& [shape, lanes] = GetParam();
   const mesh::GridMesh grid = bumpy(shape);

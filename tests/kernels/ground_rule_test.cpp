@@ -1,4 +1,4 @@
-// The host places plants by the same rules by which the device paints the ground.
+// Tests that the host places plants by the same rules by which the device paints the ground.
 #include "scatter/ground_rule.hpp"
 
 #include <cmath>
@@ -50,7 +50,7 @@ TEST_P(GroundRuleProbe, IsTheDevicesRule) {
     int unsure = 0, woods = 0, open = 0;
     for (std::size_t i = 0; i < kPoints; ++i) {
       const vec3 device = from_planes(noise, i);
-      // Lattice coordinates of some 10^3 are known to 1e-4; slopes add up over the octaves.
+      // Lattice coordinates of about 10^3 are known to 1e-4, and slopes add up over the octaves.
       ASSERT_NEAR(device.x, host_noise[i].broad, 2e-3);
       ASSERT_NEAR(device.y, host_noise[i].fine, 1e-2);
       ASSERT_NEAR(device.z, host_noise[i].rough, 1e-2);
@@ -63,7 +63,7 @@ TEST_P(GroundRuleProbe, IsTheDevicesRule) {
       woods += host.forest > 0.99f ? 1 : 0;
       open += host.forest < 0.01f ? 1 : 0;
     }
-    // Borders are steep, so that rounding shows on some of them.
+    // Borders are steep, so rounding is visible at some of them.
     EXPECT_LT(unsure, 40);
     EXPECT_GT(woods, 100);
     EXPECT_GT(open, 500);

@@ -1,6 +1,6 @@
-// What a ray hits depends on nothing but the ray: the same rays in other packets and bundles, and
-// one by one, get the same bits, where rounding is worst: ground far from the origin, rays level
-// with it.
+// Tests that a hit depends only on the ray. The same rays in other packets and bundles, and one by
+// one, get the same bits. The rays are those for which rounding is worst: ground far from the
+// origin, and rays level with it.
 #include <algorithm>
 #include <cmath>
 #include <functional>
@@ -13,15 +13,18 @@ namespace aerostat::test {
 namespace {
 
 constexpr std::size_t kBundle = 64;
-constexpr std::size_t kBundles = 640;  // of each kind of rays
+/// The number of bundles for each kind of rays.
+constexpr std::size_t kBundles = 640;
 constexpr std::uint32_t kCells = 160;
-constexpr float kHalf = 20000.0f;  // metres from the middle to the border
+/// The distance from the middle to the border in metres.
+constexpr float kHalf = 20000.0f;
 
 float uniform(std::mt19937& random, float lo, float hi) {
   return std::uniform_real_distribution<float>(lo, hi)(random);
 }
 
-/// Hills whose cells grow from some 10 m in the middle to 1 km at the border, some of them steep.
+/// Returns hills whose cells grow from about 10 m in the middle to 1 km at the border. Some hills
+/// are steep.
 mesh::GridMesh far_ground() {
   std::vector<float> lines = grid_lines(kCells);
   for (float& line : lines) line *= kHalf * std::fabs(line) + 400.0f;
@@ -39,7 +42,7 @@ mesh::GridMesh far_ground() {
   return grid;
 }
 
-/// A point on a triangle of the ground, lifted as a renderer does.
+/// Returns a point on a triangle of the ground, lifted as a renderer lifts it.
 vec3 on_ground(const mesh::GridMesh& grid, std::mt19937& random, std::uint32_t i, std::uint32_t j) {
   float u = uniform(random, 0.0f, 1.0f), v = uniform(random, 0.0f, 1.0f);
   if (u + v > 1.0f) {
@@ -52,8 +55,8 @@ vec3 on_ground(const mesh::GridMesh& grid, std::mt19937& random, std::uint32_t i
   return p + vec3(0.0f, 1e-4f + 1e-6f * largest, 0.0f);
 }
 
-/// In the plane of a triangle with a corner at `a`, through a point of the triangle, from where
-/// another triangle may be hit before.
+/// Returns a ray in the plane of a triangle with a corner at `a`. It goes through a point of the
+/// triangle and may hit another triangle before.
 Ray edge_on(std::mt19937& random, const vec3& a, const vec3& b, const vec3& c) {
   const float u = uniform(random, 0.1f, 0.5f), v = uniform(random, 0.1f, 0.5f);
   const vec3 through = a + u * (b - a) + v * (c - a);
@@ -65,7 +68,7 @@ Ray edge_on(std::mt19937& random, const vec3& a, const vec3& b, const vec3& c) {
   return ray;
 }
 
-/// The rays of one bundle, all from near cell (i, j).
+/// A kind of rays. All rays of a bundle start near cell (i, j).
 struct Kind {
   const char* name;
   std::function<Ray(std::mt19937&, const vec3& start, const vec3& common)> ray;
@@ -129,7 +132,8 @@ std::vector<Ray> rays_of(const Kind& kind, const mesh::GridMesh& grid) {
 
 using Order = std::vector<std::size_t>;
 
-/// As they come, within each bundle at random, and all at random.
+/// Returns three orders: the original one, a random one within each bundle, and a random one of all
+/// rays.
 std::vector<Order> orders(std::size_t count) {
   std::mt19937 random(63);
   Order straight(count);
@@ -143,7 +147,7 @@ std::vector<Order> orders(std::size_t count) {
   return {straight, in_bundles, anywhere};
 }
 
-/// The hits of rays that are traced in another order, in the order of the rays.
+/// Traces rays in another order and returns their hits in the original order.
 std::vector<Hit> traced(const TracedMesh& mesh, const std::vector<Ray>& rays, const Order& order,
                         int lanes, Wanted wanted) {
   std::vector<Ray> turned;
@@ -160,7 +164,7 @@ bool same(const Hit& a, const Hit& b, Wanted wanted) {
   return a.t == b.t && a.u == b.u && a.v == b.v && a.slot == b.slot && a.instance == b.instance;
 }
 
-/// How many rays get something else in a bundle than alone, at one lane.
+/// Returns the number of rays whose hit in a bundle differs from that of the ray alone at one lane.
 std::size_t different(const TracedMesh& mesh, const std::vector<Ray>& rays, int lanes,
                       Wanted wanted) {
   const std::vector<Hit> alone = mesh.trace(rays, 1, wanted);
@@ -201,7 +205,8 @@ TEST_P(Grouping, ChangesNoHitOnTheGroundAsASoup) {
   }
 }
 
-// Models whose faces lie in the faces of their boxes, seen from kilometres away and from within.
+// Tests models whose faces lie in the faces of their boxes, seen from kilometres away and from
+// within.
 TEST_P(Grouping, ChangesNoHitOnInstances) {
   std::mt19937 random(64);
   std::vector<AeroInstance> instances;

@@ -1,4 +1,4 @@
-// Instances of models against the same triangles as one soup.
+// Tests instances of models against the same triangles in one soup.
 #include <cmath>
 #include <random>
 
@@ -21,7 +21,7 @@ Soup flattened(const Soup& own, const std::vector<Soup>& models,
   return all;
 }
 
-/// The model's own triangle that a hit names, among those of all models.
+/// A sphere of the world itself, and instances of two models around it.
 struct Orchard {
   explicit Orchard(std::size_t count) {
     std::mt19937 random(41);

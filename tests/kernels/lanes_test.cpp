@@ -1,4 +1,4 @@
-// The words of lanes.clh mean the same at every width.
+// Tests that the functions of lanes.clh have the same meaning at every width.
 #include <algorithm>
 #include <bit>
 #include <cmath>
@@ -47,7 +47,7 @@ TEST_P(Lanes, CompareAndSelectLaneByLane) {
     const bool is_less = a[i] < b[i];
     ASSERT_EQ(masks[i], is_less ? -1 : 0) << i;
     ASSERT_TRUE(same_bits(selected[i], is_less ? a[i] : b[i])) << i;
-    // As documented, b where one of them is NaN.
+    // As documented, the result is b if one of them is NaN.
     ASSERT_TRUE(same_bits(minima[i], is_less ? a[i] : b[i])) << i;
     ASSERT_TRUE(same_bits(maxima[i], a[i] > b[i] ? a[i] : b[i])) << i;
     ASSERT_EQ(words[i], is_less ? static_cast<std::uint32_t>(i % lanes) : 99u) << i;
@@ -134,8 +134,8 @@ TEST_P(Lanes, ConvertAndCount) {
   }
 }
 
-// Where a b and c d round to the same number, a fused difference would leave their rounding: the
-// triangle test must see zero there.
+// Tests differences of products whose products round to the same number. A fused difference would
+// leave their rounding, but the triangle test must see zero there.
 TEST_P(Lanes, DifferencesOfProductsAreNotFused) {
   std::uniform_real_distribution<float> plain(-100.0f, 100.0f);
   std::vector<float> a(kCount), b(kCount), c(kCount), d(kCount);

@@ -1,4 +1,4 @@
-// Host and device see the same bytes.
+// Tests that host and device have the same layout of bytes.
 #include <cstddef>
 
 #include "bvh_node.h"
@@ -41,7 +41,7 @@ TEST_P(Layout, OfSharedStructsIsTheHosts) {
   }
 }
 
-// The list is complete: the fields of a struct fill it without a gap.
+// Tests that the list is complete: the fields of a struct fill it without a gap.
 TEST(LayoutList, NamesEveryField) {
   std::size_t filled = 0, size = 0;
   const char* name = "";
@@ -56,7 +56,7 @@ TEST(LayoutList, NamesEveryField) {
   close();
 }
 
-// The host allocates buffers of hits as five words a lane.
+// Tests that a hit is five words per lane, because the host allocates buffers of hits in this size.
 TEST_P(Layout, OfAPacketOfHitsIsFiveWordsALane) {
   const auto reported = output<std::uint32_t>(6);
   Probe("layout.cl", GetParam()).run_items("report_hit", 1, reported);

@@ -1,4 +1,4 @@
-// The rays of each lens, in closed form.
+// Tests the rays of each lens in closed form.
 #include <algorithm>
 #include <array>
 #include <bit>
@@ -17,7 +17,8 @@ constexpr Word kWidth = 32, kHeight = 16, kSamples = 16;
 constexpr float kAperture = 0.4f, kFocus = 7.5f;
 constexpr double kPi64 = std::numbers::pi;
 
-/// Looks along -z from (1, 2, 3), a quarter of a unit of depth to a pixel.
+/// Returns a frame that looks along -z from (1, 2, 3). A pixel is a quarter of the unit of depth
+/// wide.
 AeroFrame frame_of(Word lens) {
   AeroFrame frame{};
   AeroCamera& camera = frame.camera;
@@ -41,7 +42,7 @@ struct Rays {
 
 class Lens : public LaneTest {
  protected:
-  /// One ray of every pixel.
+  /// Returns one ray of every pixel.
   Rays trace(const AeroFrame& frame, Word sample) const;
 
  private:
@@ -89,8 +90,8 @@ TEST_P(Lens, WithoutAnApertureIsAPinhole) {
   }
 }
 
-/// Whatever point of the lens a ray goes through, it crosses the sharp plane where the ray through
-/// the lens's middle does.
+/// Tests that every ray of an image point crosses the sharp plane at the same point as the ray
+/// through the middle of the lens.
 TEST_P(Lens, RaysOfAnImagePointMeetOnTheSharpPlane) {
   double farthest = 0.0;
   for (Word sample = 0; sample < kSamples; ++sample) {
@@ -111,8 +112,8 @@ TEST_P(Lens, RaysOfAnImagePointMeetOnTheSharpPlane) {
   EXPECT_GT(farthest, static_cast<double>(kAperture) * 0.98);
 }
 
-/// Evenly by area: the square of the radius is even, and so is the azimuth; no bias to a side, not
-/// even in a single pixel.
+/// Tests that samples fill the lens evenly by area. The square of the radius and the azimuth are
+/// evenly distributed, and no side is preferred, not even in a single pixel.
 TEST_P(Lens, FillsItsDiscEvenly) {
   std::vector<vec3> sums(kWidth * kHeight, vec3(0.0f));
   std::array<int, 4> rings{}, sectors{};
@@ -126,13 +127,13 @@ TEST_P(Lens, FillsItsDiscEvenly) {
       ++sectors[(at.x > 0.0f ? 1u : 0u) + (at.y > 0.0f ? 2u : 0u)];
     }
   }
-  // Every square of 4 x 4 pixels has the same 256 points: one in sixteen of a quarter may stray.
+  // Every square of 4 x 4 pixels has the same 256 points. One in sixteen of a quarter may stray.
   const double quarter = kWidth * kHeight * kSamples / 4.0;
   for (std::size_t i = 0; i < 4; ++i) {
     EXPECT_NEAR(rings[i], quarter, 0.06 * quarter) << "ring " << i;
     EXPECT_NEAR(sectors[i], quarter, 0.06 * quarter) << "sector " << i;
   }
-  // 16 independent points would stray by 0.125 on each axis, and some pixels by thrice that.
+  // 16 independent points would stray by 0.125 on each axis, and some pixels by three times that.
   for (const vec3& sum : sums) EXPECT_LT(glm::length(sum), 0.2f);
 }
 
@@ -145,19 +146,19 @@ TEST_P(Lens, PanoramaShowsAllDirections) {
   for (std::size_t i = 0; i < rays.directions.size(); ++i) {
     const double azimuth = 2.0 * kPi64 * ((rays.x[i] + 0.5) / kWidth - 0.5);
     const double height = kPi64 * (0.5 - (rays.y[i] + 0.5) / kHeight);
-    // Ahead is -z, to the right +x.
+    // Ahead is -z, and right is +x.
     const dvec3 expected(std::cos(height) * std::sin(azimuth), std::sin(height),
                          -std::cos(height) * std::cos(azimuth));
     expect_near(rays.directions[i], expected, 1e-6);
     EXPECT_EQ(rays.origins[i], vec3(1, 2, 3));
-    // A pixel's share of the sphere goes with the cosine of its height.
+    // The share of a pixel in the sphere is proportional to the cosine of its height.
     solid += dvec3(rays.directions[i]) * std::cos(height);
     sphere += std::cos(height);
   }
   EXPECT_LT(glm::length(solid) / sphere, 1e-5) << "opposite directions balance";
 }
 
-/// Samples beyond the upper rim look at what is behind the pole, not at the pole again.
+/// Tests that samples beyond the upper rim look at the side behind the pole, not at the pole again.
 TEST_P(Lens, PanoramaGoesOnBehindThePoles) {
   const AeroFrame frame = frame_of(AERO_LENS_PANORAMA);
   int behind = 0;

@@ -1,4 +1,5 @@
-// The device's noise is the host's, and its filter drops what a pixel cannot resolve.
+// Tests that the device's noise is the host's, and that its filter drops detail that a pixel cannot
+// resolve.
 #include "terrain/noise.hpp"
 
 #include <algorithm>
@@ -56,7 +57,7 @@ TEST_P(NoiseProbe, IsTheHostsNoise) {
         const auto expected = terrain::perlin_with_slope(static_cast<double>(points.x[i]),
                                                          static_cast<double>(points.y[i]), seed);
         const vec3 actual = from_planes(noise, i);
-        // Gradients are known to 4e-6; slopes weigh differences of four of them.
+        // Gradients are known to 4e-6, and slopes weigh differences of four of them.
         ASSERT_NEAR(actual.x, expected.value, 1e-5) << points.x[i] << ", " << points.y[i];
         ASSERT_NEAR(actual.y, expected.dx, 3e-5);
         ASSERT_NEAR(actual.z, expected.dy, 3e-5);
@@ -100,7 +101,8 @@ TEST_P(NoiseProbe, WavesAreResolvedAboveFourFootprintsAndGoneBelowTwo) {
   for (const std::size_t i : {6, 7, 8}) EXPECT_EQ(shares[i], 0.0f) << footprints[i];
 }
 
-/// The sum of `octaves` of the host's noise on the turned lattices that the kernel documents.
+/// Returns the sum of `octaves` of the host's noise on the turned lattices that the kernel
+/// documents.
 dvec3 summed_octaves(double x, double z, double wavelength, int octaves) {
   dvec3 sum(0.0);
   double along = 1.0 / wavelength, across = 0.0, amplitude = 1.0;
@@ -122,7 +124,8 @@ TEST_P(NoiseProbe, FractalWithoutAFootprintIsTheSumOfItsOctaves) {
   for (std::size_t i = 0; i < kPoints; ++i) {
     const dvec3 expected =
         summed_octaves(static_cast<double>(points.x[i]), static_cast<double>(points.y[i]), 7.0, 4);
-    // Lattice coordinates of up to 70 are rounded to 4e-6, the slopes' curvature magnifies that.
+    // Lattice coordinates of up to 70 are rounded to 4e-6. The curvature of the slopes magnifies
+    // that.
     const vec3 actual = from_planes(noise, i);
     ASSERT_NEAR(actual.x, expected.x, 1e-4);
     ASSERT_NEAR(actual.y, expected.y, 3e-4);
@@ -132,7 +135,7 @@ TEST_P(NoiseProbe, FractalWithoutAFootprintIsTheSumOfItsOctaves) {
 
 TEST_P(NoiseProbe, FractalDropsOctavesThatThePixelCannotResolve) {
   const Points points = random_points(60.0f, 85);
-  // Of wavelengths 8, 4, 2 and 1, a pixel of one metre sees 8 and 4 in full and nothing below.
+  // Of the wavelengths 8, 4, 2 and 1, a pixel of one metre shows 8 and 4 in full and nothing below.
   EXPECT_EQ(fbm(points, 8.0f, 4, 1.0f), fbm(points, 8.0f, 2, 0.0f));
   for (const float value : fbm(points, 8.0f, 4, 4.0f)) ASSERT_EQ(value, 0.0f);
 }
@@ -180,7 +183,7 @@ TEST_P(SolidNoiseProbe, IsZeroAtLatticePointsAndBounded) {
   EXPECT_GT(largest, 0.4f);
 }
 
-// Central differences over a step that crosses cells now and then.
+// Tests gradients against central differences over a step that sometimes crosses cells.
 TEST_P(SolidNoiseProbe, GradientIsTheSlopeOfTheValue) {
   const float step = 1.0f / 128.0f;
   const std::vector<vec3> points = random_space(87, 20.0f);
@@ -211,11 +214,12 @@ TEST_P(SolidNoiseProbe, RidgesFoldEachOctaveAtZero) {
         1e-5f)
         << i;
   }
-  // A pixel of one metre sees the wavelengths 8 and 4 in full, and nothing below.
+  // A pixel of one metre shows the wavelengths 8 and 4 in full, and nothing below.
   EXPECT_EQ(sample(points, 4, true, 1.0f).values, sample(points, 2, true, 0.0f).values);
 }
 
-/// Values of the plane's noise, its fBm, the noise in space and its fBm, one after the other.
+/// Returns the values of the plane's noise, its fBm, the noise in space and its fBm, one after the
+/// other.
 std::vector<float> four_values(int lanes, const char* kernel, const std::vector<vec3>& points) {
   const std::size_t count = whole_packets(points.size());
   const auto values = output<float>(4 * count);
@@ -231,7 +235,8 @@ TEST_P(SolidNoiseProbe, ValuesAloneAreTheSameBits) {
             four_values(GetParam(), "probe_noise_with_slopes", points));
 }
 
-/// Packets within one cell take another way; neighbours that are packed with strangers do not.
+/// Tests that the other rays of a packet change nothing. Packets within one cell take another path
+/// through the code than packets of distant points.
 TEST_P(SolidNoiseProbe, NeighboursInAPacketChangeNothing) {
   constexpr std::size_t kNeighbours = 16;
   std::vector<vec3> close = random_space(90, 40.0f);

@@ -1,4 +1,4 @@
-// Phong's light model where its answer is known in closed form.
+// Tests Phong's light model where its answer is known in closed form.
 #include <algorithm>
 #include <cmath>
 
@@ -7,7 +7,8 @@
 namespace aerostat::test {
 namespace {
 
-/// Looks that share their material: position, normal, direction to the viewer, lights that arrive.
+/// Looks at the same material: positions, normals, directions to the viewer, and the lights that
+/// reach them.
 struct Looks {
   std::vector<vec3> positions, normals, viewers;
   std::vector<std::uint32_t> visible;
@@ -70,19 +71,20 @@ TEST_P(Phong, DiffuseFollowsLambertsCosine) {
   }
 }
 
-// A white rough surface sends back no more than it receives, and most of that; more than Lambert's
-// towards the light, less away from it.
+// Tests that a white rough surface reflects no more than it receives, and most of that. It reflects
+// more than Lambert's surface towards the light, and less away from it.
 TEST_P(Phong, RoughSurfacesKeepTheEnergyAndLookBackAtTheLight) {
   Material material;
   material.diffuse = 1.0f;
   material.softness = 1.0f;
   constexpr int kRings = 24, kTurns = 48;
   for (const float lean : {0.0f, 30.0f, 60.0f, 80.0f}) {
-    Looks looks;  // the sun is above: the surface leans instead
+    // The sun is above, so the surface leans instead.
+    Looks looks;
     const vec3 normal = tilted(lean);
     const vec3 side(0.0f, 0.0f, 1.0f), across = glm::cross(normal, side);
     for (int ring = 0; ring < kRings; ++ring) {
-      // Rings of equal weight: sine^2 is even.
+      // The rings have equal weight, because sine^2 is evenly distributed.
       const float sine = std::sqrt((static_cast<float>(ring) + 0.5f) / kRings);
       for (int turn = 0; turn < kTurns; ++turn) {
         const float a = 2.0f * kPi * static_cast<float>(turn) / kTurns;
@@ -100,7 +102,7 @@ TEST_P(Phong, RoughSurfacesKeepTheEnergyAndLookBackAtTheLight) {
     EXPECT_LE(reflectance, 1.01) << lean;
     EXPECT_GE(reflectance, 0.7) << lean;
     const float sine = std::sqrt(1.0f - normal.y * normal.y);
-    // A (cos + sin^2), A = 1 / (3/2 - 2 / (3 pi)).
+    // The expected value is A (cos + sin^2) with A = 1 / (3/2 - 2 / (3 pi)).
     expect_color(radiance.back(), vec3((normal.y + sine * sine) / 1.28779f), 2e-5f, "back");
   }
 }
@@ -124,7 +126,7 @@ TEST_P(Phong, SpecularPeaksInTheMirrorDirection) {
   Material material;
   material.specular = 0.7f;
   material.shininess = 50.0f;
-  // The sun is above, the normal leans by 30 degrees: its mirror image is at 60.
+  // The sun is above and the normal leans by 30 degrees, so the mirror image of the sun is at 60.
   Looks looks;
   for (int degrees = 0; degrees <= 150; ++degrees) {
     looks.add(tilted(30.0f), tilted(static_cast<float>(degrees)), 1u);
@@ -153,10 +155,13 @@ TEST_P(Phong, ClothGlowsWithLightFromBehind) {
   material.translucency = 0.3f;
   material.albedo = {1.0f, 0.5f, 0.25f};
   Looks looks;
-  looks.add({0, -1, 0}, {0, -1, 0}, 1u);  // the sun behind, nothing between
+  // The sun is behind the cloth with nothing between.
+  looks.add({0, -1, 0}, {0, -1, 0}, 1u);
   looks.add(tilted(120.0f), {0, -1, 0}, 1u);
-  looks.add({0, -1, 0}, {0, -1, 0}, 0u);  // another layer of the cloth between
-  looks.add({0, 1, 0}, {0, 1, 0}, 1u);    // the sun in front
+  // Another layer of the cloth lies between.
+  looks.add({0, -1, 0}, {0, -1, 0}, 0u);
+  // The sun is in front of the cloth.
+  looks.add({0, 1, 0}, {0, 1, 0}, 1u);
   const auto radiance = shade(bare_scene(), material, looks);
   expect_color(radiance[0], 0.3f * material.albedo, 1e-6f, "through");
   expect_color(radiance[1], 0.15f * material.albedo, 1e-6f, "through at 60 degrees");

@@ -28,7 +28,8 @@ opencl::SourceTree sources_with_probes() {
 
 const opencl::Program& program_of(const std::string& name, int lanes) {
   static const opencl::SourceTree sources = sources_with_probes();
-  // Kept to the end, as the context is: drivers may be gone after main.
+  // The programs are never destroyed, as the context is not, because drivers may be gone after
+  // main.
   static auto& programs =
       *new std::map<std::pair<std::string, int>, std::unique_ptr<opencl::Program>>;
   auto& program = programs[{name, lanes}];

@@ -10,24 +10,25 @@
 #include "opencl/launch.hpp"
 #include "opencl/program.hpp"
 
-/// Runs probe kernels: thin adapters between scalar arrays and the lane functions under test.
+/// Runs probe kernels, which are thin adapters between scalar arrays and the lane functions under
+/// test.
 namespace aerostat::test {
 
-/// The device that AEROSTAT_DEVICE names or the default one. Throws Error{no_device}: a test
-/// without a device fails.
+/// Returns a context on the device that AEROSTAT_DEVICE names, or on the default one. Throws
+/// Error{no_device}, so that a test without a device fails.
 const opencl::Context& context();
 
-/// `count` rounded up to whole packets of the widest lane type.
+/// Returns `count` rounded up to whole packets of the widest lane type.
 std::size_t whole_packets(std::size_t count);
 
-/// Three planes (all x, all y, all z), as probes read vectors; padded to whole packets by
-/// repeating the last element.
+/// Returns three planes (all x, all y, all z), in the form in which probes read vectors. They are
+/// padded to whole packets by repeating the last element.
 std::vector<float> planes(const std::vector<vec3>& vectors);
 
-/// Padded likewise.
+/// Returns the values padded to whole packets by repeating the last element.
 std::vector<float> padded(std::vector<float> values);
 
-/// Element `i` of planes that hold `count` vectors.
+/// Returns element `i` of planes of vectors.
 vec3 from_planes(const std::vector<float>& values, std::size_t i);
 
 template <typename T>
@@ -40,27 +41,27 @@ opencl::Buffer<T> output(std::size_t count) {
   return {context(), {}, count, "a probe's output"};
 }
 
-/// A program of tests/kernels/probes at one lane width, built by the product's own class with the
-/// product's own options and headers. Built once in a process.
+/// A program of tests/kernels/probes at one lane width. It is built by the product's own class with
+/// the product's own options and headers, once in a process.
 class Probe {
  public:
-  /// `name` is a file of tests/kernels/probes.
+  /// Builds the program of the file `name` in tests/kernels/probes, unless it is built already.
   Probe(const std::string& name, int lanes);
 
   int lanes() const { return program_->lanes(); }
 
-  /// Runs `kernel` over `elements` scalar elements (whole packets), one packet a work-item, and
-  /// waits for it.
+  /// Runs `kernel` over `elements` scalar elements (whole packets), with one packet per work-item,
+  /// and waits for it.
   template <typename... Args>
   void run(const char* kernel, std::size_t elements, const Args&... args) const {
     run_items(kernel, elements / static_cast<std::size_t>(lanes()), args...);
   }
 
-  /// Runs `kernel` with `items` work-items.
+  /// Runs `kernel` with `items` work-items and waits for it.
   template <typename... Args>
   void run_items(const char* kernel, std::size_t items, const Args&... args) const {
     const opencl::Kernel entry = program_->kernel(kernel);
-    // One group size for all launches: PoCL compiles a kernel anew for each.
+    // All launches have the same group size, because PoCL compiles a kernel again for each size.
     opencl::launch(context(), entry, {items, 1}, args...);
     opencl::finish(context());
   }

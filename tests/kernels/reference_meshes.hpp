@@ -7,18 +7,19 @@
 #include "closed_meshes.hpp"
 #include "tracing.hpp"
 
-/// The meshes on which traversal is compared with brute force and with Embree.
+/// Provides the meshes on which traversal is compared with brute force and with Embree.
 namespace aerostat::test {
 
 struct MeshCase {
   const char* name;
   Soup (*soup)();
-  float scale;  // of the mesh's extent and the eyes' distances
+  /// The scale of the mesh's extent and of the eyes' distances.
+  float scale;
   vec3 offset;
   std::size_t fewest_hits;
 
-  /// From in and around the mesh towards points near it: random ones mixed with packets of one
-  /// origin, and every eighth packet along an axis.
+  /// Returns rays from in and around the mesh towards points near it. Random rays are mixed with
+  /// packets of one origin, and every eighth packet runs along an axis.
   std::vector<Ray> rays(std::size_t count, unsigned seed) const {
     std::mt19937 random(seed);
     std::vector<Ray> result;
@@ -42,9 +43,9 @@ inline void PrintTo(const MeshCase& mesh, std::ostream* out) {
   *out << mesh.name;
 }
 
-/// By how much u, v or 1-u-v of a ray that meets a triangle at `t` may be off by single precision:
-/// vertices are known to about 6e-7 of their distance, and a triangle that is narrow, as the ray
-/// sees it, magnifies that.
+/// Returns the error that single precision may make in u, v or 1-u-v of a ray that hits a triangle
+/// at `t`. Vertices are known to about 6e-7 of their distance. A triangle that looks narrow from
+/// the ray magnifies that.
 inline double weight_tolerance(const AeroTriangle& triangle, const Ray& ray, double t) {
   const auto point = [](const aero_float* v) { return dvec3(v[0], v[1], v[2]); };
   const dvec3 a = point(triangle.v0), b = point(triangle.v1), c = point(triangle.v2);

@@ -1,5 +1,5 @@
-// Points of the sun's disc and directions of the sky: even in each pixel, in each square of pixels,
-// and in the shapes that they are mapped to.
+// Tests that points of the sun's disc and directions of the sky are evenly distributed in each
+// pixel, in each square of pixels, and in the shapes that they are mapped to.
 #include <algorithm>
 #include <bit>
 #include <cmath>
@@ -24,7 +24,7 @@ struct Chosen {
 
 class LightSamples : public LaneTest {
  protected:
-  /// All samples of a square of 4 x 4 pixels, in packets of several pixels.
+  /// Returns all samples of a square of 4 x 4 pixels, in packets of several pixels.
   Chosen choose(Word samples, const vec3& axis) const {
     const auto log2_lanes = static_cast<Word>(std::bit_width(static_cast<Word>(GetParam()))) - 1;
     AeroLaunch launch{};
@@ -63,7 +63,8 @@ class LightSamples : public LaneTest {
 
 AEROSTAT_AT_EVERY_WIDTH(LightSamples);
 
-/// Largest difference between the share of points below (u, v) and u v, over corners at the points.
+/// Returns the largest difference between the share of points below (u, v) and u v. The corners (u,
+/// v) are formed by coordinates of the points.
 double discrepancy(const std::vector<vec3>& points) {
   double worst = 0.0;
   for (const vec3& a : points) {
@@ -86,7 +87,8 @@ TEST_P(LightSamples, FillTheUnitCube) {
   }
 }
 
-/// Random points in these numbers have a discrepancy of 0.14 (64 of them) and 0.25 (16) on average.
+/// Tests the discrepancy of the samples. Random points have a discrepancy of 0.14 (64 points) and
+/// 0.25 (16 points) on average.
 TEST_P(LightSamples, AreEvenInASquareOfPixelsAndInEachPixel) {
   EXPECT_LT(discrepancy(choose(4, {0, 1, 0}).uvw), 0.06);
   const Chosen many = choose(16, {0, 1, 0});
@@ -107,7 +109,8 @@ TEST_P(LightSamples, DifferFromPixelToPixel) {
   EXPECT_EQ(seen.size(), 4u * kSide * kSide);
 }
 
-/// Of a disc of radius r the mean is the centre and the mean square r^2 / 2.
+/// Tests the mean and the mean square of the samples. In a disc of radius r they are the centre and
+/// r^2 / 2.
 TEST_P(LightSamples, SpreadEvenlyOverADisc) {
   for (const vec3 axis : {vec3(0, 0, 1), vec3(0, 0, -1), vec3(0, 1, 0), vec3(0.6f, 0.0f, -0.8f)}) {
     const Chosen chosen = choose(64, axis);
@@ -126,7 +129,8 @@ TEST_P(LightSamples, SpreadEvenlyOverADisc) {
   }
 }
 
-/// By the cosine: the mean direction is 2/3 of the normal, the mean of the squared cosine 1/2.
+/// Tests the distribution by the cosine. Its mean direction is 2/3 of the normal, and the mean of
+/// the squared cosine is 1/2.
 TEST_P(LightSamples, FollowTheCosineAroundANormal) {
   for (const vec3 normal : {vec3(0, 1, 0), vec3(0, -1, 0), vec3(0.6f, 0.0f, -0.8f)}) {
     const Chosen chosen = choose(64, normal);

@@ -5,7 +5,8 @@
 #include "probe.hpp"
 #include "scene_params.h"
 
-/// A scene for the shading probes: a white sun straight above, no air, no point lights.
+/// Provides a scene for the shading probes: a white sun straight above, no air, and no point
+/// lights.
 namespace aerostat::test {
 
 inline void set3(aero_float* to, const vec3& from) {
@@ -26,7 +27,7 @@ inline AeroScene bare_scene() {
   return scene;
 }
 
-/// Sky light whose irradiance / pi goes evenly from `down` (on a plane that faces down) to `up`.
+/// Sets a sky whose irradiance / pi varies evenly from `down` (on a plane that faces down) to `up`.
 inline void set_ambient(AeroScene& scene, const vec3& up, const vec3& down) {
   for (int i = 0; i < 3; ++i) {
     scene.air.ambient[0][i] = 0.5f * (up[i] + down[i]) / scene.sky.sun_irradiance[i];
@@ -38,7 +39,7 @@ inline opencl::Buffer<AeroScene> uploaded(const AeroScene& scene) {
   return input(std::vector<AeroScene>{scene});
 }
 
-/// Unit vector in the plane of y and x, `degrees` away from +y.
+/// Returns the unit vector in the plane of y and x that is `degrees` away from +y.
 inline vec3 tilted(float degrees) {
   const float a = radians_from_degrees(degrees);
   return {std::sin(a), std::cos(a), 0.0f};

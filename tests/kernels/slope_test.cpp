@@ -1,4 +1,4 @@
-// Ground that is passed over whole because it faces away from rays, against brute force.
+// Tests ground that is skipped as a whole because it faces away from rays, against brute force.
 #include <cmath>
 #include <functional>
 #include <ostream>
@@ -10,17 +10,18 @@
 namespace aerostat::test {
 namespace {
 
-constexpr std::uint32_t kCells = 37;  // patches of both shapes, and some that are not whole
+/// The number of cells on a side. It gives patches of both shapes, and some that are not whole.
+constexpr std::uint32_t kCells = 37;
 constexpr std::size_t kBundle = 64;
 constexpr std::size_t kBundles = 96;
-// A little less than one that nodes tell exactly, to which it is rounded there.
+// A slope slightly less than one that nodes hold exactly. It is rounded to that one in the nodes.
 constexpr float kSlope = 0.5f - 0.02f / AERO_SLOPE_STEPS;
 
 float uniform(std::mt19937& random, float lo, float hi) {
   return std::uniform_real_distribution<float>(lo, hi)(random);
 }
 
-/// Heights over cells one metre wide.
+/// A kind of ground, given by its heights over cells one metre wide.
 struct Ground {
   const char* name;
   std::function<float(std::mt19937&, std::uint32_t i, std::uint32_t j)> height;
@@ -65,7 +66,7 @@ mesh::GridMesh grid_of(const Ground& ground) {
   return grid;
 }
 
-/// A point a little above the ground.
+/// Returns a point a little above the ground.
 vec3 above(const mesh::GridMesh& grid, std::mt19937& random) {
   const auto i = static_cast<std::uint32_t>(random() % kCells);
   const auto j = static_cast<std::uint32_t>(random() % kCells);
@@ -74,8 +75,8 @@ vec3 above(const mesh::GridMesh& grid, std::mt19937& random) {
          vec3(0.0f, lift + 0.5f * std::fabs(grid.height(i + 1, j) - grid.height(i, j + 1)), 0.0f);
 }
 
-/// The direction that the rays of a bundle have in common, as they rise or fall with the ground,
-/// nearly level with it, along its rows, across them, or anywhere.
+/// Returns the common direction of a bundle's rays. They rise or fall with the ground, nearly level
+/// with it, along its rows, across them, or in any direction.
 vec3 common_direction(std::mt19937& random, std::size_t bundle) {
   const float graze = std::pow(10.0f, uniform(random, -3.0f, -1.0f));
   const float side = random() % 2 == 0 ? 1.0f : -1.0f;
@@ -95,8 +96,8 @@ vec3 common_direction(std::mt19937& random, std::size_t bundle) {
   }
 }
 
-/// Bundles as the sun sends them, with and without the spread of its disc, from just above the
-/// ground and from higher up.
+/// Returns bundles like those towards the sun, with and without the spread of its disc, from just
+/// above the ground and from higher up.
 std::vector<Ray> rays_over(const mesh::GridMesh& grid) {
   std::mt19937 random(82);
   std::vector<Ray> rays;

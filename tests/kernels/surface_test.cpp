@@ -1,4 +1,4 @@
-// What shading reads at a hit.
+// Tests the values that shading reads at a hit.
 #include <cmath>
 #include <random>
 
@@ -39,7 +39,7 @@ Surface random_surface() {
   return surface;
 }
 
-/// Hits on random faces at the corners (0 to 2) in turn, or anywhere inside (3).
+/// Hits on random faces, at the corners (0 to 2) in turn or anywhere inside (3).
 struct Hits {
   std::vector<float> tuv = std::vector<float>(3 * kHits);
   std::vector<std::uint32_t> slots = std::vector<std::uint32_t>(2 * kHits, kNoTriangle);
@@ -74,7 +74,7 @@ class SurfaceProbe : public LaneTest {
   }
 };
 
-/// What a hit on a triangle of these corners must read: position, normal and colour.
+/// Expects the position, normal and colour of a hit on a triangle with these corners.
 void expect_mixed(const std::vector<float>& values, std::size_t i, const AeroVertex* const* corner,
                   const Hits& hits, float tolerance) {
   const float u = hits.tuv[kHits + i], v = hits.tuv[2 * kHits + i];
@@ -107,7 +107,7 @@ mesh::GridMesh random_ground() {
   return grid;
 }
 
-/// Triangle k of the cell (i, j) as the kernels number it, and its corners.
+/// A triangle of a cell with its number in the kernels and its corners.
 struct GroundTriangle {
   std::uint32_t number;
   AeroVertex corners[3];
@@ -144,7 +144,7 @@ AeroVertex standing(const AeroVertex& vertex, const AeroInstance& instance) {
                    vector_of(vertex.color) * vector_of(instance.tint));
 }
 
-// Meshes alone, the ground alone, and both among the lanes of a packet, some of which hit nothing.
+// Tests only meshes, only ground, and both among the lanes of a packet, some of which hit nothing.
 TEST_P(SurfaceProbe, LanesReadTheTriangleTheyHit) {
   const Surface surface = random_surface();
   const mesh::GridMesh grid = random_ground();
@@ -164,7 +164,8 @@ TEST_P(SurfaceProbe, LanesReadTheTriangleTheyHit) {
       if (i % 5 == 4) hits.slots[i] = kNoTriangle;
     }
     const auto attributes = output<float>(9 * kHits), planes = output<float>(3 * kHits);
-    const auto owners = output<std::uint32_t>(2 * kHits);  // objects, then materials
+    // The objects come first, then the materials.
+    const auto owners = output<std::uint32_t>(2 * kHits);
     probe.run("probe_interpolation", kHits, input(stand), input(words), input(surface.faces),
               input(surface.vertices), input(hits.tuv), input(hits.slots), attributes, planes,
               owners);
@@ -193,7 +194,7 @@ TEST_P(SurfaceProbe, LanesReadTheTriangleTheyHit) {
   }
 }
 
-/// A triangle in the plane y = 3 whose normals lean apart by `lean`.
+/// Returns a triangle in the plane y = 3 whose normals lean apart by `lean`.
 Surface tent(float lean) {
   const vec3 corners[] = {{-2, 3, -1}, {2, 3, -1}, {0, 3, 2}};
   Surface surface;

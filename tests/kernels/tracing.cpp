@@ -188,7 +188,8 @@ ExactHit exact_hit(const AeroTriangle& triangle, const Ray& ray) {
   const dvec3 v0 = point(triangle.v0);
   const dvec3 abc = v0 - point(triangle.v1), def = v0 - point(triangle.v2);
   const dvec3 ghi(ray.direction), jkl = v0 - dvec3(ray.origin);
-  // The system's columns are (a, b, c), (d, e, f) and (g, h, i): beta, gamma and t in this order.
+  // The columns of the system are (a, b, c), (d, e, f) and (g, h, i). They belong to beta, gamma
+  // and t.
   const double det = determinant(abc, def, ghi);
   ExactHit hit;
   if (det == 0.0) return hit;

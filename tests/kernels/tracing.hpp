@@ -10,14 +10,15 @@
 #include "probe.hpp"
 #include "trace_triangle.h"
 
-/// Rays and meshes on the device, and the answers of brute force in double precision.
+/// Traces rays on the device, and computes the answers by brute force in double precision.
 namespace aerostat::test {
 
 inline constexpr std::uint32_t kNoTriangle = 0xffffffffu;
 
 struct Ray {
   vec3 origin;
-  vec3 direction;  // unit
+  /// The direction as a unit vector.
+  vec3 direction;
   float t_max = kInfinity;
 };
 
@@ -31,13 +32,13 @@ struct Hit {
   bool met() const { return slot != kNoTriangle; }
 };
 
-/// From `origin` towards `target`, the direction rounded once.
+/// Returns a ray from `origin` towards `target`. The direction is rounded only once.
 Ray ray_towards(const vec3& origin, const dvec3& target);
 
-/// Unit vector, evenly distributed.
+/// Returns an evenly distributed random unit vector.
 vec3 random_direction(std::mt19937& random);
 
-/// Rays as the probes take them.
+/// The buffers of rays as the probes take them.
 struct RayBuffers {
   explicit RayBuffers(const std::vector<Ray>& rays);
 
@@ -48,16 +49,16 @@ struct RayBuffers {
   std::vector<Hit> hits(std::size_t count) const;
 };
 
-/// What is asked of rays: TRACE_... of packet.clh.
+/// The kind of hit that is searched: the values of TRACE_... in packet.clh.
 enum class Wanted { nearest = 0, any = 1, any_from_above = 2 };
 
-/// A point of a model in the world.
+/// Returns the place in the world of a point of a model.
 vec3 placed(const AeroInstance& instance, const vec3& v);
 
-/// A model somewhere within `reach` of the origin, turned and scaled at random.
+/// Returns a randomly turned and scaled model within `reach` of the origin.
 AeroInstance random_instance(std::mt19937& random, float reach, std::uint32_t root);
 
-/// A grid of no cells, for worlds without ground.
+/// Returns a grid without cells, for worlds without ground.
 std::vector<float> no_grid();
 
 /// A soup in the order of its tree's leaves, or a height grid, on the device.
@@ -65,16 +66,18 @@ class TracedMesh {
  public:
   explicit TracedMesh(const Soup& soup, const bvh::BuildOptions& options = {});
   explicit TracedMesh(const mesh::GridMesh& grid);
-  /// Beside `own`, models that stand in the world, of which `root` is the number.
+  /// Makes a world of the soup `own` and instances of models. The `root` of an instance is the
+  /// number of its model.
   TracedMesh(const Soup& own, const std::vector<Soup>& models, std::vector<AeroInstance> instances);
 
   std::vector<Hit> trace(const std::vector<Ray>& rays, int lanes,
                          Wanted wanted = Wanted::nearest) const;
-  /// Several packets together, as the renderer does; a multiple of 64 rays.
+  /// Traces several packets together, as the renderer does. The number of rays must be a multiple
+  /// of 64.
   std::vector<Hit> trace_bundles(const std::vector<Ray>& rays, int lanes,
                                  Wanted wanted = Wanted::nearest) const;
 
-  /// Of a single soup or grid.
+  /// Returns the tree of a single soup or grid.
   const bvh::Bvh& tree() const { return tree_; }
   const std::vector<AeroTriangle>& triangles() const { return triangles_; }
 
@@ -90,9 +93,9 @@ class TracedMesh {
   opencl::Buffer<float> grid_buffer_;
 };
 
-/// A triangle's answer to a ray by the 3x3 determinants of a, b, c = V0-V1, d, e, f = V0-V2,
-/// g, h, i = D, j, k, l = V0-O in double precision. `slack` is the least of u, v and 1-u-v: below
-/// zero the ray misses.
+/// The hit of a ray on a triangle, computed in double precision by the 3x3 determinants of
+///   a, b, c = V0-V1,  d, e, f = V0-V2,  g, h, i = D,  j, k, l = V0-O.
+/// `slack` is the least of u, v and 1-u-v. If it is below zero, the ray misses.
 struct ExactHit {
   double t = 0.0;
   double u = 0.0;
@@ -104,8 +107,8 @@ struct ExactHit {
 
 ExactHit exact_hit(const AeroTriangle& triangle, const Ray& ray);
 
-/// Whether a ray enters the ground from above, by brute force: 1 yes, 0 no, -1 too near an edge, or
-/// too level with the ground, to tell.
+/// Returns whether a ray enters the ground from above, by brute force: 1 for yes and 0 for no. The
+/// result is -1 if the ray is too near an edge or too level with the ground to tell.
 int enters(const mesh::TriangleMesh& ground, const Ray& ray);
 
 }  // namespace aerostat::test

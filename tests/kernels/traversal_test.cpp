@@ -1,4 +1,4 @@
-// trace_packet against brute force in double precision, and at the exact end of its buffers.
+// Tests trace_packet against brute force in double precision, and at the exact end of its buffers.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -19,7 +19,8 @@ constexpr std::size_t kRays = 10000;
 
 class Traversal : public testing::TestWithParam<MeshCase> {};
 
-/// Brute force over all triangles; a ray whose answer hangs on the rounding of an edge is not sure.
+/// The result of brute force over all triangles. It is not sure if it depends on the rounding of an
+/// edge.
 struct Expected {
   double t = std::numeric_limits<double>::infinity();
   bool sure = true;
@@ -91,7 +92,7 @@ INSTANTIATE_TEST_SUITE_P(Meshes, Traversal, testing::ValuesIn(reference_meshes()
 class Packets : public LaneTest {};
 
 TEST_P(Packets, TreatEveryLaneByItself) {
-  // Lanes that are off, too short, or look away beside lanes that hit.
+  // Some lanes are off, too short, or look away, beside lanes that hit.
   const TracedMesh mesh(sphere(24));
   std::vector<Ray> rays;
   for (int i = 0; i < 256; ++i) {
@@ -114,7 +115,7 @@ TEST_P(Packets, LeaveAnEmptyTreeAlone) {
   }
 }
 
-/// Host memory that ends at a page which no one may touch.
+/// Host memory that ends at a page which nobody may access.
 class GuardedBytes {
  public:
   template <typename T>
@@ -133,7 +134,7 @@ class GuardedBytes {
   GuardedBytes& operator=(const GuardedBytes&) = delete;
   ~GuardedBytes() { munmap(base_, total_); }
 
-  /// The bytes themselves, as a buffer that must not outlive this.
+  /// Returns a buffer of the bytes themselves. It must not outlive this object.
   opencl::RawBuffer buffer() const {
     return {context(), {}, nullptr, start(), bytes_, "guarded bytes"};
   }
@@ -145,7 +146,8 @@ class GuardedBytes {
   std::size_t bytes_ = 0, whole_ = 0, total_ = 0;
 };
 
-// On a device that works in host memory, reading past the end of a buffer ends this process.
+// Tests reads near the ends of buffers. On a device that works in host memory, reading past the end
+// ends this process.
 TEST_P(Packets, ReadNothingBeyondTheirBuffers) {
   const Soup soup = random_soup(3001, 61);
   const TracedMesh mesh(soup);

@@ -1,4 +1,4 @@
-// hit_triangle against the determinants written out, in double precision.
+// Tests hit_triangle against the determinants, written out in double precision.
 #include <algorithm>
 #include <cmath>
 #include <random>
@@ -12,7 +12,7 @@ class Triangles : public LaneTest {
  protected:
   const Probe probe{"trace.cl", GetParam()};
 
-  /// Ray i against triangle i.
+  /// Returns the hit of each ray i on triangle i.
   std::vector<Hit> pairs(const std::vector<AeroTriangle>& triangles,
                          const std::vector<Ray>& rays) const {
     std::vector<AeroTriangle> whole = triangles;
@@ -23,7 +23,7 @@ class Triangles : public LaneTest {
     return buffers.hits(rays.size());
   }
 
-  /// All rays against all triangles, which stand in slots `first_slot` and on.
+  /// Returns the hits of all rays on all triangles, which stand in the slots from `first_slot` on.
   std::vector<Hit> all(const std::vector<AeroTriangle>& triangles, const std::vector<Ray>& rays,
                        std::uint32_t first_slot = 0) const {
     const RayBuffers buffers(rays);
@@ -43,7 +43,8 @@ struct Pairs {
   std::vector<Ray> rays;
 };
 
-/// Triangles of about `size` around `centre`, seen from up to `distance`; about half are met.
+/// Returns triangles of about `size` around `centre`, seen from up to `distance`. About half of
+/// them are hit.
 Pairs random_pairs(std::size_t count, float size, float distance, const vec3& centre) {
   std::mt19937 random(41);
   Pairs pairs;
@@ -59,7 +60,8 @@ Pairs random_pairs(std::size_t count, float size, float distance, const vec3& ce
 }
 
 double height_of(const AeroTriangle& t, const vec3& direction) {
-  // Of the triangle as the ray sees it: its projected area over its longest side.
+  // The height is that of the triangle as the ray sees it: its projected area divided by its
+  // longest side.
   const dvec3 a(t.v0[0], t.v0[1], t.v0[2]), b(t.v1[0], t.v1[1], t.v1[2]);
   const dvec3 c(t.v2[0], t.v2[1], t.v2[2]);
   const double area = std::abs(glm::dot(glm::cross(b - a, c - a), dvec3(direction)));
@@ -71,7 +73,7 @@ void expect_as_exact(const Pairs& pairs, const std::vector<Hit>& hits, double sc
   for (std::size_t i = 0; i < hits.size(); ++i) {
     const Ray& ray = pairs.rays[i];
     const ExactHit exact = exact_hit(pairs.triangles[i], ray);
-    // Vertices are known to about 4e-7 of their distance; a narrow triangle magnifies that.
+    // Vertices are known to about 4e-7 of their distance, and a narrow triangle magnifies that.
     const double height = height_of(pairs.triangles[i], ray.direction);
     if (height < 0.01 * scale) continue;
     const double distance = std::abs(exact.t) + 2.0 * scale;
@@ -125,8 +127,8 @@ TEST_P(Triangles, WithoutAreaAreNotMet) {
   for (const Hit& hit : pairs(flat.triangles, flat.rays)) EXPECT_FALSE(hit.met());
 }
 
-// Edge-on, so small that the determinant underflows, or so large that it overflows: if there is a
-// hit at all, its distance is a number.
+// Tests triangles that are edge-on, so small that the determinant underflows, or so large that it
+// overflows. If there is a hit at all, its distance is finite.
 TEST_P(Triangles, OfAnUnusableDeterminantGiveNoHitAtInfinity) {
   const AeroTriangle edge_on = triangle_of({-1, 0, -1}, {1, 0, -1}, {0, 0, -3});
   const Ray ray{{0, 0, 5}, {0, 0, -1}};

@@ -1,4 +1,4 @@
-// Water: transmittances in closed form and their limits.
+// Tests the transmittance of water in closed form and at its limits.
 #include <algorithm>
 #include <cmath>
 #include <random>
@@ -50,7 +50,7 @@ TEST_P(Water, ShowsItsBedWhereShallowAndItselfWhereDeep) {
   EXPECT_LT(glm::distance(radiance[1], radiance[0]), 1e-3f);
   EXPECT_LT(glm::distance(radiance[3], light * vec3(0.01f, 0.08f, 0.12f)), 1e-6f);
   EXPECT_LT(glm::distance(radiance[4], light * vec3(0.01f, 0.08f, 0.12f)), 1e-6f);
-  // Red goes first, blue last.
+  // Red is absorbed first and blue last.
   const vec3 deep(0.01f, 0.08f, 0.12f), bed(0.6f, 0.5f, 0.4f);
   const vec3 through = (radiance[2] / light - deep) / (bed - deep);
   const float path = 3.0f * 2.15f;

@@ -1,4 +1,4 @@
-// No ray may slip between triangles that share an edge or a vertex.
+// Tests that no ray slips between triangles that share an edge or a vertex.
 #include <algorithm>
 #include <array>
 #include <ostream>
@@ -16,14 +16,15 @@ struct Case {
   Soup (*mesh)();
   float scale;
   vec3 offset;
-  float near_distance, far_distance;  // of the eye from the mesh's centre, in scales
+  /// The range of the eye's distance from the mesh's centre, in scales.
+  float near_distance, far_distance;
 };
 
 void PrintTo(const Case& test, std::ostream* out) {
   *out << test.name;
 }
 
-/// Points of edges and vertices with the faces around them.
+/// A point of an edge or a vertex, with the faces around it.
 struct Target {
   dvec3 point;
   const std::vector<std::uint32_t>* faces;
@@ -42,7 +43,7 @@ class Targets {
       }
     }
     edges_.assign(around_edge_.begin(), around_edge_.end());
-    // A point of an edge may be as good as at its end.
+    // A point of an edge may be practically at its end.
     for (auto& [ends, faces] : edges_) {
       is_closed_ = is_closed_ && faces.size() == 2;
       for (const std::uint32_t end : {ends.first, ends.second}) {
@@ -53,7 +54,8 @@ class Targets {
 
   bool is_closed() const { return is_closed_; }
 
-  /// Every fourth target is a vertex, the others lie on edges (some in their middle).
+  /// Returns a random target. Every fourth one is a vertex, and the others lie on edges, some in
+  /// their middle.
   Target pick(std::mt19937& random) const {
     if (random() % 4 == 0) {
       const std::size_t v = random() % soup_.positions.size();
@@ -65,8 +67,9 @@ class Targets {
     return {a + t * (b - a), &faces};
   }
 
-  /// All faces around the target turn the same side to the ray, none nearly edge-on, so that they
-  /// surround the target also as the ray sees it: even a ray that is off by a hair must hit.
+  /// Returns whether all faces around the target turn the same side to the ray, and none is nearly
+  /// edge-on. The faces then surround the target also as the ray sees it, so even a ray with a
+  /// slight error must hit.
   bool surrounded(const Target& target, const vec3& direction) const {
     const double first = glm::dot(normals_[target.faces->front()], dvec3(direction));
     return std::all_of(target.faces->begin(), target.faces->end(), [&](std::uint32_t f) {
@@ -90,7 +93,7 @@ struct Aimed {
   std::vector<double> distances;
 };
 
-/// Rays in bundles of 16 from one eye, as packets of a picture are.
+/// Returns rays in bundles of 16 from one eye, as the packets of a picture are.
 Aimed aim(const Case& test, const Targets& targets, unsigned seed) {
   std::mt19937 random(seed);
   std::uniform_real_distribution<float> reach(test.near_distance, test.far_distance);
@@ -137,7 +140,7 @@ TEST_P(Watertight, NoRayAtAnEdgeOrAVertexIsLost) {
     const std::vector<Hit> hits = mesh.trace(aimed.rays, lanes);
     std::size_t lost = 0, behind = 0;
     for (std::size_t i = 0; i < hits.size(); ++i) {
-      // A ray that slipped through the front would meet the far side.
+      // A ray that slipped through the front would hit the far side.
       const double tolerance = 1e-4 * aimed.distances[i] + 1e-3 * static_cast<double>(test.scale);
       lost += hits[i].met() ? 0 : 1;
       behind += hits[i].met() && static_cast<double>(hits[i].t) > aimed.distances[i] + tolerance;
@@ -147,8 +150,8 @@ TEST_P(Watertight, NoRayAtAnEdgeOrAVertexIsLost) {
   }
 }
 
-// Straight along an axis, or in a plane of the grid, rays run exactly along the faces of the tree's
-// boxes.
+// Tests rays straight along an axis or in a plane of the grid, which run exactly along the faces of
+// the tree's boxes.
 TEST(WatertightGrid, RaysInThePlanesOfTheGridHitItsVertices) {
   const int cells = 12;
   const vec3 offset(3.0f, -7.0f, 11.0f);

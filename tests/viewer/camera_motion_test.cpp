@@ -1,4 +1,4 @@
-// How the camera moves.
+// Tests the movements of the camera.
 #include "viewer/camera_motion.hpp"
 
 #include <QtTest>
@@ -42,10 +42,11 @@ void CameraMotionTest::orbit_keeps_the_target_and_its_distance() {
 
 void CameraMotionTest::orbit_goes_round() {
   QVERIFY(near(orbit(pose_, 2.0 * std::numbers::pi, 0.0).position, pose_.position));
-  // From the south, what is seen moves right when the eye goes left, to the west.
+  // Seen from the south, the picture's content moves to the right when the eye moves left, which is
+  // west.
   const Pose south{{0.0, 0.0, 10.0}, {0.0, 0.0, 0.0}};
   QVERIFY(near(orbit(south, 0.5 * std::numbers::pi, 0.0).position, {-10.0, 0.0, 0.0}));
-  // What is seen moves down when the eye goes up.
+  // The picture's content moves down when the eye moves up.
   QVERIFY(orbit(south, 0.0, 0.3).position.y > 0.0);
 }
 
@@ -69,7 +70,8 @@ void CameraMotionTest::straight_down_has_north_at_the_top() {
   QVERIFY(near(sight_at(camera, 1.0, 0.5, 0.0).direction, glm::normalize(dvec3(0.0, -1.0, -1.0))));
   camera.lens = scene::Lens::panorama;
   QVERIFY(near(sight_at(camera, 2.0, 0.5, 0.5).direction, {0.0, 0.0, -1.0}));
-  // What moves the camera agrees: right is east, and tilting it up looks north.
+  // The movements agree with the view: right is east, and tilting the camera up makes it look
+  // north.
   QVERIFY(near(fly(down, {0.0, 1.0, 0.0}, 3.0).position, {3.0, 50.0, 0.0}));
   const Pose tilted = look(down, 0.0, 0.5 * std::numbers::pi);
   QVERIFY(near(glm::normalize(tilted.target - tilted.position), {0.0, 0.0, -1.0}));

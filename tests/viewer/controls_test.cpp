@@ -1,4 +1,4 @@
-// Every control changes the scene where it says, and that survives save and open.
+// Tests that every control changes the scene at its pointer, also in the file that is saved.
 #include <QAbstractButton>
 #include <QComboBox>
 #include <QDoubleSpinBox>
@@ -25,13 +25,13 @@ QJsonValue parsed(const QString& json) {
   return QJsonDocument::fromJson(QString("[" + json + "]").toUtf8()).array().at(0);
 }
 
-/// The scene of a document as it would be rendered.
+/// Returns the scene of a document as it would be rendered.
 QJsonObject dump(const Document& document) {
   return QJsonDocument::fromJson(QByteArray::fromStdString(scene::write_text(document.scene())))
       .object();
 }
 
-/// The value at a pointer.
+/// Returns the value at a pointer.
 QJsonValue at(const QJsonObject& scene, const QString& pointer) {
   QJsonValue value = scene;
   for (const QString& token : pointer.mid(1).split('/')) {
@@ -40,12 +40,12 @@ QJsonValue at(const QJsonObject& scene, const QString& pointer) {
   return value;
 }
 
-/// "/balloons/1" of "/balloons/1/gores", "/balloon" of "/balloon/gores".
+/// Returns "/balloons/1" for "/balloons/1/gores", and "/balloon" for "/balloon/gores".
 QString object_of(const QString& pointer) {
   return pointer.section('/', 0, pointer.startsWith("/balloon/") ? 1 : 2);
 }
 
-/// Another value than the one that is shown, made by the widget a user would take.
+/// Changes the shown value to another one, with the widget that a user would use.
 void change_by_hand(const ControlRow& row) {
   QWidget* editor = row.editor();
   switch (row.control().editor) {
@@ -138,7 +138,7 @@ void ControlsTest::every_control_data() {
   for (const Control& control : controls()) {
     const QString own = control.pointer;
     QTest::newRow(control.pointer) << own << own;
-    // The same control, bound to another object of its list.
+    // The same control is tested again, bound to another object of its list.
     const std::pair<QString, QString> others[] = {{"/balloon/", "/balloons/1/"},
                                                   {"/materials/envelope/", "/materials/rim/"},
                                                   {"/lights/0/", "/lights/1/"}};
@@ -150,7 +150,7 @@ void ControlsTest::every_control_data() {
   }
 }
 
-/// Two further balloons, two lamps.
+/// Adds two further balloons and two lamps.
 void ControlsTest::fill_lists() {
   for (int i = 0; i < 2; ++i) panels_->balloons().add();
   for (int i = 0; i < 2; ++i) panels_->lamps().add();
@@ -169,7 +169,8 @@ void ControlsTest::every_control() {
     if (!picker->prefix_of(pointer).isEmpty()) picker->choose(object_of(bound_to));
   }
   pointer = bound_to;
-  control->reset();  // what was just put somewhere goes to the usual place
+  // An object that was just placed returns to its usual place.
+  control->reset();
   document_->start(document_->source(), {});
   const QJsonObject before = dump(*document_);
   change_by_hand(*control);

@@ -1,4 +1,4 @@
-// Files that other programs change, remove or put in the way meanwhile.
+// Tests files that other programs change, remove or create while the window is open.
 #include <QAbstractButton>
 #include <QMessageBox>
 #include <QPushButton>
@@ -15,7 +15,8 @@
 namespace aerostat::viewer {
 namespace {
 
-constexpr int kPatience_ms = 180000;  // kernels may have to be compiled first
+/// The longest wait in milliseconds. Kernels may have to be compiled first.
+constexpr int kPatience_ms = 180000;
 
 QByteArray bytes_of(const QString& path) {
   QFile file(path);
@@ -30,7 +31,7 @@ void put(const QString& path, const QByteArray& bytes) {
 
 const QByteArray kOther = "{\"version\": 1, \"biome\": \"sand\"}";
 
-/// Presses that button of the next question; counts the questions.
+/// Presses the given button of the next question, and counts the questions.
 class Answer {
  public:
   explicit Answer(const QString& text) {
@@ -169,7 +170,8 @@ void FilesTest::an_export_spares_the_scene() {
   QCOMPARE(bytes_of(path("scene.json")), before);
 }
 
-/// The name that the dialog suggests is nobody's choice.
+/// Tests that an export asks before it replaces an older file, because the user has not chosen the
+/// suggested name.
 void FilesTest::an_export_asks_about_an_older_file() {
   Document document;
   document.start(small_scene(), {});

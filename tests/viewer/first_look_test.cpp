@@ -1,4 +1,4 @@
-// How soon a change of a shipped scene is seen in the window.
+// Tests how soon a change of a shipped scene is seen in the window.
 #include <QElapsedTimer>
 #include <QtTest>
 #include <algorithm>
@@ -9,10 +9,11 @@
 namespace aerostat::viewer {
 namespace {
 
-/// Kernels may have to be compiled first.
+/// The longest wait in milliseconds. Kernels may have to be compiled first.
 constexpr int kPatience_ms = 180000;
-/// Aimed at: 150 ms on two cores. Asserted of the best of some tries, because the machine that
-/// tests may be busy with something else; what is measured is printed.
+/// The bound of the best first look of some tries, in milliseconds. The aim is 150 ms on two cores.
+/// The bound is higher because the machine may be busy with something else. The measured times are
+/// printed.
 constexpr qint64 kBestLook_ms = 300;
 
 struct Change {
@@ -42,7 +43,7 @@ class FirstLookTest : public QObject {
   void changes_are_seen_soon();
 
  private:
-  /// Milliseconds from a change to its first look.
+  /// Returns the milliseconds from a change to its first look.
   qint64 look_after(const QString& pointer, const QString& value);
 
   std::unique_ptr<MainWindow> window_;

@@ -1,5 +1,5 @@
-// Numbers, dates and times are read alike in every country, and what cannot be read changes
-// nothing.
+// Tests that numbers, dates and times are read alike in every country, and that unreadable text
+// changes nothing.
 #include <QDateEdit>
 #include <QDoubleSpinBox>
 #include <QJsonDocument>
@@ -29,7 +29,7 @@ const QStringList kLocales = {"C",     "en_US", "en_IN", "de_DE", "de_CH",
 void type(QAbstractSpinBox& box, const QString& text, Qt::Key end = Qt::Key_Return) {
   box.setFocus();
   box.selectAll();
-  // QTest::keyClicks knows the keys of ASCII alone.
+  // QTest::keyClicks knows only the keys of ASCII.
   for (const QChar character : text) {
     QKeyEvent press(QEvent::KeyPress, 0, Qt::NoModifier, QString(character));
     QCoreApplication::sendEvent(&box, &press);
@@ -37,7 +37,7 @@ void type(QAbstractSpinBox& box, const QString& text, Qt::Key end = Qt::Key_Retu
   if (end != Qt::Key_unknown) QTest::keyClick(&box, end);
 }
 
-/// What nobody types, but a clipboard brings.
+/// Pastes a text that nobody types, but that a clipboard may hold.
 void put(QAbstractSpinBox& box, const QString& text) {
   auto* line = box.findChild<QLineEdit*>();
   line->selectAll();
@@ -82,7 +82,8 @@ class LocalesTest : public QObject {
     QTest::addColumn<QString>("name");
     for (const QString& name : kLocales) QTest::newRow(qPrintable(name)) << name;
   }
-  /// Of what is made after it, as the system's own is for the program.
+  /// Sets the locale of all widgets that are made later, as the system's own locale is set for the
+  /// program.
   static void use_locale() {
     QFETCH(QString, name);
     QLocale::setDefault(QLocale(name));
@@ -170,7 +171,7 @@ void LocalesTest::texts_are_read() {
   QVERIFY(is(read_number(text, NumberKind::whole), whole));
 }
 
-/// Whatever a box shows, it reads as the same number.
+/// Tests that a box reads the number that it shows.
 void LocalesTest::boxes_show_what_they_read() {
   use_locale();
   NumberBox box;
@@ -252,14 +253,14 @@ void LocalesTest::whole_numbers_take_no_marks() {
   QCOMPARE(desk.document.scene().terrain.seed, 4294967295u);
 }
 
-/// None was forgotten: the ways that Qt reads numbers of its own are none of these.
+/// Tests that no box was forgotten. None of them reads numbers in a way of Qt's own.
 void LocalesTest::every_box_reads_both_marks() {
   Desk desk;
   const auto boxes = desk.panels.findChildren<QAbstractSpinBox*>();
   QVERIFY(boxes.size() > 50);
   for (QAbstractSpinBox* box : boxes) {
     const bool dated = qobject_cast<QDateTimeEdit*>(box) != nullptr;
-    // The year in the calendar is Qt's own: a whole number of four digits.
+    // The year in the calendar is Qt's own box. It takes a whole number of four digits.
     if (box->objectName() == "qt_calendar_yearedit") continue;
     QVERIFY2(dated || dynamic_cast<NumberBox*>(box) != nullptr,
              qPrintable(box->objectName() + " of " + box->parentWidget()->objectName()));
@@ -324,7 +325,8 @@ void LocalesTest::exports_are_as_large_as_was_typed() {
     }
   }
   type(*width, "1", Qt::Key_unknown);
-  dialog.set_path("/proc/no.png");  // nothing is rendered
+  // This path lets nothing be rendered.
+  dialog.set_path("/proc/no.png");
   QSignalSpy ended(&dialog, &ExportDialog::ended);
   dialog.begin();
   QCOMPARE(width->value(), 1);

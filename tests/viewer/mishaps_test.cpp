@@ -1,4 +1,5 @@
-// What goes wrong around the window: files that are no scenes, no room, exports that end early.
+// Tests faults around the window: files that are not scenes, full disks, and exports that end
+// early.
 #include <QDropEvent>
 #include <QElapsedTimer>
 #include <QMimeData>
@@ -19,9 +20,9 @@
 namespace aerostat::viewer {
 namespace {
 
-/// Kernels may have to be compiled first.
+/// The longest wait in milliseconds. Kernels may have to be compiled first.
 constexpr int kPatience_ms = 180000;
-/// For a machine that is busy with something else, too.
+/// A bound in milliseconds that also holds on a machine that is busy with something else.
 constexpr qint64 kSoon_ms = 5000;
 
 QByteArray bytes_of(const QString& path) {
@@ -35,7 +36,8 @@ void put(const QString& path, const QByteArray& bytes) {
   QCOMPARE(file.write(bytes), bytes.size());
 }
 
-/// As long as it lives, no file grows beyond a size: as on a full disk, writing ends half-way.
+/// Keeps files from growing beyond a size while the object lives. As on a full disk, a write ends
+/// half-way.
 class NoRoom {
  public:
   explicit NoRoom(rlim_t most) : handler_(std::signal(SIGXFSZ, SIG_IGN)) {
@@ -78,7 +80,7 @@ class MishapsTest : public QObject {
   void a_device_of_the_environment_that_is_none();
 
  private:
-  /// Whether the window takes it.
+  /// Returns whether the window accepts a dropped file.
   bool drop(const QString& path);
   QString path(const char* name) const { return folder_.filePath(QString::fromLatin1(name)); }
 
@@ -144,7 +146,7 @@ void MishapsTest::no_scenes_are_dropped() {
   QVERIFY(window_->minimumSizeHint().width() < 1200);
 }
 
-/// What only the render can find out about a scene: it is told, and the window goes on.
+/// Tests a fault that only the render can find. It is reported, and the window goes on.
 void MishapsTest::a_balloon_beyond_all_heights_is_told() {
   scene::SceneSource source = small_scene().with({{"/terrain/base_m", "500"}});
   window_->document().start(source.with({{"/balloon/position", "[0, 1000000, 0]"}}), {});
@@ -165,7 +167,8 @@ void MishapsTest::a_pipe_is_not_taken() {
 }
 
 void MishapsTest::without_room_the_saved_file_stays() {
-  window_.reset();  // its kernels are written to files, too
+  // The window is closed first, because its kernels are written to files as well.
+  window_.reset();
   Document document;
   QSignalSpy failed(&document, &Document::failed);
   QVERIFY(document.save(path("saved.json")));
@@ -213,7 +216,7 @@ void MishapsTest::sizes_of_exports_data() {
   QTest::newRow("the largest") << 0;
 }
 
-/// Small ones come; large ones can be begun and left.
+/// Tests the sizes of exports. Small ones are completed, and large ones can be begun and cancelled.
 void MishapsTest::sizes_of_exports() {
   QFETCH(int, side);
   ExportDialog dialog(window_->document(), {});

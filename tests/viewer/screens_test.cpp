@@ -1,5 +1,5 @@
-// On a small screen everything can be reached. The screen of this test has 640 x 400 points: one of
-// 1280 x 800 pixels at twice the size.
+// Tests that everything can be reached on a small screen. The screen of this test has 640 x 400
+// points, which is a screen of 1280 x 800 pixels at twice the size.
 #include <QDialogButtonBox>
 #include <QDockWidget>
 #include <QLabel>

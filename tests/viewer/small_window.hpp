@@ -7,10 +7,10 @@
 
 #include "scene/source.hpp"
 
-/// What tests of the window begin with.
+/// Provides the common beginning of tests of the window.
 namespace aerostat::viewer {
 
-/// Settings of the test `name` alone, and none yet.
+/// Selects settings for the test `name` only, and empties them.
 inline void begin_with_no_settings(const QString& name) {
   QStandardPaths::setTestModeEnabled(true);
   QCoreApplication::setOrganizationName("aerostat");
@@ -18,7 +18,7 @@ inline void begin_with_no_settings(const QString& name) {
   QSettings().clear();
 }
 
-/// Soon rendered.
+/// Returns a scene that is rendered quickly.
 inline scene::SceneSource small_scene(const char* biome = "sand") {
   return scene::SceneSource().with({{"/biome/kind", biome},
                                     {"/terrain/cells", "96"},

@@ -1,5 +1,5 @@
-// What the program says before there is a window: to questions, to wrong options, and where there
-// is no display.
+// Tests the answers of the program before there is a window: to questions, to wrong options, and
+// without a display.
 #include <QProcess>
 #include <QTemporaryDir>
 #include <QtTest>
@@ -29,7 +29,7 @@ class StartupTest : public QObject {
   static Answer ask(const QStringList& words, const Changes& environment);
 };
 
-/// Of a process without a display but for what `environment` says.
+/// Runs the program without a display and returns its answer. `environment` adds variables.
 StartupTest::Answer StartupTest::ask(const QStringList& words, const Changes& environment) {
   QProcess program;
   auto variables = QProcessEnvironment::systemEnvironment();
@@ -150,7 +150,8 @@ void StartupTest::no_fonts_are_told() {
   QVERIFY2(told.err.contains("font"), qPrintable(told.err));
 }
 
-/// Their values are no scenes, and they are not refused: there is no display alone.
+/// Tests that Qt's options are known. Their values are not scenes, and they are not refused. The
+/// only error is the missing display.
 void StartupTest::options_of_qt_are_known() {
   const Answer told = ask({"-style", "fusion", "--geometry", "9x9", "-platform", "nonsense",
                            "-style=fusion", "-reverse", "snow"},

@@ -1,4 +1,4 @@
-// Every value of a scene has a control, or a reason to have none.
+// Tests that every value of a scene has a control, or a reason to have none.
 #include <QtTest>
 
 #include "scene/field_rule.hpp"
@@ -18,7 +18,7 @@ void ValuesTest::every_value_of_a_scene_can_be_set() {
   QSet<QString> reached;
   for (const Control& control : controls()) {
     QString pointer = control.pointer;
-    // An array's element stands for the array.
+    // An element of an array stands for the whole array.
     static const QRegularExpression kElement("/[0-9]$");
     pointer.remove(kElement);
     reached << pointer;

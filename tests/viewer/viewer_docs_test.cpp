@@ -1,5 +1,5 @@
-// The man page and the completions of the window name every option that --help shows, and no
-// others.
+// Tests that the man page and the completions of the window name exactly the options that --help
+// shows.
 #include <QFile>
 #include <QProcess>
 #include <QRegularExpression>
@@ -14,7 +14,7 @@ QString file_text(const QString& path) {
   return file.open(QIODevice::ReadOnly) ? QString::fromUtf8(file.readAll()) : QString();
 }
 
-/// All that group 1 of the pattern matches.
+/// Returns all matches of group 1 of the pattern.
 QSet<QString> all_of(const QString& text, const QString& pattern) {
   QSet<QString> words;
   auto at = QRegularExpression(pattern).globalMatch(text);
@@ -57,7 +57,8 @@ void ViewerDocsTest::options_are_those_of_help() {
   QVERIFY2(options.contains("device"), qPrintable(help));
   QSet<QString> named;
   QString text = file_text(path);
-  text.remove(QStringLiteral("devices --json"));  // of aerostat, which they ask
+  // This option belongs to aerostat, which the completions call.
+  text.remove(QStringLiteral("devices --json"));
   for (QString word : all_of(text, pattern)) named << word.remove('\\');
   QCOMPARE(named, options);
 }

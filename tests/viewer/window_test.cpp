@@ -1,4 +1,4 @@
-// The window at work on small scenes: rapid changes, latencies, errors, export, closing.
+// Tests the window with small scenes: rapid changes, latencies, errors, export and closing.
 #include <QAbstractButton>
 #include <QClipboard>
 #include <QDropEvent>
@@ -24,9 +24,10 @@
 namespace aerostat::viewer {
 namespace {
 
-/// Kernels may have to be compiled first.
+/// The longest wait in milliseconds. Kernels may have to be compiled first.
 constexpr int kPatience_ms = 180000;
-/// Bounds for machines that are busy with something else; what is measured is printed.
+/// Bounds in milliseconds for machines that are busy with something else. The measured times are
+/// printed.
 constexpr qint64 kFirstLook_ms = 1000;
 constexpr qint64 kCancel_ms = 3000;
 
@@ -57,7 +58,7 @@ class WindowTest : public QObject {
 
  private:
   bool wait_until_done();
-  /// The button in the bar whose text holds `text`; null if none does.
+  /// Returns the button in the message bar whose text contains `text`, or null if there is none.
   static QAbstractButton* offer(MainWindow& window, const QString& text);
 
   std::unique_ptr<MainWindow> window_;
@@ -90,7 +91,7 @@ void WindowTest::shows_the_scene_to_the_end() {
   QCOMPARE(window_->shown()->look.samples, 4);
   QCOMPARE(window_->view().image(), window_->shown()->image);
   QVERIFY(window_->messages().message().isEmpty());
-  // Not one colour all over.
+  // The picture does not have the same colour everywhere.
   const QImage& image = window_->shown()->image;
   QVERIFY(image.pixel(80, 2) != image.pixel(80, 85));
 }
@@ -165,11 +166,12 @@ void WindowTest::a_click_puts_the_balloon() {
   QVERIFY(window_->document().scene().balloon.position.z != 0.0);
   QVERIFY(wait_until_done());
   QVERIFY(glm::distance(window_->camera().pose()->position, eye.position) < 0.1);
-  // Double-click on it: it comes to the middle of the picture.
+  // A double click on an object moves it to the middle of the picture.
   const auto& film = window_->shown()->look.film;
   std::size_t hit = 0;
   while (hit < film.object_id.size() && film.object_id[hit] != 3u) ++hit;
-  if (hit == film.object_id.size()) return;  // out of sight
+  // The object is out of sight.
+  if (hit == film.object_id.size()) return;
   const QPointF place((static_cast<double>(hit % 160) + 0.5) / 160,
                       (static_cast<double>(hit / 160) + 0.5) / 90);
   window_->camera().aim_at(place);
@@ -258,7 +260,7 @@ void WindowTest::a_lost_device_offers_another() {
                       cl::Error(CL_DEVICE_NOT_AVAILABLE, "clEnqueueNDRangeKernel"));
     }
   };
-  // Long enough to be lost in the middle.
+  // The render is so long that the device is lost in the middle of it.
   MainWindow window(device, options);
   window.document().start(
       small_scene().with(
@@ -273,7 +275,7 @@ void WindowTest::a_lost_device_offers_another() {
   QVERIFY2(told().contains("the device was lost"), qPrintable(told()));
   QVERIFY(!window.view().image().isNull());
 
-  // It goes on taking changes, and tells again what hinders them.
+  // The window still takes changes, and reports again what prevents the picture.
   window.messages().dismiss();
   QElapsedTimer watch;
   watch.start();
@@ -366,7 +368,7 @@ void WindowTest::closes_while_it_renders() {
   QVERIFY(QTest::qWaitFor([&] { return window_->shown() != nullptr; }, kPatience_ms));
   window_->camera().look_by(0.1, 0.0);
   QTest::qWait(300);
-  // Or it would ask what becomes of the change.
+  // Without this, the window would ask what to do with the change.
   window_->document().undo_stack().setClean();
   QElapsedTimer watch;
   watch.start();

@@ -1,9 +1,9 @@
 #include "bvh/traverse.clh"
 #include "probe.clh"
 
-/* Every sixteen rays meet one node, at every width. Per ray, bit c says whether child c is met; per
- * packet, bit c says whether child c is left after culling, with the eight lower bounds. Rays of a
- * negative t_max are off. */
+/* Tests every sixteen rays against one node, at every width. For each ray, bit c says whether child
+ * c is hit. For each packet, bit c says whether child c is left after culling, together with the
+ * eight lower bounds. Rays with a negative t_max are off. */
 __kernel void probe_children(__global const AeroBvhNode* nodes, __global const float* origins,
                              __global const float* directions, __global const float* reaches,
                              __global uint* met, __global uint* kept, __global float* enters) {
@@ -30,8 +30,8 @@ __kernel void probe_children(__global const AeroBvhNode* nodes, __global const f
   STORE(bits, met);
 }
 
-/* The same where a packet's rays make a frustum; a packet that makes none keeps the answers that
- * lie there already. */
+/* Runs the same tests by frustums for packets whose rays make one. A packet that makes none keeps
+ * the answers that are already stored. */
 __kernel void probe_frustum(__global const AeroBvhNode* nodes, __global const float* origins,
                             __global const float* directions, __global const float* reaches,
                             __global uint* met, __global uint* kept, __global float* enters,

@@ -11,7 +11,7 @@ __kernel void probe_packets(const AeroTile tile, __global uint* x, __global uint
   STORE(packet.active, active);
 }
 
-/* Samples in any order: the unit square and the filter. */
+/* Stores the points in the unit square and the filter offsets of samples in any order. */
 __kernel void probe_samples(const AeroFrame frame, __global const uint* samples, __global float* uv,
                             __global float* offset) {
   const AeroFrame task = frame;

@@ -1,7 +1,8 @@
 #include "material/ground.clh"
 #include "probe.clh"
 
-/* Noise (broad, fine, rough) and mix (rock, beach, snow, forest) at points, as planes. */
+/* Stores the noise (broad, fine, rough) and the mix (rock, beach, snow, forest) at points, as
+ * planes. */
 __kernel void probe_ground(__global const AeroGround* ground, __global const float* points,
                            __global const float* slopes, const float footprint,
                            __global float* noises, __global float* mixes) {
@@ -13,7 +14,7 @@ __kernel void probe_ground(__global const AeroGround* ground, __global const flo
   STORE(mix.forest, mixes + 3u * PLANE);
 }
 
-/* Albedo of rock there. */
+/* Stores the albedo of the rock at points. */
 __kernel void probe_rock(__global const AeroGround* ground, __global const float* points,
                          const float footprint, __global float* colors) {
   const Lane3 p = load3(points);

@@ -12,7 +12,7 @@ __kernel void probe_compare(__global const float* a, __global const float* b, __
   STORE(lane_select(mask, LANE_INDEX, (lane_uint)99u), chosen_uint);
 }
 
-/* One word a work-item: the packet's mask as bits, any, all. */
+/* Stores one word per work-item: the packet's mask as bits, any, and all. */
 __kernel void probe_bits(__global const int* masks, __global uint* bits, __global int* any_all) {
   const lane_int mask = LOAD(masks);
   const size_t i = get_global_id(0);
@@ -21,7 +21,7 @@ __kernel void probe_bits(__global const int* masks, __global uint* bits, __globa
   any_all[2 * i + 1] = lane_all(mask);
 }
 
-/* lane_bits8 serves the children of a node at every width. */
+/* Tests lane_bits8, which serves the children of a node at every width. */
 __kernel void probe_bits8(__global const int* masks, __global uint* bits) {
   bits[get_global_id(0)] = lane_bits8(vload8(get_global_id(0), masks));
 }
@@ -54,7 +54,7 @@ __kernel void probe_convert(__global const float* numbers, __global int* ints, _
   for (int i = 0; i < LANES; ++i) array[get_global_id(0) * LANES + i] = as_array.at[i];
 }
 
-/* a b - c d as the triangle test writes it. */
+/* Computes a b - c d in the form in which the triangle test writes it. */
 __kernel void probe_difference(__global const float* a, __global const float* b,
                                __global const float* c, __global const float* d,
                                __global float* difference) {

@@ -11,13 +11,14 @@
   out[n++] = (uint)(size_t)(&((__global type*)0)->field); \
   out[n++] = (uint)sizeof(((__global type*)0)->field);
 
-/* Sizes of the structs, offsets and sizes of their fields, in the order of the list. */
+/* Stores the sizes of the structs, and the offsets and sizes of their fields, in the order of the
+ * list. */
 __kernel void report_layout(__global uint* out) {
   uint n = 0u;
 #include "layout_fields.h"
 }
 
-/* Size of a packet of hits, and the offsets in it. */
+/* Stores the size of a packet of hits, and the offsets in it. */
 __kernel void report_hit(__global uint* out) {
   out[0] = (uint)sizeof(Hit);
   out[1] = (uint)(size_t)(&((__global Hit*)0)->t);

@@ -1,4 +1,5 @@
-/* Every shared struct and every field of it: STRUCT and FIELD are the includer's. */
+/* Lists every shared struct and each of its fields. The file that includes this one defines STRUCT
+ * and FIELD. */
 STRUCT(AeroBvhNode)
 FIELD(AeroBvhNode, lo)
 FIELD(AeroBvhNode, hi)

@@ -7,7 +7,8 @@ __kernel void probe_perlin(const uint seed, __global const float* x, __global co
   store3_planes(lane3(n.value, n.dx, n.dy), noise);
 }
 
-/* Values alone: of the plane's noise, of its fBm, of the noise in space and of its fBm, folded. */
+/* Stores only values: of the plane's noise, of its fBm, of the noise in space and of its folded
+ * fBm. */
 __kernel void probe_noise_values(const uint seed, const int octaves, __global const float* points,
                                  __global const float* footprints, __global float* values) {
   const Lane3 p = load3(points);
@@ -20,7 +21,7 @@ __kernel void probe_noise_values(const uint seed, const int octaves, __global co
   STORE(solid_fbm, values + 3u * PLANE);
 }
 
-/* The same values, from functions that give slopes too. */
+/* Stores the same values, computed by functions that return slopes too. */
 __kernel void probe_noise_with_slopes(const uint seed, const int octaves,
                                       __global const float* points,
                                       __global const float* footprints, __global float* values) {
@@ -46,8 +47,8 @@ __kernel void probe_fbm(const uint seed, const float wavelength, const int octav
   store3_planes(lane3(n.value, n.dx, n.dy), noise);
 }
 
-/* Values, then gradients as planes. No octaves: one of unit wavelength, unfiltered; else fBm from a
- * wavelength of 8. */
+/* Stores values, then gradients as planes. With no octaves, the noise is a single unfiltered one of
+ * unit wavelength, else it is fBm from a wavelength of 8. */
 __kernel void probe_solid(const uint seed, const int octaves, const int ridges,
                           __global const float* points, __global const float* footprints,
                           __global float* values, __global float* gradients) {

@@ -1,7 +1,7 @@
 #include "probe.clh"
 #include "sample/sampling.clh"
 
-/* The numbers of a tile's samples, and what they choose. */
+/* Stores the numbers of a tile's samples, and the points and directions that they choose. */
 __kernel void probe_light_samples(const AeroLaunch launch, __global const float* axis,
                                   const float radius, __global uint* pixels, __global float* uvw,
                                   __global float* in_disc, __global float* by_cosine) {

@@ -2,7 +2,7 @@
 #include "light/shade.clh"
 #include "probe.clh"
 
-/* A look whose scalars stand in `coefficients`: ambient, diffuse, specular, shininess,
+/* Returns a look whose scalars are in `coefficients`: ambient, diffuse, specular, shininess,
  * translucency, then the albedo and the softness. */
 inline Look load_look(__global const float* coefficients, __global const float* positions,
                       __global const float* normals, __global const float* viewers) {
@@ -102,7 +102,8 @@ __kernel void probe_cloud_density(__global const AeroScene* scene, __global cons
   STORE(cumulus_density(&scene->sky.cumulus, p, p.y, LOAD(footprints)), density);
 }
 
-/* What probe_clouds finds for rays to the sky, by small, even steps that are lit one by one. */
+/* Stores the same light as probe_clouds for rays to the sky, computed by small, even steps that are
+ * lit one by one. */
 __kernel void probe_clouds_finely(__global const AeroScene* scene, __global const float* origins,
                                   __global const float* directions, const float step,
                                   __global float* arriving) {
@@ -138,7 +139,7 @@ __kernel void probe_clouds_finely(__global const AeroScene* scene, __global cons
   store3_planes(mix3(white, seen, 1.0f - march.through), arriving);
 }
 
-/* A line of half a width of 2 cm. */
+/* Computes the cover of a line whose half width is 2 cm. */
 __kernel void probe_line(__global const float* distances, __global const float* pixels,
                          __global float* covers) {
   STORE(line_cover(LOAD(distances), 0.02f, LOAD(pixels)), covers);
@@ -149,7 +150,8 @@ __kernel void probe_flame(__global const AeroScene* scene, __global const float*
   store3_planes(flame_on(&scene->balloon, load3(positions), load3(normals)), light);
 }
 
-/* White cloth that lets `through[0]` of the light through and throws the rest back, in the dark. */
+/* Computes the glow in the dark of white cloth that transmits the share `through[0]` of the light
+ * and reflects the rest. */
 __kernel void probe_cloth(__global const AeroScene* scene, __global const float* through,
                           __global const float* normals, __global const uint* inside,
                           __global float* glow) {

@@ -11,7 +11,8 @@ inline Hit load_hit(__global const float* tuv, __global const uint* slots) {
   return hit;
 }
 
-/* Position, normal and colour at each hit, the plane's normal, then the object and the material. */
+/* Stores the position, normal and colour at each hit, the normal of the plane, then the object and
+ * the material. */
 __kernel void probe_interpolation(__global const AeroInstance* instances,
                                   __global const float* grid, __global const AeroFace* faces,
                                   __global const AeroVertex* vertices, __global const float* tuv,

@@ -10,7 +10,7 @@ inline Ray load_ray(__global const float* origins, __global const float* directi
   return ray;
 }
 
-/* Rays through the tree; tuv receives three planes. */
+/* Traces rays through the tree. `tuv` receives three planes. */
 __kernel void probe_trace(__global const AeroBvhNode* nodes, __global const AeroTriangle* triangles,
                           __global const AeroInstance* instances, __global const float* grid,
                           __global const float* origins, __global const float* directions,
@@ -24,7 +24,7 @@ __kernel void probe_trace(__global const AeroBvhNode* nodes, __global const Aero
   STORE(hit.instance, slots + PLANE);
 }
 
-/* Packet `packet` of the rays. */
+/* Loads and stores the packet `packet` of the rays. */
 #if LANES == 1
 #define LOAD_PACKET(array) ((array)[packet])
 #define STORE_PACKET(value, array) ((array)[packet] = (value))
@@ -33,7 +33,7 @@ __kernel void probe_trace(__global const AeroBvhNode* nodes, __global const Aero
 #define STORE_PACKET(value, array) AERO_JOIN(vstore, LANES)((value), packet, (array))
 #endif
 
-/* The same in bundles; the number of packets is a multiple of BUNDLE. */
+/* Traces rays in bundles through the tree. The number of packets must be a multiple of BUNDLE. */
 __kernel void probe_bundle(__global const AeroBvhNode* nodes,
                            __global const AeroTriangle* triangles,
                            __global const AeroInstance* instances, __global const float* grid,
@@ -71,7 +71,7 @@ inline void hit_triangle(__global const AeroTriangle* triangle, uint slot, const
   take_hit(&crossing, (lane_uint)slot, enter_triangle(triangle, slab_ray), ray, frame, hit);
 }
 
-/* Every ray against the same triangles in their order, without a tree. */
+/* Tests every ray against the same triangles in their order, without a tree. */
 __kernel void probe_triangles(__global const AeroTriangle* triangles, const uint count,
                               __global const float* origins, __global const float* directions,
                               __global const float* t_max, const uint first_slot,
@@ -87,7 +87,8 @@ __kernel void probe_triangles(__global const AeroTriangle* triangles, const uint
   STORE(hit.triangle, slots);
 }
 
-/* Each ray against a triangle of its own, in every lane; `tuv` and `slots` are per ray. */
+/* Tests each ray against a triangle of its own in every lane. `tuv` and `slots` have an entry for
+ * each ray. */
 __kernel void probe_pairs(__global const AeroTriangle* triangles, __global const float* origins,
                           __global const float* directions, __global const float* t_max,
                           __global float* tuv, __global uint* slots) {
