@@ -41,10 +41,10 @@ std::uint64_t RaySet::active() const {
   return count;
 }
 
-DeviceBench::DeviceBench(const opencl::Device& device, int lanes,
-                         const render::HostGeometry& geometry, const opencl::SourceTree& kernels)
+DeviceBench::DeviceBench(const opencl::Device& device, int lanes, const scene::Scene& shown,
+                         const render::Frame& frame, const opencl::SourceTree& kernels)
     : lanes_(lanes != 0 ? lanes : device.lanes), context_(device) {
-  device_ = render::upload(context_, budget_, geometry);
+  device_ = render::upload(context_, budget_, frame.tree, frame.arrays);
   const auto sources = with_bench(kernels);
   trace_camera_ =
       opencl::Program(context_, sources, "trace_camera.cl", lanes_).kernel("trace_camera_rays");
@@ -57,7 +57,7 @@ DeviceBench::DeviceBench(const opencl::Device& device, int lanes,
   trace_rays_ = bench.kernel("trace_rays");
   count_rays_ = opencl::Program(context_, sources, "count_rays.cl", lanes_).kernel("count_rays");
 
-  scene::Scene scene = geometry.scene;
+  scene::Scene scene = shown;
   scene.image.spp = 1;
   launch_.frame = pack::pack_frame(scene);
   const render::Crop all{0, 0, scene.image.width, scene.image.height};

@@ -33,9 +33,9 @@ struct PacketCounts {
 /// The renderer's kernels on one device, timed by the clock of the device.
 class DeviceBench {
  public:
-  /// Uploads the geometry and compiles the product's `kernels` together with those of the bench.
-  DeviceBench(const opencl::Device& device, int lanes, const render::HostGeometry& geometry,
-              const opencl::SourceTree& kernels);
+  /// Uploads the frame and compiles the product's `kernels` together with those of the bench.
+  DeviceBench(const opencl::Device& device, int lanes, const scene::Scene& shown,
+              const render::Frame& frame, const opencl::SourceTree& kernels);
 
   const render::DeviceGeometry& geometry() const { return device_; }
   int lanes() const { return lanes_; }

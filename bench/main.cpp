@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <functional>
 #include <map>
+#include <utility>
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -69,7 +70,7 @@ ordered_json as_json(const bench::PacketCounts& counts) {
   return {{"nodes", counts.nodes}, {"leaves", counts.leaves}, {"triangles", counts.triangles}};
 }
 
-std::shared_ptr<const render::HostGeometry> build(const Arguments& arguments) {
+render::BuiltGeometry build(const Arguments& arguments) {
   if (arguments.soup > 0) {
     return bench::build_soup(arguments.soup, arguments.width, arguments.height);
   }
@@ -174,8 +175,11 @@ void add_renderers_kernels(bench::DeviceBench& device, const std::vector<Kind>& 
 
 void run(const Arguments& arguments) {
   const auto device = opencl::select_device(opencl::effective_selector(arguments.device));
-  const auto geometry = build(arguments);
-  bench::DeviceBench own(device, arguments.lanes, *geometry, opencl::kernel_sources());
+  render::BuiltGeometry built = build(arguments);
+  const auto geometry = built.geometry;
+  const scene::Scene& scene = geometry->world.scene;
+  const render::Frame frame = render::only_frame(std::move(built));
+  bench::DeviceBench own(device, arguments.lanes, scene, frame, opencl::kernel_sources());
   const bench::RaySet camera = own.camera_rays(), shadow = own.shadow_rays();
   const bench::RaySet bounce = own.bounce_rays();
   ordered_json figures = describe(arguments, own, device.name, *geometry);
@@ -186,7 +190,7 @@ void run(const Arguments& arguments) {
   add_renderers_kernels(own, kinds, entries);
   std::vector<std::unique_ptr<bench::DeviceBench>> others;
   for (const auto& folder : arguments.against) {
-    others.push_back(std::make_unique<bench::DeviceBench>(device, arguments.lanes, *geometry,
+    others.push_back(std::make_unique<bench::DeviceBench>(device, arguments.lanes, scene, frame,
                                                           opencl::kernel_sources(folder)));
     add_kernels(*others.back(), "kernels of " + folder, kinds, entries);
   }
@@ -196,8 +200,7 @@ void run(const Arguments& arguments) {
     embree = std::make_unique<bench::EmbreePeer>(*geometry);
     figures["embree_commit_seconds"] = embree->commit_seconds();
     if (arguments.soup > 0) {
-      figures["build"] =
-          time_builds(geometry->world.balloon->front().mesh, *embree, arguments.rounds);
+      figures["build"] = time_builds(bench::mesh_of_soup(*geometry), *embree, arguments.rounds);
     }
     for (const Kind& kind : kinds) add_peer(*embree, kind, entries);
   }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <random>
+#include <utility>
 
 #include "core/stopwatch.hpp"
 #include "model/balloon.hpp"
@@ -110,37 +111,37 @@ mesh::TriangleMesh soup_mesh(std::size_t triangles, const scene::Balloon& balloo
   return mesh;
 }
 
+const world::GroupKind kSoup{.name = "soup"};
+
 /// Returns a floor of one cell, because a frame must have some ground.
-std::shared_ptr<const world::Land> floor_below() {
+world::HeightGrid floor_below() {
   const float line[] = {-2.0f * kExtent, 2.0f * kExtent};
   auto ground = std::make_shared<mesh::GridMesh>(line, line);
   for (std::uint32_t i = 0; i < 4; ++i) ground->set(i % 2, i / 2, -2.0f * kExtent, {0, 1, 0});
-  return std::make_shared<const world::Land>(world::Land{ground, {}});
+  return {ground};
 }
 
 }  // namespace
 
-std::shared_ptr<const render::HostGeometry> build_soup(std::size_t triangles, int width,
-                                                       int height) {
-  auto geometry = std::make_shared<render::HostGeometry>();
-  scene::Scene& scene = geometry->scene;
+render::BuiltGeometry build_soup(std::size_t triangles, int width, int height) {
+  world::World world;
+  scene::Scene& scene = world.scene;
   scene = scene::defaults(scene::BiomeKind::snow, scene::View::outside);
   scene.image.width = width;
   scene.image.height = height;
   scene.balloon.position = {0.0, -0.5 * model::balloon_height(scene.balloon), 0.0};
   scene.camera.position = {0.0, 10.0, 2.2 * static_cast<double>(kExtent)};
   scene.camera.target = {0.0, 0.0, 0.0};
-  Stopwatch watch;
+  const Stopwatch watch;
   world::Objects objects{
       {scene::ObjectId::frame, scene::MaterialId::frame, soup_mesh(triangles, scene.balloon)}};
-  geometry->world.balloon = std::make_shared<const world::Objects>(std::move(objects));
-  geometry->world.land = floor_below();
-  geometry->world_seconds = watch.restart();
-  geometry->land = std::make_shared<pack::PackedGroup>(pack::pack_land(*geometry->world.land));
-  geometry->balloon =
-      std::make_shared<const pack::PackedGroup>(pack::pack_objects(*geometry->world.balloon));
-  geometry->tree_seconds = watch.seconds();
-  return geometry;
+  world.groups.push_back(world::make_group(world::kLand, floor_below()));
+  world.groups.push_back(world::make_group(kSoup, std::move(objects)));
+  return render::pack_world(std::move(world), nullptr, render::Meshes::keep, watch.seconds());
+}
+
+const mesh::TriangleMesh& mesh_of_soup(const render::HostGeometry& geometry) {
+  return world::shape_of<world::Objects>(geometry.world, kSoup)->front().mesh;
 }
 
 }  // namespace aerostat::bench

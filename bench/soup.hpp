@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cstddef>
-#include <memory>
 
 #include "render/geometry.hpp"
 
@@ -11,7 +10,9 @@ namespace aerostat::bench {
 /// stands among dented balls and rings of many sizes, with ropes of long, thin triangles through
 /// all of it. The mesh has `triangles` triangles and is the same in every run. The camera stands
 /// outside.
-std::shared_ptr<const render::HostGeometry> build_soup(std::size_t triangles, int width,
-                                                       int height);
+render::BuiltGeometry build_soup(std::size_t triangles, int width, int height);
+
+/// The one mesh of a soup.
+const mesh::TriangleMesh& mesh_of_soup(const render::HostGeometry& geometry);
 
 }  // namespace aerostat::bench

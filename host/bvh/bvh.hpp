@@ -56,14 +56,19 @@ struct JoinedBvh : Bvh {
   std::vector<std::uint32_t> model_roots;  // node at which the tree of each model begins
 };
 
-/// Joins trees under a common root without rebuilding them. Triangle indices in `order` of tree k
-/// are raised by `first_triangle[k]`. References to nodes and leaves are shifted to the new
-/// places. Patches and instances keep their numbers, so that at most one tree may have patches
-/// and at most one may have instances. If the `order` of a tree was emptied, the result has none.
-/// The trees of `models` are placed beside the others and only instances refer to them. Their
-/// slots come after all other slots. Throws Error{internal} if the result would need more stack
-/// than the kernels have.
-JoinedBvh join(std::span<const Bvh* const> trees, std::span<const std::uint32_t> first_triangle,
-               std::span<const Bvh* const> models = {});
+/// A tree that is to be joined with others.
+struct Part {
+  const Bvh* tree = nullptr;
+  bool is_model = false;             // no child of the common root: instances alone refer to it
+  std::uint32_t first_triangle = 0;  // is added to the triangle indices in its `order`
+  std::uint32_t first_instance = 0;  // is added to the instance numbers in its leaves
+};
+
+/// Joins trees under a common root. The slots of the parts follow each other in the parts' order;
+/// node and leaf references are raised accordingly. Patches stay what they are, so that one tree at
+/// most may have some. Where a part's `order` was given up, the result has none. Throws
+/// Error{internal} if the result would need more stack than the kernels have, Error{bad_data} if it
+/// cannot be addressed (2^27 triangles).
+JoinedBvh join(std::span<const Part> parts);
 
 }  // namespace aerostat::bvh

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <span>
 #include <string>
 #include <utility>
 
@@ -24,10 +25,13 @@ bool is_slot_leaf(aero_uint child) {
   return (child & AERO_BVH_LEAF) != 0 && (child & AERO_BVH_PATCH) == 0;
 }
 
-// A tree and the first triangle, node and slot that it has in the result.
-struct Entry {
-  const Bvh* tree = nullptr;
-  std::uint32_t first_triangle = 0;
+bool is_instance(aero_uint child) {
+  return (child & AERO_BVH_LEAF) != 0 && (child & AERO_BVH_PATCH) != 0 &&
+         (child >> AERO_PATCH_SHAPE_SHIFT & AERO_PATCH_SHAPE_MASK) == AERO_PATCH_INSTANCE;
+}
+
+// A part and where it begins in the result.
+struct Entry : Part {
   std::uint32_t first_node = 0;
   std::uint32_t first_slot = 0;
 };
@@ -42,13 +46,18 @@ struct Top {
 
 class Joiner {
  public:
-  /// Takes the trees to join. The entries after the first `trees` are models.
-  Joiner(std::vector<Entry> entries, std::size_t trees)
-      : entries_(std::move(entries)), trees_(trees) {}
+  explicit Joiner(std::span<const Part> parts) {
+    for (const Part& part : parts) {
+      // Nothing is to be found in an empty tree, but instances may refer to an empty model.
+      if (!part.is_model && part.tree->stats.leaves == 0) continue;
+      if (!part.is_model) trees_.push_back(entries_.size());
+      entries_.push_back({part});
+    }
+  }
 
   JoinedBvh join() {
     std::size_t slots = 0;
-    const Top root = trees_ > 0 ? raise(0, trees_) : no_trees();
+    const Top root = trees_.empty() ? no_trees() : raise(0, trees_.size());
     for (Entry& entry : entries_) {
       entry.first_slot = static_cast<std::uint32_t>(slots);
       slots += entry.tree->slots;
@@ -60,8 +69,9 @@ class Joiner {
     if (ordered) result_.order.resize(slots);
     result_.slots = static_cast<std::uint32_t>(slots);
     place_trees();
-    for (std::size_t i = trees_; i < entries_.size(); ++i)
-      result_.model_roots.push_back(entries_[i].first_node);
+    for (const Entry& entry : entries_) {
+      if (entry.is_model) result_.model_roots.push_back(entry.first_node);
+    }
     result_.bounds = root.bounds;
     result_.stats.nodes = result_.nodes.size();
     result_.stats.stack_entries = static_cast<std::uint32_t>(root.stack);
@@ -84,8 +94,8 @@ class Joiner {
     return {{}, 0, 1, 0.0};
   }
 
-  // Makes the nodes above the trees [begin, end). References to trees are their numbers until
-  // place_trees() knows how many nodes come before them.
+  // Makes the nodes above trees [begin, end). References to trees are the numbers of their entries
+  // until place_trees() knows how many nodes come before them.
   Top raise(std::size_t begin, std::size_t end) {
     if (end - begin == 1) return top_of_tree(begin);
     Top top{{}, static_cast<std::uint32_t>(result_.nodes.size()), 0, 0.0};
@@ -110,8 +120,9 @@ class Joiner {
   }
 
   Top top_of_tree(std::size_t i) const {
-    const Bvh& tree = *entries_[i].tree;
-    return {tree.bounds, static_cast<std::uint32_t>(i), static_cast<int>(tree.stats.stack_entries),
+    const Bvh& tree = *entries_[trees_[i]].tree;
+    return {tree.bounds, static_cast<std::uint32_t>(trees_[i]),
+            static_cast<int>(tree.stats.stack_entries),
             tree.stats.sah_cost * half_area(tree.bounds)};
   }
 
@@ -138,6 +149,7 @@ class Joiner {
       AeroBvhNode& node = result_.nodes[entry.first_node + i] = nodes[i];
       for (aero_uint& child : node.child) {
         if (is_slot_leaf(child)) child += entry.first_slot;
+        if (is_instance(child)) child += entry.first_instance;
         if ((child & AERO_BVH_LEAF) == 0) child += entry.first_node;
       }
     });
@@ -150,8 +162,8 @@ class Joiner {
   }
 
   std::vector<Entry> entries_;
-  std::size_t trees_;
-  std::vector<std::uint32_t> tree_children_;  // for each node of the top, the slots that hold trees
+  std::vector<std::size_t> trees_;            // entries that are no models
+  std::vector<std::uint32_t> tree_children_;  // per node of the top: which slots hold trees
   JoinedBvh result_;
 };
 
@@ -164,21 +176,9 @@ void add_counts(const BuildStats& from, BuildStats& to) {
 
 }  // namespace
 
-JoinedBvh join(std::span<const Bvh* const> trees, std::span<const std::uint32_t> first_triangle,
-               std::span<const Bvh* const> models) {
-  if (trees.size() != first_triangle.size())
-    throw Error(ErrorKind::internal, "joining BVHs: " + std::to_string(trees.size()) +
-                                         " trees, but the first triangles of " +
-                                         std::to_string(first_triangle.size()));
-  std::vector<Entry> entries;
-  for (std::size_t i = 0; i < trees.size(); ++i) {
-    if (trees[i]->stats.leaves > 0) entries.push_back({trees[i], first_triangle[i]});
-  }
-  const std::size_t joined_trees = entries.size();
-  for (const Bvh* model : models) entries.push_back({model, 0});
-  JoinedBvh joined = Joiner(std::move(entries), joined_trees).join();
-  for (const Bvh* tree : trees) add_counts(tree->stats, joined.stats);
-  for (const Bvh* model : models) add_counts(model->stats, joined.stats);
+JoinedBvh join(std::span<const Part> parts) {
+  JoinedBvh joined = Joiner(parts).join();
+  for (const Part& part : parts) add_counts(part.tree->stats, joined.stats);
   if (joined.stats.stack_entries > AERO_BVH_STACK)
     throw Error(ErrorKind::internal, "joining BVHs: the result needs a stack of " +
                                          std::to_string(joined.stats.stack_entries) +

@@ -15,7 +15,7 @@ int export_world(const ExportOptions& options) {
   scene::Scene scene = load_scene(options.input);
   scene.origin = scene::origin_for_export(scene);
   const world::Objects world = world::as_triangles(
-      world::build(scene), options.plants ? world::Grown::included : world::Grown::left_out);
+      world::build(scene), options.plants ? world::Placed::included : world::Placed::left_out);
   std::vector<mesh::ExportObject> objects;
   for (const world::Object& object : world) {
     objects.push_back(

@@ -1,13 +1,15 @@
 #include "pack/pack_geometry.hpp"
 
-#include <algorithm>
+#include <utility>
+#include <variant>
 
+#include <fmt/format.h>
 #include <oneapi/tbb/parallel_for.h>
 
 #include "bvh/grid.hpp"
-#include "mesh/grid_mesh.hpp"
+#include "core/error.hpp"
 #include "pack/copy.hpp"
-#include "pack/pack_plants.hpp"
+#include "pack/pack_instances.hpp"
 
 namespace aerostat::pack {
 namespace {
@@ -51,10 +53,9 @@ void add_vertices(const mesh::TriangleMesh& mesh, Array<AeroVertex>& vertices) {
   });
 }
 
-/// Adds the tree of a soup and what its leaves hold.
-void add_tree(bvh::Bvh tree, const Soup& soup, PackedGroup& group) {
-  const auto& order = tree.order;
-  auto& arrays = group.arrays;
+/// The triangles and faces of a soup, in the order of its tree's leaves.
+void add_triangles(const Soup& soup, const std::vector<std::uint32_t>& order,
+                   PackedArrays& arrays) {
   arrays.triangles.resize(order.size());
   arrays.faces.resize(order.size());
   tbb::parallel_for(std::size_t{0}, order.size(), [&](std::size_t slot) {
@@ -66,70 +67,109 @@ void add_tree(bvh::Bvh tree, const Soup& soup, PackedGroup& group) {
     const Owner& owner = soup.owners[order[slot]];
     arrays.faces[slot] = {{triangle.x, triangle.y, triangle.z}, owner.object, owner.material};
   });
-  tree.order = {};
-  group.trees.push_back(std::move(tree));
 }
 
-void add_objects(const world::Objects& objects, PackedGroup& group) {
-  if (objects.empty()) return;
+Room room_of(const world::Objects& objects) {
+  Room room;
   for (const world::Object& object : objects) {
-    mesh::check(object.mesh, scene::object_name(object.id).c_str());
-    add_vertices(object.mesh, group.arrays.vertices);
+    room += {object.mesh.triangles.size(), object.mesh.positions.size()};
   }
-  const Soup soup = merge(objects);
-  add_tree(bvh::build(soup.positions, soup.triangles), soup, group);
+  return room;
 }
 
-void reserve(const world::Objects& objects, const Room& room, PackedArrays& arrays) {
-  std::size_t triangles = room.triangles, vertices = room.vertices;
-  for (const auto& object : objects) {
-    triangles += object.mesh.triangles.size();
-    vertices += object.mesh.positions.size();
+/// Packs what a shape is.
+struct ShapePacker {
+  const Room& more;
+
+  Packed operator()(const world::Objects& objects) const {
+    Packed packed;
+    if (objects.empty()) return packed;
+    Room room = more;
+    room += room_of(objects);
+    reserve(packed.arrays, room);
+    for (const world::Object& object : objects) {
+      mesh::check(object.mesh, scene::object_name(object.id).c_str());
+      add_vertices(object.mesh, packed.arrays.vertices);
+    }
+    const Soup soup = merge(objects);
+    bvh::Bvh tree = bvh::build(soup.positions, soup.triangles);
+    add_triangles(soup, tree.order, packed.arrays);
+    tree.order = {};
+    packed.group.trees.push_back(std::move(tree));
+    packed.group.room = room_of(packed.arrays);
+    return packed;
   }
-  arrays.triangles.reserve(triangles);
-  arrays.faces.reserve(triangles);
-  arrays.vertices.reserve(vertices);
-}
+
+  Packed operator()(const world::HeightGrid& grid) const {
+    Packed packed;
+    packed.group.trees.push_back(bvh::build_grid(*grid.mesh));
+    packed.group.grid = grid.mesh;
+    return packed;
+  }
+
+  Packed operator()(const world::Instances& instances) const {
+    return pack_instances(instances, more);
+  }
+};
 
 }  // namespace
 
-PackedGroup pack_objects(const world::Objects& objects) {
-  PackedGroup group;
-  add_objects(objects, group);
-  return group;
+Room room_of(const PackedArrays& arrays) {
+  return {arrays.triangles.size(), arrays.vertices.size()};
 }
 
-PackedGroup pack_land(const world::Land& land, const Room& room) {
-  PackedGroup group;
-  group.trees.push_back(bvh::build_grid(*land.ground));
-  reserve(land.objects, room, group.arrays);
-  add_objects(land.objects, group);
-  return group;
+void reserve(PackedArrays& arrays, const Room& room) {
+  arrays.triangles.reserve(room.triangles);
+  arrays.faces.reserve(room.triangles);
+  arrays.vertices.reserve(room.vertices);
+}
+
+Packed pack_shape(const world::Shape& shape, const Room& more) {
+  return std::visit(ShapePacker{more}, shape);
 }
 
 void append(PackedArrays& whole, const PackedArrays& part) {
   const auto first_vertex = static_cast<std::uint32_t>(whole.vertices.size());
   whole.triangles.insert(whole.triangles.end(), part.triangles.begin(), part.triangles.end());
   whole.vertices.insert(whole.vertices.end(), part.vertices.begin(), part.vertices.end());
-  whole.faces.reserve(whole.faces.size() + part.faces.size());
   for (AeroFace face : part.faces) {
     for (auto& vertex : face.vertex) vertex += first_vertex;
     whole.faces.push_back(face);
   }
 }
 
-bvh::JoinedBvh join_trees(const std::vector<const PackedGroup*>& groups,
-                          const PackedPlants* plants) {
-  std::vector<const bvh::Bvh*> trees, models;
-  for (const PackedGroup* group : groups) {
-    if (group == nullptr) continue;
-    for (const bvh::Bvh& tree : group->trees) trees.push_back(&tree);
+bvh::JoinedBvh join_trees(const std::vector<std::shared_ptr<const PackedGroup>>& groups) {
+  std::vector<bvh::Part> parts;
+  std::uint32_t instances = 0;
+  int grids = 0;
+  for (const auto& group : groups) {
+    for (const bvh::Bvh& tree : group->trees) parts.push_back({&tree, false, 0, instances});
+    for (const bvh::Bvh& model : group->models) parts.push_back({&model, true});
+    instances += static_cast<std::uint32_t>(group->instances.size());
+    grids += group->grid != nullptr ? 1 : 0;
   }
-  if (plants != nullptr) {
-    trees.push_back(&plants->tree);
-    for (const bvh::Bvh& model : plants->models) models.push_back(&model);
+  if (grids > 1) {
+    throw Error(
+        ErrorKind::internal,
+        fmt::format("packing the world: {} groups have a height grid, at most 1 can", grids));
   }
-  return bvh::join(trees, std::vector<std::uint32_t>(trees.size(), 0), models);
+  return bvh::join(parts);
+}
+
+std::vector<AeroInstance> join_instances(
+    const std::vector<std::shared_ptr<const PackedGroup>>& groups, const bvh::JoinedBvh& tree) {
+  std::vector<AeroInstance> instances;
+  std::size_t count = 0, first_model = 0;
+  for (const auto& group : groups) count += group->instances.size();
+  instances.reserve(count);
+  for (const auto& group : groups) {
+    for (AeroInstance instance : group->instances) {
+      instance.root = tree.model_roots[first_model + instance.root];
+      instances.push_back(instance);
+    }
+    first_model += group->models.size();
+  }
+  return instances;
 }
 
 }  // namespace aerostat::pack

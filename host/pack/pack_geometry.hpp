@@ -1,11 +1,14 @@
 #pragma once
 
+#include <memory>
 #include <vector>
 
 #include "bvh/bvh.hpp"
 #include "core/array.hpp"
+#include "instance.h"
+#include "mesh/grid_mesh.hpp"
 #include "trace_triangle.h"
-#include "world/world.hpp"
+#include "world/group.hpp"
 
 /// Scene and meshes as the structs that the kernels read.
 namespace aerostat::pack {
@@ -18,35 +21,53 @@ struct PackedArrays {
   Array<AeroVertex> vertices;
 };
 
-/// Objects with their trees: one over the ground, if there is one, and one over all the rest.
-struct PackedGroup {
-  std::vector<bvh::Bvh> trees;  // `order` is given up: it is what the triangles were sorted by
-  PackedArrays arrays;
-};
-
-/// Builds the tree of meshes and sorts their triangles. Runs on all cores.
-PackedGroup pack_objects(const world::Objects& objects);
-
-/// Elements that are to be appended later.
+/// How many elements arrays hold.
 struct Room {
   std::size_t triangles = 0, vertices = 0;
 
-  Room operator+(const Room& other) const {
-    return {triangles + other.triangles, vertices + other.vertices};
+  Room& operator+=(const Room& other) {
+    triangles += other.triangles;
+    vertices += other.vertices;
+    return *this;
   }
 };
 
-/// The same with the tree of the ground, which the kernels read as it is. The arrays get `room`.
-PackedGroup pack_land(const world::Land& land, const Room& room = {});
+Room room_of(const PackedArrays& arrays);
+
+/// Makes arrays hold so many elements without being moved.
+void reserve(PackedArrays& arrays, const Room& room);
+
+/// A group as the kernels read it, but for its arrays. `order` of the trees is given up: it is what
+/// the triangles were sorted by.
+struct PackedGroup {
+  std::vector<bvh::Bvh> trees;                 // that stand in the world
+  std::vector<bvh::Bvh> models;                // that instances refer to
+  std::vector<AeroInstance> instances;         // `root` is the number of the model
+  std::shared_ptr<const mesh::GridMesh> grid;  // that patches of a tree refer to, or null
+  Room room;                                   // of the group's arrays
+
+  bool empty() const { return trees.empty(); }
+};
+
+/// A group and its arrays: the triangles of its trees, then those of its models.
+struct Packed {
+  PackedGroup group;
+  PackedArrays arrays;
+};
+
+/// Builds the trees of a group and sorts its triangles. The arrays get room for `more` elements
+/// that are to be appended. Runs on all cores.
+Packed pack_shape(const world::Shape& shape, const Room& more = {});
 
 /// Appends `part` to `whole`.
 void append(PackedArrays& whole, const PackedArrays& part);
 
-struct PackedPlants;
+/// The common tree of several groups, whose arrays follow each other in the same order. Throws
+/// Error{internal} if more than one of them has a height grid.
+bvh::JoinedBvh join_trees(const std::vector<std::shared_ptr<const PackedGroup>>& groups);
 
-/// The common tree of several groups, whose arrays are appended in this order and followed by those
-/// of the plants; null ones are left out.
-bvh::JoinedBvh join_trees(const std::vector<const PackedGroup*>& groups,
-                          const PackedPlants* plants);
+/// All instances of several groups, whose common tree is `tree`.
+std::vector<AeroInstance> join_instances(
+    const std::vector<std::shared_ptr<const PackedGroup>>& groups, const bvh::JoinedBvh& tree);
 
 }  // namespace aerostat::pack

@@ -33,19 +33,20 @@ class AbandonableWork {
       const StopScope scope(stop);
       return work();
     });
-    auto result = task.get_future().share();
+    // A future can be moved only, and what remembers abandoned work must be copyable.
+    const auto result = std::make_shared<std::future<decltype(work())>>(task.get_future());
     std::jthread thread(std::move(task));
-    while (result.wait_for(std::chrono::milliseconds(20)) != std::future_status::ready) {
+    while (result->wait_for(std::chrono::milliseconds(20)) != std::future_status::ready) {
       waiting();
       if (stop.stop_requested()) {
         const auto ended = [result] {
-          return result.wait_for(std::chrono::seconds(0)) == std::future_status::ready;
+          return result->wait_for(std::chrono::seconds(0)) == std::future_status::ready;
         };
         abandoned_.push_back({std::move(thread), ended});
         throw Error(ErrorKind::interrupted, "interrupted");
       }
     }
-    return result.get();
+    return result->get();
   }
 
  private:

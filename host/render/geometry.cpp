@@ -2,6 +2,11 @@
 
 #include <algorithm>
 #include <new>
+#include <span>
+#include <utility>
+#include <variant>
+
+#include <fmt/format.h>
 
 #include "core/error.hpp"
 #include "core/stop_scope.hpp"
@@ -10,151 +15,220 @@
 namespace aerostat::render {
 namespace {
 
-/// Packs the parts of the world, or takes them from the former geometry.
+/// Packs the groups of the world, or takes them from the former geometry.
 class Packer {
  public:
-  Packer(const HostGeometry& old, Meshes meshes, HostGeometry& geometry)
-      : old_(old), meshes_(meshes), geometry_(geometry) {}
+  Packer(const HostGeometry& old, Meshes meshes) : old_(old), meshes_(meshes) {}
 
-  void run() {
+  /// Fills in the packed groups and returns the arrays of those that are new. Groups are packed
+  /// from the last one to the first, each with room for those behind it: a frame then takes the
+  /// first arrays over as they are and appends the others.
+  GroupArrays run(HostGeometry& geometry) {
     const std::stop_token stop = current_stop();
-    stop_if_asked(stop);
-    pack_balloon();
-    stop_if_asked(stop);
-    pack_plants();
-    stop_if_asked(stop);
-    pack_land();
+    auto& groups = geometry.world.groups;
+    geometry.groups.resize(groups.size());
+    pack::Room behind;
+    for (std::size_t i = groups.size(); i-- > 0;) {
+      stop_if_asked(stop);
+      geometry.groups[i] = known(groups[i].revision);
+      if (!geometry.groups[i]) geometry.groups[i] = pack(groups[i], behind, geometry.trees_built);
+      behind += geometry.groups[i]->room;
+    }
+    return std::move(arrays_);
   }
 
  private:
-  void pack_balloon() {
-    auto& balloon = geometry_.world.balloon;
-    if (!balloon) return;
-    if (balloon == old_.world.balloon && old_.balloon) {
-      geometry_.balloon = old_.balloon;
-      return;
+  std::shared_ptr<const pack::PackedGroup> known(std::uint64_t revision) const {
+    for (std::size_t i = 0; i < old_.groups.size(); ++i) {
+      if (old_.world.groups[i].revision == revision) return old_.groups[i];
     }
-    ++geometry_.trees_built;
-    geometry_.balloon = std::make_shared<pack::PackedGroup>(pack::pack_objects(*balloon));
-    // The meshes gone, the identity left.
-    if (meshes_ == Meshes::release) balloon = std::make_shared<const world::Objects>();
+    return nullptr;
   }
 
-  void pack_plants() {
-    const auto& plants = geometry_.world.plants;
-    if (!plants) return;
-    if (plants == old_.world.plants && old_.plants) {
-      geometry_.plants = old_.plants;
-      return;
-    }
-    ++geometry_.trees_built;
-    geometry_.plants = std::make_shared<pack::PackedPlants>(pack::pack_plants(*plants));
-  }
-
-  void pack_land() {
-    auto& land = geometry_.world.land;
-    if (land == old_.world.land && old_.land) {
-      geometry_.land = old_.land;
-      return;
-    }
-    ++geometry_.trees_built;
-    const pack::Room room = room_of(geometry_.balloon.get()) + room_of(geometry_.plants.get());
-    geometry_.land = std::make_shared<pack::PackedGroup>(pack::pack_land(*land, room));
-    if (meshes_ == Meshes::release)
-      land = std::make_shared<const world::Land>(world::Land{land->ground, {}});
-  }
-
-  template <typename Packed>
-  static pack::Room room_of(const Packed* packed) {
-    if (packed == nullptr) return {};
-    return {packed->arrays.triangles.size(), packed->arrays.vertices.size()};
+  std::shared_ptr<const pack::PackedGroup> pack(world::Group& group, const pack::Room& behind,
+                                                int& trees_built) {
+    pack::Packed packed = pack::pack_shape(*group.shape, behind);
+    trees_built += packed.group.trees.empty() ? 0 : 1;
+    arrays_.emplace(group.revision, std::move(packed.arrays));
+    // The ground is read as it is, by kernels and by groups that are built on it.
+    const bool is_grid = std::holds_alternative<world::HeightGrid>(*group.shape);
+    if (meshes_ == Meshes::release && !is_grid) group.shape = nullptr;
+    return std::make_shared<const pack::PackedGroup>(std::move(packed.group));
   }
 
   const HostGeometry& old_;
   Meshes meshes_;
-  HostGeometry& geometry_;
+  GroupArrays arrays_;
 };
+
+const HostGeometry& or_nothing(const HostGeometry* geometry) {
+  static const HostGeometry nothing;
+  return geometry != nullptr ? *geometry : nothing;
+}
+
+/// How many groups of a world hold something and are not in the old one.
+int count_built(const world::World& world, const world::World& old) {
+  return static_cast<int>(
+      std::count_if(world.groups.begin(), world.groups.end(), [&](const world::Group& group) {
+        return !has_group(old, group.revision) && !world::is_empty(*group.shape);
+      }));
+}
 
 [[noreturn]] void fail_to_upload() {
   throw Error(ErrorKind::exhausted,
               "not enough memory to upload the world; a smaller /terrain/cells needs less");
 }
 
-/// The arrays of a group, which are there once.
-pack::PackedArrays taken(pack::PackedGroup& group) {
-  const bool has_slots = std::any_of(group.trees.begin(), group.trees.end(),
-                                     [](const bvh::Bvh& tree) { return tree.slots > 0; });
-  if (group.arrays.vertices.empty() && has_slots) {
-    throw Error(ErrorKind::internal, "the land's arrays were given to a frame before");
+/// A copy of `room` elements of arrays, which come after `before` others.
+pack::PackedArrays copy_of(const pack::PackedArrays& arrays, const pack::Room& before,
+                           const pack::Room& room) {
+  const auto part = [](const auto& all, std::size_t first, std::size_t count) {
+    const auto begin = all.begin() + static_cast<std::ptrdiff_t>(first);
+    return std::decay_t<decltype(all)>(begin, begin + static_cast<std::ptrdiff_t>(count));
+  };
+  pack::PackedArrays copy{part(arrays.triangles, before.triangles, room.triangles),
+                          part(arrays.faces, before.triangles, room.triangles),
+                          part(arrays.vertices, before.vertices, room.vertices)};
+  for (AeroFace& face : copy.faces) {
+    for (auto& vertex : face.vertex) vertex -= static_cast<std::uint32_t>(before.vertices);
   }
-  return std::move(group.arrays);
+  return copy;
 }
 
 }  // namespace
 
-std::shared_ptr<const HostGeometry> build_geometry(const scene::Scene& scene,
-                                                   const HostGeometry* previous, Meshes meshes,
-                                                   Plants plants, scatter::Where where,
-                                                   world::Carving carving) {
-  static const HostGeometry kNothing;
-  const HostGeometry& old = previous != nullptr ? *previous : kNothing;
+BuiltGeometry pack_world(world::World world, const HostGeometry* previous, Meshes meshes,
+                         double world_seconds) {
   auto geometry = std::make_shared<HostGeometry>();
-  geometry->scene = scene;
-  if (plants == Plants::as_they_stand && previous != nullptr) {
-    // Nothing but plants and the balloon's detail goes by the eye.
-    geometry->scene.camera = old.scene.camera;
-    geometry->scene.image = old.scene.image;
-  }
-  Stopwatch watch;
+  geometry->world = std::move(world);
+  geometry->world_seconds = world_seconds;
+  const HostGeometry& old = or_nothing(previous);
+  geometry->worlds_built = count_built(geometry->world, old.world);
+  const Stopwatch watch;
   try {
-    geometry->world = world::build(geometry->scene, previous != nullptr ? &old.world : nullptr,
-                                   previous != nullptr ? &old.scene : nullptr, where, carving);
-    const auto& world = geometry->world;
-    geometry->worlds_built = (world.land != old.world.land ? 1 : 0) +
-                             (world.balloon && world.balloon != old.world.balloon ? 1 : 0) +
-                             (world.plants && world.plants != old.world.plants ? 1 : 0);
-    geometry->world_seconds = watch.restart();
-    Packer(old, meshes, *geometry).run();
+    GroupArrays arrays = Packer(old, meshes).run(*geometry);
     geometry->tree_seconds = watch.seconds();
+    return {std::move(geometry), std::move(arrays)};
   } catch (const std::bad_alloc&) {
     throw Error(ErrorKind::exhausted,
                 "not enough memory to build the world; a smaller /terrain/cells needs less");
   }
-  return geometry;
 }
 
-void FrameArrays::assemble(const HostGeometry& geometry, const bvh::JoinedBvh& tree) {
-  if (land_ != geometry.land || !land_) {
-    arrays_ = {};
-    if (geometry.land) arrays_ = taken(*geometry.land);
-    land_ = geometry.land;
-    ground_ = geometry.world.land->ground;
-    land_triangles_ = arrays_.triangles.size();
-    land_vertices_ = arrays_.vertices.size();
+BuiltGeometry build_geometry(const scene::Scene& scene, const HostGeometry* previous,
+                             const GeometryOptions& options) {
+  scene::Scene seen = scene;
+  if (options.plants == Plants::as_they_stand && previous != nullptr) {
+    // Nothing but plants and the balloons' detail goes by the eye.
+    seen.camera = previous->world.scene.camera;
+    seen.image = previous->world.scene.image;
   }
-  arrays_.triangles.resize(land_triangles_);
-  arrays_.faces.resize(land_triangles_);
-  arrays_.vertices.resize(land_vertices_);
+  world::BuildOptions build;
+  build.where = options.where;
+  build.carving = options.carving;
+  build.kinds = options.kinds;
+  build.previous = previous != nullptr ? &previous->world : nullptr;
+  const Stopwatch watch;
+  world::World world = world::build(seen, build);
+  return pack_world(std::move(world), previous, options.meshes, watch.seconds());
+}
+
+bool has_group(const world::World& world, std::uint64_t revision) {
+  return std::any_of(world.groups.begin(), world.groups.end(),
+                     [&](const world::Group& group) { return group.revision == revision; });
+}
+
+bool same_groups(const HostGeometry& a, const HostGeometry& b) {
+  return std::equal(a.world.groups.begin(), a.world.groups.end(), b.world.groups.begin(),
+                    b.world.groups.end(), [](const world::Group& one, const world::Group& other) {
+                      return one.revision == other.revision;
+                    });
+}
+
+void FrameArrays::assemble(const HostGeometry& geometry, const bvh::JoinedBvh& tree,
+                           GroupArrays fresh) {
   try {
-    if (geometry.balloon) pack::append(arrays_, geometry.balloon->arrays);
-    instances_.clear();
-    if (geometry.plants) {
-      pack::append(arrays_, geometry.plants->arrays);
-      instances_ = geometry.plants->instances;
-      for (AeroInstance& instance : instances_) instance.root = tree.model_roots[instance.root];
-    }
+    assemble_arrays(geometry, std::move(fresh));
+    instances_ = pack::join_instances(geometry.groups, tree);
   } catch (const std::bad_alloc&) {
+    *this = {};
     fail_to_upload();
   }
+  ground_ = nullptr;
+  for (const auto& group : geometry.groups) {
+    if (group->grid) ground_ = group->grid;
+  }
+}
+
+/// The groups at the beginning that are the same as before stay where they are; what comes behind
+/// them is put together anew, from arrays that were here and fresh ones.
+void FrameArrays::assemble_arrays(const HostGeometry& geometry, GroupArrays fresh) {
+  const std::size_t kept = count_kept(geometry);
+  cut_from(kept, geometry, fresh);
+  pack::Room whole;
+  for (const auto& group : geometry.groups) whole += group->room;
+  for (std::size_t i = kept; i < geometry.groups.size(); ++i) {
+    add({geometry.world.groups[i].revision, geometry.groups[i]->room}, fresh, whole);
+  }
+}
+
+std::size_t FrameArrays::count_kept(const HostGeometry& geometry) const {
+  const auto& groups = geometry.world.groups;
+  std::size_t kept = 0;
+  while (kept < sections_.size() && kept < groups.size() &&
+         sections_[kept].revision == groups[kept].revision) {
+    ++kept;
+  }
+  return kept;
+}
+
+/// Drops the sections from `first` on; those that the geometry still has are copied to `arrays`.
+void FrameArrays::cut_from(std::size_t first, const HostGeometry& geometry, GroupArrays& arrays) {
+  pack::Room before, end;
+  for (std::size_t i = 0; i < sections_.size(); ++i) {
+    const Section& section = sections_[i];
+    if (i >= first && has_group(geometry.world, section.revision)) {
+      arrays[section.revision] = copy_of(arrays_, before, section.room);
+    }
+    before += section.room;
+    if (i < first) end = before;
+  }
+  sections_.resize(first);
+  arrays_.triangles.resize(end.triangles);
+  arrays_.faces.resize(end.triangles);
+  arrays_.vertices.resize(end.vertices);
+}
+
+/// Adds the arrays of a group, which are taken out of `fresh`; all groups together have `whole`.
+void FrameArrays::add(const Section& section, GroupArrays& fresh, const pack::Room& whole) {
+  const auto found = fresh.find(section.revision);
+  if (found == fresh.end()) {
+    throw Error(ErrorKind::internal,
+                fmt::format("the arrays of revision {} are nowhere", section.revision));
+  }
+  if (arrays_.triangles.empty() && arrays_.vertices.empty()) {
+    arrays_ = std::move(found->second);
+  } else {
+    pack::reserve(arrays_, whole);
+    pack::append(arrays_, found->second);
+  }
+  fresh.erase(found);
+  sections_.push_back(section);
 }
 
 std::shared_ptr<const bvh::JoinedBvh> join_trees(const HostGeometry& geometry) {
   try {
-    return std::make_shared<const bvh::JoinedBvh>(
-        pack::join_trees({geometry.land.get(), geometry.balloon.get()}, geometry.plants.get()));
+    return std::make_shared<const bvh::JoinedBvh>(pack::join_trees(geometry.groups));
   } catch (const std::bad_alloc&) {
     fail_to_upload();
   }
+}
+
+Frame only_frame(BuiltGeometry built) {
+  const auto tree = join_trees(*built.geometry);
+  const auto arrays = std::make_shared<FrameArrays>();
+  arrays->assemble(*built.geometry, *tree, std::move(built.arrays));
+  return {tree, arrays};
 }
 
 std::uint64_t DeviceGeometry::bytes() const {
@@ -188,16 +262,9 @@ DeviceGeometry upload(const opencl::Context& context, const opencl::MemoryBudget
   give(device.faces, std::span(arrays.faces), frame, "the triangles' indices");
   give(device.vertices, std::span(arrays.vertices), frame, "the vertices");
   give(device.instances, std::span(frame->instances()), frame, "the plants");
-  give(device.grid, frame->ground()->words(), frame->ground(), "the ground");
+  const auto& ground = frame->ground();
+  give(device.grid, ground ? ground->words() : std::span<const float>(), ground, "the ground");
   return device;
-}
-
-DeviceGeometry upload(const opencl::Context& context, const opencl::MemoryBudget& budget,
-                      const HostGeometry& geometry) {
-  const auto frame = std::make_shared<FrameArrays>();
-  const auto tree = join_trees(geometry);
-  frame->assemble(geometry, *tree);
-  return upload(context, budget, tree, frame);
 }
 
 }  // namespace aerostat::render

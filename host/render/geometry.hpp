@@ -1,60 +1,107 @@
 #pragma once
 
+#include <cstdint>
 #include <functional>
+#include <map>
 #include <memory>
+#include <vector>
 
 #include "opencl/buffer.hpp"
 #include "pack/pack_geometry.hpp"
-#include "pack/pack_plants.hpp"
 #include "render/session.hpp"
 #include "world/world.hpp"
 
 namespace aerostat::render {
 
-/// The world and its trees on the host; what an edit of the scene leaves alone is shared with the
+/// The world and its trees on the host. What an edit of the scene leaves alone is shared with the
 /// former state.
 struct HostGeometry {
-  scene::Scene scene;                       // that it was built for
-  world::World world;                       // without objects where meshes were not kept
-  std::shared_ptr<pack::PackedGroup> land;  // its arrays go into the FrameArrays
-  std::shared_ptr<const pack::PackedGroup> balloon;
-  std::shared_ptr<const pack::PackedPlants> plants;
+  world::World world;  // without the shapes that were given up
+  std::vector<std::shared_ptr<const pack::PackedGroup>> groups;  // those of the world, packed
   double world_seconds = 0.0, tree_seconds = 0.0;
   int worlds_built = 0, trees_built = 0;  // groups that were not shared
+};
+
+/// Arrays of groups, by the groups' revisions. They are there once: who makes them hands them to
+/// the FrameArrays.
+using GroupArrays = std::map<std::uint64_t, pack::PackedArrays>;
+
+/// A geometry, which may be shared, and the arrays of those groups that were packed for it.
+struct BuiltGeometry {
+  std::shared_ptr<const HostGeometry> geometry;
+  GroupArrays arrays;
 };
 
 /// Whether the meshes stay when the trees are built, for who wants to look at them.
 enum class Meshes { keep, release };
 
-/// Builds the geometry of a scene, keeping what `previous` (may be null) has already. Where plants
-/// stay as they stand, it is that of the scene seen by the previous one's camera.
-std::shared_ptr<const HostGeometry> build_geometry(
-    const scene::Scene& scene, const HostGeometry* previous, Meshes meshes = Meshes::keep,
-    Plants plants = Plants::as_seen, scatter::Where where = scatter::Where::everywhere,
-    world::Carving carving = world::Carving::fine);
+struct GeometryOptions {
+  Meshes meshes = Meshes::keep;
+  /// Where plants stay as they stand, the geometry is that of the scene seen by the previous one's
+  /// camera.
+  Plants plants = Plants::as_seen;
+  scatter::Where where = scatter::Where::everywhere;
+  world::Carving carving = world::Carving::fine;
+  world::GroupKinds kinds = world::all_kinds();
+};
 
-/// The ground of a frame, and its triangles and vertices: the land's, taken out of its group rather
-/// than copied, and behind them a copy of the balloon's and of the plants' models.
+/// Builds the geometry of a resolved scene. Groups that `previous` (may be null) has already are
+/// kept. Throws Error{exhausted} if memory does not suffice.
+BuiltGeometry build_geometry(const scene::Scene& scene, const HostGeometry* previous,
+                             const GeometryOptions& options = {});
+
+/// Packs a world, which took so many seconds to build. Groups that `previous` (may be null) has
+/// already are kept. Throws as build_geometry does.
+BuiltGeometry pack_world(world::World world, const HostGeometry* previous, Meshes meshes,
+                         double world_seconds = 0.0);
+
+bool has_group(const world::World& world, std::uint64_t revision);
+
+/// Whether two geometries have the same groups.
+bool same_groups(const HostGeometry& a, const HostGeometry& b);
+
+/// The triangles, vertices and instances of a frame and the ground: those of all groups, one behind
+/// the other. The arrays of a group are moved or copied here and stay as long as the group does.
 class FrameArrays {
  public:
-  /// Makes them those of `geometry`, whose common tree is `tree`; the land stays if it is the one
-  /// that is there. Throws Error{exhausted}.
-  void assemble(const HostGeometry& geometry, const bvh::JoinedBvh& tree);
+  /// Makes them those of `geometry`, whose common tree is `tree`. Groups that are not here already
+  /// must be in `fresh`. Throws Error{exhausted}; all arrays are lost then.
+  void assemble(const HostGeometry& geometry, const bvh::JoinedBvh& tree, GroupArrays fresh);
 
   const pack::PackedArrays& arrays() const { return arrays_; }
   const std::vector<AeroInstance>& instances() const { return instances_; }
+  /// The height grid that the kernels read, or null.
   const std::shared_ptr<const mesh::GridMesh>& ground() const { return ground_; }
 
  private:
+  /// The part of the arrays that belongs to a group.
+  struct Section {
+    std::uint64_t revision = 0;
+    pack::Room room;
+  };
+
+  void assemble_arrays(const HostGeometry& geometry, GroupArrays fresh);
+  std::size_t count_kept(const HostGeometry& geometry) const;
+  void cut_from(std::size_t first, const HostGeometry& geometry, GroupArrays& arrays);
+  void add(const Section& section, GroupArrays& fresh, const pack::Room& whole);
+
   std::shared_ptr<const mesh::GridMesh> ground_;
+  std::vector<Section> sections_;
   pack::PackedArrays arrays_;
   std::vector<AeroInstance> instances_;
-  std::shared_ptr<const pack::PackedGroup> land_;
-  std::size_t land_triangles_ = 0, land_vertices_ = 0;
 };
 
 /// The common tree of a frame.
 std::shared_ptr<const bvh::JoinedBvh> join_trees(const HostGeometry& geometry);
+
+/// The tree and the arrays of a frame.
+struct Frame {
+  std::shared_ptr<const bvh::JoinedBvh> tree;
+  std::shared_ptr<const FrameArrays> arrays;
+};
+
+/// The frame of a geometry that is shown once.
+Frame only_frame(BuiltGeometry built);
 
 /// A frame's geometry on the device; a CPU reads it where it is.
 struct DeviceGeometry {
@@ -76,9 +123,5 @@ DeviceGeometry upload(const opencl::Context& context, const opencl::MemoryBudget
                       const std::shared_ptr<const bvh::Bvh>& tree,
                       const std::shared_ptr<const FrameArrays>& frame,
                       const std::function<void()>& between = {});
-
-/// All in one, for the only frame of `geometry`.
-DeviceGeometry upload(const opencl::Context& context, const opencl::MemoryBudget& budget,
-                      const HostGeometry& geometry);
 
 }  // namespace aerostat::render

@@ -4,6 +4,7 @@
 #include <functional>
 #include <future>
 #include <mutex>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -57,6 +58,7 @@ struct Session::State {
   void await_programs();
   void build(const scene::Scene& scene, Plants plants);
   void upload();
+  void assemble(const bvh::JoinedBvh& tree);
   void prepare(const scene::Scene& scene, const scene::Scene& shown, const Crop& crop,
                Plants plants);
   void meter(const AeroFrame& metering);
@@ -72,6 +74,7 @@ struct Session::State {
   Options options;
   DeviceTeam team;
   std::shared_ptr<const HostGeometry> geometry;   // the newest that was built
+  GroupArrays fresh;                              // of its groups, on their way into the frame
   std::shared_ptr<const HostGeometry> on_device;  // what the team holds
   bvh::Bounds bounds;                             // of all of it
   std::shared_ptr<FrameArrays> frame = std::make_shared<FrameArrays>();
@@ -114,11 +117,14 @@ void Session::State::build(const scene::Scene& scene, Plants plants) {
   const auto old = geometry;
   const auto where =
       options.plants_in_sight_alone ? scatter::Where::in_sight : scatter::Where::everywhere;
-  geometry = background.run(
-      [scene, old, plants, where, carving = options.carving] {
-        return build_geometry(scene, old.get(), Meshes::release, plants, where, carving);
-      },
-      stop, [this] { report(Stage::world, 0.0); });
+  GeometryOptions how{Meshes::release, plants, where, options.carving};
+  how.kinds.insert(how.kinds.end(), options.more_kinds.begin(), options.more_kinds.end());
+  BuiltGeometry built =
+      background.run([scene, old, how] { return build_geometry(scene, old.get(), how); }, stop,
+                     [this] { report(Stage::world, 0.0); });
+  geometry = std::move(built.geometry);
+  fresh.merge(built.arrays);
+  std::erase_if(fresh, [this](const auto& one) { return !has_group(geometry->world, one.first); });
   stats.worlds_built = geometry->worlds_built;
   stats.trees_built = geometry->trees_built;
   stats.world_seconds = geometry->world_seconds;
@@ -126,18 +132,26 @@ void Session::State::build(const scene::Scene& scene, Plants plants) {
 }
 
 void Session::State::upload() {
-  const auto fresh = geometry;
-  if (!on_device || fresh->land != on_device->land || fresh->balloon != on_device->balloon ||
-      fresh->plants != on_device->plants) {
+  if (!on_device || !same_groups(*geometry, *on_device)) {
     on_device = nullptr;
     team.drop_geometry();
-    const auto tree = background.run([fresh] { return join_trees(*fresh); }, stop,
+    const auto tree = background.run([shared = geometry] { return join_trees(*shared); }, stop,
                                      [this] { report(Stage::upload, 0.0); });
-    frame->assemble(*fresh, *tree);
+    assemble(*tree);
     bounds = tree->bounds;
     team.set_geometry(tree, frame, [this] { stop_if_asked(); });
   }
-  on_device = fresh;
+  on_device = geometry;
+}
+
+void Session::State::assemble(const bvh::JoinedBvh& tree) {
+  try {
+    frame->assemble(*geometry, tree, std::exchange(fresh, {}));
+  } catch (const Error&) {
+    // The arrays are lost: whatever comes next is built anew.
+    geometry = nullptr;
+    throw;
+  }
 }
 
 /// Everything before the first ray: world, trees, kernels, buffers, as far as they are not there.

@@ -15,6 +15,10 @@
 #include "scene/scene.hpp"
 #include "world/surface.hpp"
 
+namespace aerostat::world {
+struct GroupKind;
+}
+
 /// Rendering as a library: a render can be started, observed, cancelled and read while it refines.
 namespace aerostat::render {
 
@@ -36,6 +40,8 @@ struct Options {
   /// Whether films tell the exposure that suits them (image::Film::metered_ev). A film that nobody
   /// develops needs none.
   bool meters = true;
+  /// Kinds of groups (world/group.hpp) that scenes have beside those of world::all_kinds.
+  std::vector<const world::GroupKind*> more_kinds = {};
   /// For tests: called before each launch, on the thread that launches, with the device that it is
   /// for. What it throws comes out as if the launch had failed.
   std::function<void(const opencl::Device&)> before_launch = {};

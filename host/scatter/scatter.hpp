@@ -6,6 +6,7 @@
 
 #include "mesh/grid_mesh.hpp"
 #include "plant/plant.hpp"
+#include "scatter/obstacle.hpp"
 #include "scene/pixel_size.hpp"
 #include "scene/scene.hpp"
 
@@ -50,11 +51,11 @@ enum class Where { everywhere, in_sight };
 /// Returns the plants and stones of a resolved scene. `ground` must be its terrain_mesh. Species
 /// and places follow from the biome and the rules of the ground. The woods have the density of the
 /// trees painted on the ground, and they thin out over the outer half of /vegetation/reach_m from
-/// the camera, where the painted trees replace them. The balloon and the camera are kept free. A
+/// the camera, where the painted trees replace them. The obstacles and the camera are kept free. A
 /// place has the same plants wherever the camera is. It runs on all cores, and the bits do not
 /// depend on their number. The result is empty if the vegetation is disabled.
 Growth scatter(const scene::Scene& scene, const mesh::GridMesh& ground,
-               Where where = Where::everywhere);
+               Where where = Where::everywhere, std::span<const Obstacle> obstacles = {});
 
 /// Returns the level of detail that suffices for `eye`: near if the plant is more than 120 pixels
 /// high, far if it is less than 30 pixels high, else middle.

@@ -32,10 +32,11 @@ double cross(const dvec2& a, const dvec2& b) {
 class Survey {
  public:
   Survey(const scene::Scene& scene, const mesh::GridMesh& ground, const TileMap& map,
-         const Extent& extent)
+         const Extent& extent, std::span<const Obstacle> obstacles)
       : scene_(scene),
         map_(map),
         extent_(extent),
+        obstacles_(obstacles),
         view_(plan_view(scene.camera, scene.image)),
         tiles_(height_tiles(map, ground)),
         barrier_(least_around(map, tiles_.lowest, kWidth)),
@@ -78,23 +79,19 @@ class Survey {
 
   bool is_seen(int column, int row) const {
     const dvec2 middle = map_.middle(column, row);
-    if (holds_balloon(middle)) return true;
+    if (holds_obstacle(middle)) return true;
     const dvec3& eye = scene_.camera.position;
     const double half = 0.5 * map_.tile_m + extent_.aside_m;
     if (view_ && !view_->touches(middle - dvec2(eye.x, eye.z), half)) return false;
     return !is_hidden(column, row, top_of(column, row));
   }
 
-  bool holds_balloon(const dvec2& middle) const {
-    return holds(scene_.balloon, middle) ||
-           std::any_of(scene_.balloons.begin(), scene_.balloons.end(),
-                       [&](const scene::Balloon& further) { return holds(further, middle); });
-  }
-
-  bool holds(const scene::Balloon& balloon, const dvec2& middle) const {
-    if (!balloon.enabled) return false;
-    const dvec2 away = glm::abs(middle - dvec2(balloon.position.x, balloon.position.z));
-    return std::max(away.x, away.y) < balloon.diameter_m + extent_.aside_m + map_.tile_m;
+  bool holds_obstacle(const dvec2& middle) const {
+    return std::any_of(obstacles_.begin(), obstacles_.end(), [&](const Obstacle& obstacle) {
+      const dvec3 foot = obstacle.position - scene_.origin;
+      const dvec2 away = glm::abs(middle - dvec2(foot.x, foot.z));
+      return std::max(away.x, away.y) < obstacle.width_m + extent_.aside_m + map_.tile_m;
+    });
   }
 
   /// Returns a height that nothing in the tile exceeds: neither ground nor water nor plants.
@@ -159,6 +156,7 @@ class Survey {
   const scene::Scene& scene_;
   const TileMap& map_;
   Extent extent_;
+  std::span<const Obstacle> obstacles_;
   std::optional<PlanView> view_;
   HeightTiles tiles_;
   std::vector<float> barrier_, sun_barrier_;
@@ -209,13 +207,13 @@ std::optional<PlanView> plan_view(const scene::Camera& camera, const scene::Imag
 }
 
 Sight::Sight(const scene::Scene& scene, const mesh::GridMesh& ground, double reach_m,
-             const Extent& extent) {
+             const Extent& extent, std::span<const Obstacle> obstacles) {
   if (knows_no_bounds(scene)) return;
   const dvec3& eye = scene.camera.position;
   map_.tile_m = std::max({kLeastTile_m, extent.aside_m, reach_m / 256.0});
   map_.side = 2 * static_cast<int>(std::ceil(reach_m / map_.tile_m)) + 1;
   map_.corner = dvec2(eye.x, eye.z) - 0.5 * map_.tile_m * map_.side;
-  matters_ = Survey(scene, ground, map_, extent).run();
+  matters_ = Survey(scene, ground, map_, extent, obstacles).run();
 }
 
 bool same_sight(const scene::Scene& a, const scene::Scene& b) {
@@ -223,9 +221,8 @@ bool same_sight(const scene::Scene& a, const scene::Scene& b) {
   return a.camera.position == b.camera.position && a.camera.target == b.camera.target &&
          a.camera.up == b.camera.up && a.camera.lens == b.camera.lens &&
          a.camera.fov_y_deg == b.camera.fov_y_deg && a.image.width == b.image.width &&
-         a.image.height == b.image.height && a.balloon == b.balloon && a.balloons == b.balloons &&
-         a.sun.direction == b.sun.direction && a.sun.shadows == b.sun.shadows &&
-         a.sky.ambient_occlusion == b.sky.ambient_occlusion &&
+         a.image.height == b.image.height && a.sun.direction == b.sun.direction &&
+         a.sun.shadows == b.sun.shadows && a.sky.ambient_occlusion == b.sky.ambient_occlusion &&
          a.sky.occlusion_m == b.sky.occlusion_m && a.biome.water == b.biome.water && same_lights();
 }
 

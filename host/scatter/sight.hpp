@@ -1,8 +1,11 @@
 #pragma once
 
 #include <optional>
+#include <span>
+#include <vector>
 
 #include "scatter/height_tiles.hpp"
+#include "scatter/obstacle.hpp"
 #include "scene/scene.hpp"
 
 namespace aerostat::scatter {
@@ -22,7 +25,7 @@ class Sight {
   /// Computes the sight of a resolved scene as far as `reach_m` from the eye. The scene and
   /// `ground` must have the same origin.
   Sight(const scene::Scene& scene, const mesh::GridMesh& ground, double reach_m,
-        const Extent& extent);
+        const Extent& extent, std::span<const Obstacle> obstacles = {});
 
   /// The sight along a row of tiles.
   class Row {
@@ -58,7 +61,7 @@ class Sight {
   std::vector<char> matters_;
 };
 
-/// Returns whether two scenes with the same land and plants have the same sight.
+/// Returns whether two scenes with the same land, plants and obstacles have the same sight.
 bool same_sight(const scene::Scene& a, const scene::Scene& b);
 
 /// The directions of a picture in plan. They lie between two directions that are less than half a

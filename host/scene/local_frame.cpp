@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "scene/balloons.hpp"
 #include "scene/pixel_size.hpp"
 
 namespace aerostat::scene {
@@ -43,8 +44,7 @@ Scene counted_from_origin(Scene scene) {
   scene.terrain.center -= dvec2(origin.x, origin.z);
   scene.terrain.base_m -= origin.y;
   scene.biome.water.level_m -= origin.y;
-  scene.balloon.position -= origin;
-  for (Balloon& further : scene.balloons) further.position -= origin;
+  for (Balloon* balloon : all_balloons(scene)) balloon->position -= origin;
   scene.camera.position -= origin;
   scene.camera.target -= origin;
   for (PointLight& light : scene.lights) light.position -= origin;

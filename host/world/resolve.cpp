@@ -8,6 +8,7 @@
 
 #include "core/error.hpp"
 #include "model/balloon.hpp"
+#include "scene/balloons.hpp"
 #include "scene/local_frame.hpp"
 #include "scene/view_axes.hpp"
 #include "terrain/terrain_mesh.hpp"
@@ -101,8 +102,7 @@ void resolve(scene::Scene& scene) {
 }
 
 void resolve(scene::Scene& scene, const Surface& surface) {
-  settle_height(surface, scene.balloon);
-  for (scene::Balloon& further : scene.balloons) settle_height(surface, further);
+  for (scene::Balloon* balloon : scene::all_balloons(scene)) settle_height(surface, *balloon);
   scene::Camera& camera = scene.camera;
   if (camera.position_given) {
     camera.position.y += reference_height(scene, surface, camera.height_above, camera.position);

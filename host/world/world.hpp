@@ -1,66 +1,54 @@
 #pragma once
 
-#include <cstdint>
-#include <memory>
-#include <string>
 #include <vector>
 
-#include "mesh/grid_mesh.hpp"
-#include "mesh/mesh.hpp"
 #include "scatter/scatter.hpp"
 #include "scene/scene.hpp"
+#include "world/group.hpp"
+#include "world/kinds.hpp"
 #include "world/surface.hpp"
 
 /// From a scene to the triangles that are rendered and exported.
 namespace aerostat::world {
 
-/// One object of the world: a mesh, what it is and what it is made of.
-struct Object {
-  scene::ObjectId id = scene::ObjectId::terrain;
-  scene::MaterialId material = scene::MaterialId::terrain;
-  mesh::TriangleMesh mesh;
-};
-
-/// The ground and what lies on it.
-struct Land {
-  std::shared_ptr<const mesh::GridMesh> ground;
-  std::vector<Object> objects;  // the water
-};
-
-using Objects = std::vector<Object>;
-
-/// What grows on the ground, as models that stand there many times.
-struct Plants {
-  Objects models;
-  std::vector<scatter::Instance> instances;  // `model` counts in `models`
-};
-
-/// Positions count from Scene::origin.
-///
-/// What is built, moved and thrown away together is shared, because an edit of the scene keeps what
-/// it does not touch.
+/// What a scene shows. Positions count from Scene::origin.
 struct World {
-  std::shared_ptr<const Land> land;
-  std::shared_ptr<const Objects> balloon;  // and all further ones; null if there is none
-  std::shared_ptr<const Plants> plants;    // null if there are none
+  scene::Scene scene;         // that it was built for, resolved
+  std::vector<Group> groups;  // one of each kind, in the kinds' order
 };
+
+/// The shape of a group, or null if the world has no group of the kind, its shape was given up or
+/// it is another kind of shape.
+template <typename T>
+const T* shape_of(const World& world, const GroupKind& kind) {
+  for (const Group& group : world.groups) {
+    if (group.kind == &kind && group.shape) return std::get_if<T>(group.shape.get());
+  }
+  return nullptr;
+}
+
+struct BuildOptions {
+  scatter::Where where = scatter::Where::everywhere;  // plants are placed
+  Carving carving = Carving::fine;                    // of the land
+  GroupKinds kinds = all_kinds();
+  /// Groups of it are kept if they are what the scene asks for and were built with the same
+  /// options.
+  const World* previous = nullptr;
+};
+
+/// Builds the world of a resolved scene. Runs on all cores; may be given up (core/stop_scope.hpp).
+/// Throws Error{exhausted} if memory does not suffice.
+World build(const scene::Scene& scene, const BuildOptions& options = {});
+
+/// Whether instances are among what is written out as triangles.
+enum class Placed { left_out, included };
+
+/// The world as triangles, group by group, and if asked for each instance by itself, those of one
+/// kind of object in a mesh of its own. Groups whose shape was given up are left out.
+Objects as_triangles(const World& world, Placed instances = Placed::left_out);
 
 /// Whether two scenes stand on the same land and sea, whatever their meshes count from.
 bool same_land(const scene::Scene& a, const scene::Scene& b);
-
-/// Builds the world of a resolved scene, with plants everywhere or in sight. Parts of `previous`
-/// are kept if `previous_scene` asked for the same ones in the same places and had the same origin;
-/// its land must have been carved alike. Runs on all cores; may be given up (core/stop_scope.hpp).
-/// Throws Error{exhausted} if memory does not suffice.
-World build(const scene::Scene& scene, const World* previous = nullptr,
-            const scene::Scene* previous_scene = nullptr,
-            scatter::Where where = scatter::Where::everywhere, Carving carving = Carving::fine);
-
-/// Whether plants are among what is written out as triangles.
-enum class Grown { left_out, included };
-
-/// The world as triangles, the ground first, and if asked for each plant by itself.
-Objects as_triangles(const World& world, Grown plants = Grown::left_out);
 
 /// Fills in what depends on the terrain: positions given above the ground become positions above
 /// the sea, the basket view gets its camera, and Scene::origin is chosen. Throws Error{bad_data} if
@@ -68,7 +56,7 @@ Objects as_triangles(const World& world, Grown plants = Grown::left_out);
 /// its position.
 void resolve(scene::Scene& scene);
 
-/// The same on a surface that is already there.
+/// Resolves a scene on a surface that is already there, which must be that of its terrain.
 void resolve(scene::Scene& scene, const Surface& surface);
 
 /// Lifts the eye of a resolved scene, and what it looks at, to 2 m above the land's mesh of at most

@@ -1,4 +1,5 @@
 // Tests the further balloons of a world, their level of detail and their light.
+#include <cmath>
 #include <numbers>
 
 #include <gtest/gtest.h>
@@ -23,15 +24,30 @@ scene::Scene small_world(const std::string& more) {
 const std::string kTwo =
     R"(, "balloons": [{"position": [300, 80, -900]}, {"position": [-200, 60, -500], "palette": "plum"}])";
 
+const world::Objects& balloons_in(const world::World& world) {
+  return *world::shape_of<world::Objects>(world, world::kBalloons);
+}
+
+std::uint64_t revision_of(const world::World& world, const world::GroupKind& kind) {
+  for (const world::Group& group : world.groups) {
+    if (group.kind == &kind) return group.revision;
+  }
+  return 0;
+}
+
+/// Whether a world of `next` keeps the group of a kind from the world before.
+bool keeps(const world::GroupKind& kind, const scene::Scene& next, const world::World& before) {
+  const world::World world = world::build(next, {.previous = &before});
+  return revision_of(world, kind) == revision_of(before, kind);
+}
+
 TEST(Balloons, FurtherOnesStandAboveTheirOwnGround) {
   const scene::Scene scene = small_world(kTwo);
   ASSERT_EQ(scene.balloons.size(), 2u);
-  const mesh::GridMesh& ground = *world::build(scene).land->ground;
   for (std::size_t i = 0; i < 2; ++i) {
     EXPECT_EQ(scene.balloons[i].height_above, scene::HeightReference::sea);
     EXPECT_NE(scene.balloons[i].position.y, i == 0 ? 80.0 : 60.0);
   }
-  EXPECT_GT(ground.columns(), 0u);
   EXPECT_EQ(scene.balloons[1].colors, scene::palette_colors(scene::Palette::plum));
   EXPECT_NE(scene.balloons[0].colors, scene.balloons[1].colors);
 }
@@ -40,11 +56,11 @@ TEST(Balloons, FarOnesTakeFewTriangles) {
   const scene::Scene one = small_world(""), three = small_world(kTwo);
   const auto triangles = [](const world::World& world) {
     std::size_t count = 0;
-    for (const world::Object& object : *world.balloon) count += object.mesh.triangles.size();
+    for (const world::Object& object : balloons_in(world)) count += object.mesh.triangles.size();
     return count;
   };
   const world::World alone = world::build(one), together = world::build(three);
-  EXPECT_EQ(together.balloon->size(), 3 * alone.balloon->size());
+  EXPECT_EQ(balloons_in(together).size(), 3 * balloons_in(alone).size());
   EXPECT_LT(triangles(together), 2 * triangles(alone));
 }
 
@@ -53,16 +69,16 @@ TEST(Balloons, AreKeptUntilOneOfThemChanges) {
   const world::World built = world::build(first);
   scene::Scene next = first;
   next.sun.irradiance = 3.0;
-  EXPECT_EQ(world::build(next, &built, &first).balloon, built.balloon);
+  EXPECT_TRUE(keeps(world::kBalloons, next, built));
   next.balloons[1].pattern = scene::Pattern::spiral;
-  EXPECT_NE(world::build(next, &built, &first).balloon, built.balloon);
+  EXPECT_FALSE(keeps(world::kBalloons, next, built));
   next = first;
   next.camera.position += 3.0 * (next.balloon.position - next.camera.position) / 4.0;
-  EXPECT_NE(world::build(next, &built, &first).balloon, built.balloon) << "nearer, finer";
+  EXPECT_FALSE(keeps(world::kBalloons, next, built)) << "nearer, finer";
   next = first;
   next.balloon.enabled = false;
   for (scene::Balloon& balloon : next.balloons) balloon.enabled = false;
-  EXPECT_EQ(world::build(next, &built, &first).balloon, nullptr);
+  EXPECT_TRUE(balloons_in(world::build(next, {.previous = &built})).empty());
 }
 
 TEST(World, PlantsFollowAFurtherBalloon) {
@@ -70,9 +86,9 @@ TEST(World, PlantsFollowAFurtherBalloon) {
   first.vegetation.enabled = true;
   first.vegetation.reach_m = 300.0;
   const world::World built = world::build(first);
-  ASSERT_NE(built.plants, nullptr);
-  const auto keeps_plants = [&](const scene::Scene& next) {
-    return world::build(next, &built, &first).plants == built.plants;
+  ASSERT_FALSE(world::shape_of<world::Instances>(built, world::kPlants)->places.empty());
+  const auto keeps_plants = [&](const scene::Scene& scene) {
+    return keeps(world::kPlants, scene, built);
   };
   scene::Scene next = first;
   next.balloons[1].pattern = scene::Pattern::spiral;
@@ -88,6 +104,33 @@ TEST(World, PlantsFollowAFurtherBalloon) {
   next = first;
   next.balloons.pop_back();
   EXPECT_FALSE(keeps_plants(next));
+}
+
+/// The places of a scene's plants.
+std::vector<dvec3> plants_of(const scene::Scene& scene) {
+  const world::World world = world::build(scene);
+  std::vector<dvec3> plants;
+  for (const auto& plant : world::shape_of<world::Instances>(world, world::kPlants)->places) {
+    plants.push_back(dvec3(plant.position) + scene.origin);
+  }
+  return plants;
+}
+
+TEST(World, PlantsLeaveRoomForFurtherBalloons) {
+  scene::Scene scene = small_world("");
+  scene.vegetation.enabled = true;
+  scene.vegetation.reach_m = 300.0;
+  const std::vector<dvec3> grown = plants_of(scene);
+  ASSERT_GT(grown.size(), 10u);
+  scene.balloons.assign(2, scene.balloon);
+  scene.balloons[0].position = grown.front();
+  scene.balloons[1].position = grown.back();
+  for (const dvec3& plant : plants_of(scene)) {
+    for (const scene::Balloon& balloon : scene.balloons) {
+      const dvec3 away = plant - balloon.position;
+      EXPECT_GT(std::hypot(away.x, away.z), 0.6 * balloon.diameter_m);
+    }
+  }
 }
 
 TEST(BalloonLight, IsThatOfAnIntegratingSphere) {
@@ -112,7 +155,8 @@ TEST(BalloonLight, IsThatOfAnIntegratingSphere) {
 
 TEST(Burner, NoFireNoFlame) {
   const auto has_flame = [](const scene::Scene& scene) {
-    for (const world::Object& object : *world::build(scene).balloon) {
+    const world::World world = world::build(scene);
+    for (const world::Object& object : balloons_in(world)) {
       if (object.id == scene::ObjectId::flame) return true;
     }
     return false;

@@ -27,9 +27,8 @@ class BuriedEye : public testing::Test {
 TEST_F(BuriedEye, IsLiftedAboveTheMesh) {
   const world::Surface surface(scene_, world::Carving::coarse);
   world::resolve(scene_, surface);
-  const auto world =
-      world::build(scene_, nullptr, nullptr, scatter::Where::everywhere, world::Carving::coarse);
-  const mesh::GridMesh& ground = *world.land->ground;
+  const auto world = world::build(scene_, {.carving = world::Carving::coarse});
+  const mesh::GridMesh& ground = *world::shape_of<world::HeightGrid>(world, world::kLand)->mesh;
   for (std::uint32_t j = 1; j < kCells; j += 7) {
     for (std::uint32_t i = 1; i < kCells; i += 7) {
       const double x = 0.5 * (ground.x(i) + ground.x(i + 1));

@@ -147,9 +147,8 @@ TEST(BvhGridBuild, JoinsWithATreeOfSlots) {
   const mesh::GridMesh mesh = grid({40, 24});
   const test::Soup soup = test::sphere(12);
   const Bvh ground = bvh::build_grid(mesh), ball = bvh::build(soup.positions, soup.triangles);
-  const Bvh* trees[] = {&ground, &ball};
-  const std::uint32_t first[] = {0, 0};
-  const Bvh joined = bvh::join(trees, first);
+  const bvh::Part parts[] = {{&ground}, {&ball}};
+  const Bvh joined = bvh::join(parts);
   EXPECT_EQ(joined.slots, ball.slots);
   EXPECT_EQ(joined.order, ball.order);
   const auto patches = [](const Bvh& tree) {

@@ -218,18 +218,16 @@ TEST(BvhSlopes, OfJoinedTreesAreThoseOfTheGroundAlone) {
   const Bvh ground = bvh::build_grid(mesh), ball = bvh::build(soup.positions, soup.triangles);
   const std::vector<bvh::Bounds> boxes(50, ball.bounds);
   const Bvh plants = bvh::build_instances(boxes);
-  const Bvh* trees[] = {&ground, &ball, &plants};
-  const Bvh* models[] = {&ball};
-  const std::uint32_t first[] = {0, 0, 0};
-  const bvh::JoinedBvh joined = bvh::join(trees, first, models);
+  const bvh::Part parts[] = {{&ground}, {&ball}, {&plants}, {&ball, true}};
+  const bvh::JoinedBvh joined = bvh::join(parts);
   const GroundAlone before(ground), after(joined);
   EXPECT_GT(before.known, 0);
   EXPECT_EQ(after.known, before.known);
   EXPECT_EQ(after.wrong, 0);
   EXPECT_TRUE(knows_nothing(joined.nodes.front()));
 
-  const Bvh* meshes[] = {&ball, &ball};
-  EXPECT_TRUE(knows_nothing(bvh::join(meshes, std::span(first, 2), models)));
+  const bvh::Part meshes[] = {{&ball}, {&ball}, {&ball, true}};
+  EXPECT_TRUE(knows_nothing(bvh::join(meshes)));
 }
 
 }  // namespace

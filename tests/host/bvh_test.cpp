@@ -11,6 +11,7 @@
 #include <tbb/global_control.h>
 
 #include "bvh/collapse.hpp"
+#include "bvh/instances.hpp"
 #include "bvh_inspect.hpp"
 #include "bvh_meshes.hpp"
 #include "core/error.hpp"
@@ -243,17 +244,19 @@ class BvhJoin : public testing::TestWithParam<std::size_t> {};
 TEST_P(BvhJoin, HoldsAllTreesUnderOneRoot) {
   std::vector<Soup> soups;
   std::vector<Bvh> trees;
-  std::vector<const Bvh*> pointers;
   for (std::size_t i = 0; i < GetParam(); ++i) {
     // The second tree is empty and must leave no trace.
     soups.push_back(i == 1 ? Soup() : test::random_soup(100 + i, static_cast<unsigned>(i)));
     for (vec3& p : soups.back().positions) p += 2.5f * static_cast<float>(i);
     trees.push_back(bvh::build(soups.back().positions, soups.back().triangles));
   }
-  for (const Bvh& tree : trees) pointers.push_back(&tree);
   std::vector<std::uint32_t> first_triangle;
   const Soup all = concatenated(soups, first_triangle);
-  const Bvh joined = bvh::join(pointers, first_triangle);
+  std::vector<bvh::Part> parts;
+  for (std::size_t i = 0; i < trees.size(); ++i) {
+    parts.push_back({&trees[i], false, first_triangle[i]});
+  }
+  const Bvh joined = bvh::join(parts);
   EXPECT_EQ(joined.order.size(), all.triangles.size());
   expect_valid(joined, all, 4);
 }
@@ -263,18 +266,51 @@ INSTANTIATE_TEST_SUITE_P(Counts, BvhJoin, testing::Values(0, 1, 2, 3, 8, 9, 10, 
 TEST(BvhJoin, CostsOneNodeMoreThanItsParts) {
   const Soup soup = test::terrain(32);
   const Bvh tree = bvh::build(soup.positions, soup.triangles);
-  const Bvh* const twice[] = {&tree, &tree};
-  const std::uint32_t first[] = {0, 0};
-  EXPECT_NEAR(bvh::join(twice, first).stats.sah_cost, 1.0 + 2.0 * tree.stats.sah_cost, 1e-9);
+  const bvh::Part twice[] = {{&tree}, {&tree}};
+  EXPECT_NEAR(bvh::join(twice).stats.sah_cost, 1.0 + 2.0 * tree.stats.sah_cost, 1e-9);
 }
 
 TEST(BvhJoin, RefusesMoreStackThanTheKernelsHave) {
   const Soup soup = test::terrain(8);
   Bvh deep = bvh::build(soup.positions, soup.triangles);
   deep.stats.stack_entries = AERO_BVH_STACK;
-  const std::vector<const Bvh*> trees{&deep, &deep};
-  EXPECT_THROW(bvh::join(trees, std::vector<std::uint32_t>{0, 0}), Error);
-  EXPECT_THROW(bvh::join(trees, std::vector<std::uint32_t>{0}), Error);
+  const bvh::Part twice[] = {{&deep}, {&deep}};
+  EXPECT_THROW(bvh::join(twice), Error);
+}
+
+/// All leaf references of a tree that stand for instances, in ascending order.
+std::vector<aero_uint> instances_in(const Bvh& tree) {
+  std::vector<aero_uint> found;
+  for (const AeroBvhNode& node : tree.nodes) {
+    for (const aero_uint child : node.child) {
+      if (child != AERO_BVH_EMPTY && child >> 28 == 0xe) found.push_back(child & 0x0fffffffu);
+    }
+  }
+  std::sort(found.begin(), found.end());
+  return found;
+}
+
+TEST(BvhJoin, NumbersTheInstancesAndSlotsOfSeveralGroups) {
+  const Soup soup = test::terrain(4);
+  const Bvh tree = bvh::build(soup.positions, soup.triangles);
+  const Bvh three = bvh::build_instances(std::vector<bvh::Bounds>(3, tree.bounds));
+  const Bvh two = bvh::build_instances(std::vector<bvh::Bounds>(2, tree.bounds));
+  const std::uint32_t count = tree.slots;
+  const bvh::Part parts[] = {{&three}, {&tree, true}, {&two, false, 0, 3}, {&tree}, {&tree, true}};
+  bvh::JoinedBvh joined = bvh::join(parts);
+  EXPECT_EQ(instances_in(joined), (std::vector<aero_uint>{0, 1, 2, 3, 4}));
+  EXPECT_EQ(joined.slots, 3 * count);
+  ASSERT_EQ(joined.model_roots.size(), 2u);
+  const auto lowest_slot = [&](std::uint32_t root) {
+    aero_uint least = AERO_BVH_FIRST_MASK;
+    for (const aero_uint child : joined.nodes[root].child) {
+      const bool leaf = child != AERO_BVH_EMPTY && child >> 30 == 2;
+      if (leaf) least = std::min(least, child & AERO_BVH_FIRST_MASK);
+    }
+    return least;
+  };
+  EXPECT_LT(lowest_slot(joined.model_roots[0]), count);
+  EXPECT_GE(lowest_slot(joined.model_roots[1]), 2 * count);
 }
 
 }  // namespace

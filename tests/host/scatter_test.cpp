@@ -257,53 +257,31 @@ TEST(Scatter, WoodsAreAsDenseAsThePaintedOnes) {
   EXPECT_NEAR(found / expected, 1.0, 0.1);
 }
 
-TEST(Scatter, LeavesRoomForCameraAndBalloon) {
+TEST(Scatter, LeavesRoomForTheCameraAndEveryObstacle) {
   scene::Scene scene = scene::defaults(BiomeKind::snow, scene::View::outside);
   scene.terrain.cells = 4;
   scene.biome.ground.forest_share = 1.0;
   scene.biome.ground.forest_top_m = 1e5;
   scene.vegetation.reach_m = 400.0;
   scene.camera.position = {0.0, 103.0, 0.0};
-  scene.balloon.position = {60.0, 100.0, 0.0};
   const mesh::GridMesh ground = mesh_over(4, 4000.0, [](double, double) { return 100.0; });
-  const auto nearest = [&ground](const scene::Scene& s, const vec3& to) {
+  std::vector<Obstacle> obstacles;
+  const auto nearest = [&](double x, double z) {
+    const vec3 to(static_cast<float>(x), 100.0f, static_cast<float>(z));
     float least = kInfinity;
-    for (const Instance& i : scatter(s, ground).instances) {
+    for (const Instance& i : scatter(scene, ground, Where::everywhere, obstacles).instances) {
       least = std::min(least, glm::distance(i.position, to));
     }
     return least;
   };
-  const vec3 camera(0.0f, 100.0f, 0.0f), balloon(60.0f, 100.0f, 0.0f);
-  EXPECT_GT(nearest(scene, camera), 5.0f);
-  EXPECT_GT(nearest(scene, balloon), 14.0f);
-  scene.balloon.position.y = 300.0;
-  EXPECT_LT(nearest(scene, balloon), 8.0f);
-}
-
-TEST(Scatter, LeavesRoomForFurtherBalloons) {
-  scene::Scene scene = scene::defaults(BiomeKind::snow, scene::View::outside);
-  scene.terrain.cells = 4;
-  scene.biome.ground.forest_share = 1.0;
-  scene.biome.ground.forest_top_m = 1e5;
-  scene.vegetation.reach_m = 400.0;
-  scene.camera.position = {0.0, 103.0, 0.0};
-  scene.balloon.enabled = false;
-  scene.balloons.assign(2, scene.balloon);
-  scene.balloons[0].position = {60.0, 100.0, 0.0};
-  scene.balloons[1].position = {-60.0, 100.0, 80.0};
-  const mesh::GridMesh ground = mesh_over(4, 4000.0, [](double, double) { return 100.0; });
-  const auto nearest = [&](const dvec3& to) {
-    float least = kInfinity;
-    for (const Instance& i : scatter(scene, ground).instances) {
-      least = std::min(least, glm::distance(i.position, vec3(to)));
-    }
-    return least;
-  };
-  for (scene::Balloon& balloon : scene.balloons) {
-    EXPECT_LT(nearest(balloon.position), 8.0f) << "a balloon that is not there takes no room";
-    balloon.enabled = true;
-    EXPECT_GT(nearest(balloon.position), 14.0f);
-  }
+  EXPECT_GT(nearest(0.0, 0.0), 5.0f);
+  EXPECT_LT(nearest(60.0, 0.0), 8.0f);
+  EXPECT_LT(nearest(-60.0, 80.0), 8.0f);
+  obstacles = {{{60.0, 100.0, 0.0}, 18.8}, {{-60.0, 100.0, 80.0}, 18.8}};
+  EXPECT_GT(nearest(60.0, 0.0), 14.0f);
+  EXPECT_GT(nearest(-60.0, 80.0), 14.0f);
+  obstacles[1].position.y = 300.0;
+  EXPECT_LT(nearest(-60.0, 80.0), 8.0f) << "high above the trees";
 }
 
 TEST(Scatter, NothingGrowsUnderWaterOrOnCliffs) {

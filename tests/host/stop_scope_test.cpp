@@ -50,7 +50,8 @@ TEST(StopScope, ALandThatWasGivenUpIsBuiltAgain) {
   world::resolve(scene, surface);
   EXPECT_GT(surface.height(9000.0, 9000.0), 0.0);
   expect_given_up([&] { world::build(scene); });
-  EXPECT_EQ(world::build(scene).land->ground->columns(), 64u);
+  const world::World world = world::build(scene);
+  EXPECT_EQ(world::shape_of<world::HeightGrid>(world, world::kLand)->mesh->columns(), 64u);
 }
 
 }  // namespace

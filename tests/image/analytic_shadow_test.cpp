@@ -23,7 +23,7 @@ std::vector<double> outline(const scene::Scene& scene, Measure measure) {
   constexpr int kSteps = 16;
   std::vector<double> largest(kSectors, 0.0);
   const world::World built = world::build(scene);
-  for (const world::Object& object : *built.balloon) {
+  for (const world::Object& object : *world::shape_of<world::Objects>(built, world::kBalloons)) {
     for (const uvec3& corners : object.mesh.triangles) {
       for (int i = 0; i < 3 * kSteps; ++i) {
         const dvec3 from(object.mesh.positions[corners[i / kSteps]]);

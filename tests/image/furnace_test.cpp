@@ -2,6 +2,7 @@
 // all sides.
 #include <algorithm>
 #include <numbers>
+#include <utility>
 
 #include "flat_land.hpp"
 #include "pack/pack_scene.hpp"
@@ -11,6 +12,8 @@ namespace aerostat::test {
 namespace {
 
 constexpr int kWidth = 96, kHeight = 64, kSamples = 16;
+
+const world::GroupKind kBalls{.name = "balls"};
 
 /// Returns a ball of radius 1 m with smooth normals.
 mesh::TriangleMesh ball(const vec3& centre) {
@@ -67,14 +70,13 @@ AeroScene even_light(const scene::Scene& scene) {
 
 image::Film film_of(const std::vector<mesh::TriangleMesh>& balls) {
   const scene::Scene scene = furnace();
-  render::HostGeometry geometry = *render::build_geometry(scene, nullptr);
+  world::World world = world::build(scene);
   world::Objects objects;
   for (const auto& mesh : balls)
     objects.push_back({scene::ObjectId::envelope, scene::MaterialId::envelope, mesh});
-  geometry.balloon = std::make_shared<pack::PackedGroup>(pack::pack_objects(objects));
-  const auto tree = render::join_trees(geometry);
-  const auto arrays = std::make_shared<render::FrameArrays>();
-  arrays->assemble(geometry, *tree);
+  world.groups.push_back(world::make_group(kBalls, std::move(objects)));
+  const auto [tree, arrays] =
+      render::only_frame(render::pack_world(std::move(world), nullptr, render::Meshes::release));
 
   render::DeviceWorker worker(devices().front(), {});
   worker.begin_programs();

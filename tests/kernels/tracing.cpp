@@ -137,7 +137,6 @@ TracedMesh::TracedMesh(const mesh::GridMesh& grid)
 TracedMesh::TracedMesh(const Soup& own, const std::vector<Soup>& models,
                        std::vector<AeroInstance> instances) {
   std::vector<bvh::Bvh> trees;
-  std::vector<const bvh::Bvh*> pointers;
   const bvh::Bvh own_tree = bvh::build(own.positions, own.triangles);
   triangles_ = in_leaf_order(own, own_tree);
   for (const Soup& model : models) {
@@ -145,7 +144,6 @@ TracedMesh::TracedMesh(const Soup& own, const std::vector<Soup>& models,
     const auto more = in_leaf_order(model, trees.back());
     triangles_.insert(triangles_.end(), more.begin(), more.end());
   }
-  for (const bvh::Bvh& tree : trees) pointers.push_back(&tree);
   std::vector<bvh::Bounds> bounds;
   for (AeroInstance& instance : instances) {
     bounds.push_back(placed_bounds(models[instance.root], instance));
@@ -153,9 +151,9 @@ TracedMesh::TracedMesh(const Soup& own, const std::vector<Soup>& models,
     copy(bounds.back().hi, instance.hi);
   }
   const bvh::Bvh over = bvh::build_instances(bounds);
-  const bvh::Bvh* top[] = {&own_tree, &over};
-  const std::uint32_t first[] = {0, 0};
-  const bvh::JoinedBvh joined = bvh::join(top, first, pointers);
+  std::vector<bvh::Part> parts{{&own_tree}, {&over}};
+  for (const bvh::Bvh& tree : trees) parts.push_back({&tree, true});
+  const bvh::JoinedBvh joined = bvh::join(parts);
   for (AeroInstance& instance : instances) instance.root = joined.model_roots[instance.root];
   tree_ = joined;
   node_buffer_ = input(tree_.nodes);

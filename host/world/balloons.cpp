@@ -1,0 +1,69 @@
+#include "scene/balloons.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include <oneapi/tbb/parallel_for.h>
+
+#include "core/stop_scope.hpp"
+#include "model/balloon.hpp"
+#include "scene/pixel_size.hpp"
+#include "world/kinds.hpp"
+
+namespace aerostat::world {
+namespace {
+
+constexpr double kCoarseEnvelope_m = 0x1p-5, kCoarseBasket_m = 0x1p-8;
+
+/// How fine a balloon is built. On a coarse land it is coarse, too, even around an eye in its
+/// basket.
+model::Detail detail_of(const scene::Balloon& balloon, const scene::Scene& scene,
+                        terrain::Carving carving) {
+  model::Detail detail =
+      model::detail_for(balloon, scene.camera.position, scene::pixel_size(scene));
+  if (carving == terrain::Carving::coarse) {
+    detail.envelope_m = std::max(detail.envelope_m, kCoarseEnvelope_m);
+    detail.basket_m = std::max(detail.basket_m, kCoarseBasket_m);
+  }
+  return detail;
+}
+
+Shape build(const GroupInput& input) {
+  const auto balloons = scene::balloons_of(input.local);
+  std::vector<Objects> built(balloons.size());
+  tbb::parallel_for(std::size_t{0}, balloons.size(), [&, stop = current_stop()](std::size_t i) {
+    stop_if_asked(stop);
+    const model::Detail detail = detail_of(*balloons[i], input.local, input.request.carving);
+    for (auto& part : model::balloon(*balloons[i], detail)) {
+      built[i].push_back({part.id, part.material, std::move(part.mesh)});
+    }
+  });
+  Objects objects;
+  for (Objects& one : built) {
+    for (Object& part : one) objects.push_back(std::move(part));
+  }
+  return objects;
+}
+
+bool same(const GroupRequest& now, const GroupRequest& before) {
+  const auto a = scene::balloons_of(now.scene), b = scene::balloons_of(before.scene);
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(),
+                    [&](const scene::Balloon* one, const scene::Balloon* other) {
+                      return *one == *other && detail_of(*one, now.scene, now.carving) ==
+                                                   detail_of(*other, before.scene, before.carving);
+                    });
+}
+
+std::vector<scatter::Obstacle> obstacles(const scene::Scene& scene) {
+  std::vector<scatter::Obstacle> found;
+  for (const scene::Balloon* balloon : scene::balloons_of(scene)) {
+    found.push_back({balloon->position, balloon->diameter_m});
+  }
+  return found;
+}
+
+}  // namespace
+
+const GroupKind kBalloons{.name = "balloons", .build = build, .same = same, .obstacles = obstacles};
+
+}  // namespace aerostat::world

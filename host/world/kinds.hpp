@@ -1,0 +1,24 @@
+#pragma once
+
+#include <vector>
+
+#include "world/group.hpp"
+
+namespace aerostat::world {
+
+/// The kinds of groups of a world, in the order of its groups.
+using GroupKinds = std::vector<const GroupKind*>;
+
+/// The land, which is the ground.
+extern const GroupKind kLand;
+/// The sea.
+extern const GroupKind kSea;
+/// All balloons of a scene, each as fine as its size in the picture asks for.
+extern const GroupKind kBalloons;
+/// Plants and stones, each in the level of detail that its size in the picture asks for.
+extern const GroupKind kPlants;
+
+/// All kinds that this program knows.
+GroupKinds all_kinds();
+
+}  // namespace aerostat::world

@@ -1,0 +1,63 @@
+#include <map>
+#include <utility>
+
+#include "world/world.hpp"
+
+namespace aerostat::world {
+namespace {
+
+/// Appends a model's triangles where an instance of it stands.
+void place(const mesh::TriangleMesh& model, const scatter::Instance& instance,
+           mesh::TriangleMesh& mesh) {
+  const scatter::Axes axes = scatter::axes_of(instance);
+  const auto base = static_cast<std::uint32_t>(mesh.positions.size());
+  const auto turned = [&](const vec3& v) { return axes.x * v.x + axes.y * v.y + axes.z * v.z; };
+  for (std::size_t i = 0; i < model.positions.size(); ++i) {
+    mesh.positions.push_back(instance.position + turned(model.positions[i]));
+    mesh.normals.push_back(turned(model.normals[i]) / instance.scale);
+    const vec3 color = model.colors.empty() ? vec3(1.0f) : model.colors[i];
+    mesh.colors.push_back(color * instance.tint);
+  }
+  for (const uvec3& triangle : model.triangles) mesh.triangles.push_back(triangle + base);
+}
+
+/// Appends what a shape is in triangles.
+class Appender {
+ public:
+  Appender(Objects& objects, Placed instances) : objects_(objects), placed_(instances) {}
+
+  void operator()(const Objects& objects) {
+    objects_.insert(objects_.end(), objects.begin(), objects.end());
+  }
+
+  void operator()(const HeightGrid& grid) {
+    objects_.push_back(
+        {scene::ObjectId::terrain, scene::MaterialId::terrain, mesh::to_triangles(*grid.mesh)});
+  }
+
+  void operator()(const Instances& instances) {
+    if (placed_ == Placed::left_out) return;
+    std::map<std::pair<scene::ObjectId, scene::MaterialId>, mesh::TriangleMesh> found;
+    for (const scatter::Instance& instance : instances.places) {
+      const Object& model = instances.models[instance.model];
+      place(model.mesh, instance, found[{model.id, model.material}]);
+    }
+    for (auto& [what, mesh] : found) objects_.push_back({what.first, what.second, std::move(mesh)});
+  }
+
+ private:
+  Objects& objects_;
+  Placed placed_;
+};
+
+}  // namespace
+
+Objects as_triangles(const World& world, Placed instances) {
+  Objects objects;
+  for (const Group& group : world.groups) {
+    if (group.shape) std::visit(Appender(objects, instances), *group.shape);
+  }
+  return objects;
+}
+
+}  // namespace aerostat::world
