@@ -30,13 +30,10 @@ __kernel void write_shadow_rays(const AeroLaunch launch, __global const AeroScen
   const HeightGrid ground = height_grid(grid);
   const MeshArrays meshes = mesh_arrays(faces, vertices, instances);
   const ShadowPoint point = shadow_point(&ground, &meshes, &hit);
-  Lane3 to_light, strength;
-  lane_float distance;
-  light_at(scene, 0u, point.position, &to_light, &distance, &strength);
   const AeroLaunch task = launch;
   const PixelPacket packet = pixel_packet(&task.tile, block);
-  to_light = shadow_sun(&scene->sky, &task.frame, &packet);
-  const Ray ray = shadow_ray(&point, &hit, to_light, distance);
+  const Lane3 to_light = shadow_sun(&scene->sky, &task.frame, &packet);
+  const Ray ray = shadow_ray(&point, &hit, to_light, (lane_float)INFINITY);
   write_rays_of_hits(rays, block, ray, &hit, ~turned_away(&point, &hit, to_light));
 }
 

@@ -1,9 +1,9 @@
 #include "atmosphere/cloud_march.clh"
 #include "film/film.clh"
-#include "light/shade.clh"
+#include "integrator/local.clh"
 #include "sample/sampling.clh"
 
-/* Radiance of a tile's eye rays, added to the film. */
+/* Adds the radiance of a tile's eye rays to the film. */
 __kernel void shade_hits(const AeroLaunch launch, __global const AeroScene* scene,
                          __global const AeroInstance* instances, __global const float* grid,
                          __global const AeroFace* faces, __global const AeroVertex* vertices,
@@ -17,7 +17,7 @@ __kernel void shade_hits(const AeroLaunch launch, __global const AeroScene* scen
   if (!lane_any(packet.active)) return;
   const Ray ray = generate_rays(&task.frame, &packet);
   const Hit hit = hits[block];
-  /* From the eye through air and clouds, by places. */
+  /* The way from the eye through air and clouds counts from the place of the terrain. */
   const lane_float lead = (lane_float)task.frame.camera.lead, distance = hit.t + lead;
   Ray way = ray;
   way.origin = place_of(scene, madd3(ray.origin, ray.direction, -lead));
@@ -31,22 +31,21 @@ __kernel void shade_hits(const AeroLaunch launch, __global const AeroScene* scen
   if (lane_any(met)) {
     const HeightGrid ground = height_grid(grid);
     const MeshArrays meshes = mesh_arrays(faces, vertices, instances);
-    const HitTriangle triangle = load_hit_triangle(&ground, &meshes, &hit);
-    AmbientFound around;
-    around.free = (lane_float)1.0f;
-    around.facing = zero;
+    HitTriangle triangle = load_hit_triangle(&ground, &meshes, &hit);
+    load_texture_coordinates(scene, &meshes, &hit, &triangle);
+    AmbientFound around = all_free();
     if (scene->sky.ambient_reach > 0.0f) around = found[block];
-    Lane3 shading_normal;
-    const lane_float across = pixel_across(&task.frame, distance);
-    const Lane3 surface = shade_hit(scene, &meshes, &triangle, &ray, &hit, across, visible[block],
-                                    &around, &shading_normal);
+    const RayCone cone = eye_cone(&task.frame);
+    const SurfacePoint point =
+        surface_point(scene, &triangle, &ray, &hit, cone_across(&cone, distance));
+    const Lane3 surface = shade_hit(scene, &point, &triangle, &ray, &hit, visible[block], &around);
     radiance = select3(met, through_air(scene, surface, &way, distance), radiance);
-    normal = select3(met, shading_normal, normal);
+    normal = select3(met, point.normal, normal);
     object = lane_select(met, triangle.object, object);
   }
   if (scene->sky.cumulus.extinction > 0.0f) {
-    const LightSample at = light_sample(&task.frame, &packet);
-    /* A pixel of parallel rays counts as one seen a kilometre away. */
+    const SampleNumbers at = sample_numbers(&task.frame, &packet);
+    /* The width of a pixel of parallel rays counts as if it were a kilometre away. */
     const float angle = task.frame.pixel_angle + 1e-3f * task.frame.pixel_width;
     radiance = behind_clouds(scene, radiance, &way, distance, angle, at.w);
   }
@@ -61,7 +60,7 @@ __kernel void shade_hits(const AeroLaunch launch, __global const AeroScene* scen
   add_to_film(film, &task, &samples);
 }
 
-/* Empties the film. */
+/* Clears the film. */
 __kernel void clear_film(__global AeroFilmPixel* film, const uint pixels) {
   const uint i = (uint)get_global_id(0);
   if (i >= pixels) return;
@@ -70,7 +69,7 @@ __kernel void clear_film(__global AeroFilmPixel* film, const uint pixels) {
   film[i] = empty;
 }
 
-/* Marks as converged the pixels that have samples enough. */
+/* Marks the pixels that have enough samples as converged. */
 __kernel void mark_converged(__global AeroFilmPixel* film, const AeroConvergence convergence) {
   const uint i = (uint)get_global_id(0);
   const AeroConvergence asked = convergence;

@@ -1,8 +1,8 @@
 #include "camera/camera.clh"
 #include "light/ambient.clh"
 
-/* Rays from every hit of a tile towards the sky: found[block] says what is near. Every BUNDLE-th
- * work-item works on that many blocks together. */
+/* Traces rays from every hit of a tile towards the sky, and writes their results to found[block].
+ * Every BUNDLE-th work-item works on BUNDLE blocks together. */
 __kernel void trace_ambient_rays(const AeroLaunch launch, __global const AeroScene* scene,
                                  __global const AeroBvhNode* nodes,
                                  __global const AeroTriangle* triangles,

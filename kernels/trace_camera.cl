@@ -1,8 +1,8 @@
 #include "bvh/traverse.clh"
 #include "film/film.clh"
 
-/* Eye rays of a tile's pixels that are not converged: the closest hits of block into hits[block].
- * Every BUNDLE-th work-item traces that many blocks together. */
+/* Traces the eye rays of a tile's pixels that are not converged, and writes their nearest hits to
+ * hits[block]. Every BUNDLE-th work-item traces BUNDLE blocks together. */
 __kernel void trace_camera_rays(const AeroLaunch launch, __global const AeroBvhNode* nodes,
                                 __global const AeroTriangle* triangles,
                                 __global const AeroInstance* instances, __global const float* grid,
@@ -13,13 +13,14 @@ __kernel void trace_camera_rays(const AeroLaunch launch, __global const AeroBvhN
   const AeroFrame frame = launch.frame;
   const AeroTile tile = launch.tile;
   const AeroWindow window = launch.film;
-  /* All packets of a tile hold the same samples, which look the same way beside their pixels. */
+  /* All packets of a tile hold the same samples, which have the same offsets from the pixel's
+   * centre. */
   const PixelPacket block = pixel_packet(&tile, first);
   lane_float dx, dy;
   filter_offset(&frame, block.sample, &dx, &dy);
   TracedPacket packets[BUNDLE];
   for (uint i = 0u; i < BUNDLE; ++i) {
-    /* Blocks beyond the tile's last lie below it: their lanes are off. */
+    /* Blocks beyond the tile's last one lie below the tile, and their lanes are off. */
     PixelPacket packet = pixel_packet(&tile, first + i);
     skip_converged(film, &window, tile.first_sample, &packet);
     const Ray ray = generate_offset_rays(&frame, &packet, dx, dy);

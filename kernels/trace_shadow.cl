@@ -1,8 +1,8 @@
 #include "camera/camera.clh"
 #include "light/shadow.clh"
 
-/* Shadow rays from the hits of a tile to every light: bit i of visible[block] is set where light i
- * arrives. Every BUNDLE-th work-item traces that many blocks together. */
+/* Traces shadow rays from the hits of a tile to every light. Bit i of visible[block] is set if
+ * light i arrives. Every BUNDLE-th work-item traces BUNDLE blocks together. */
 __kernel void trace_shadow_rays(const AeroLaunch launch, __global const AeroScene* scene,
                                 __global const AeroBvhNode* nodes,
                                 __global const AeroTriangle* triangles,

@@ -7,9 +7,9 @@
 namespace aerostat::test {
 namespace {
 
-/// Looks at the same material: positions, normals, directions to the viewer, and the lights that
+/// Points at the same material: positions, normals, directions to the viewer, and the lights that
 /// reach them.
-struct Looks {
+struct Points {
   std::vector<vec3> positions, normals, viewers;
   std::vector<std::uint32_t> visible;
 
@@ -32,20 +32,21 @@ class Phong : public LaneTest {
  protected:
   const Probe probe{"shading.cl", GetParam()};
 
-  std::vector<vec3> shade(const AeroScene& scene, const Material& m, const Looks& looks) const {
-    const std::vector<float> coefficients{m.ambient,   m.diffuse,      m.specular,
-                                          m.shininess, m.translucency, m.albedo.x,
-                                          m.albedo.y,  m.albedo.z,     m.softness};
-    const std::size_t count = whole_packets(looks.normals.size());
-    std::vector<std::uint32_t> visible = looks.visible;
+  std::vector<vec3> shade(const AeroScene& scene, const Material& m, const Points& points) const {
+    const std::vector<float> coefficients{
+        m.ambient,  m.diffuse,  m.specular, m.shininess, m.translucency, m.albedo.x,
+        m.albedo.y, m.albedo.z, m.softness, 0.0f,        0.0f,           AERO_MATERIAL_PLAIN};
+    const std::size_t count = whole_packets(points.normals.size());
+    std::vector<std::uint32_t> visible = points.visible;
     visible.resize(count, 0u);
     const auto radiance = output<float>(3 * count);
     probe.run("probe_phong", count, uploaded(scene), input(coefficients),
-              input(planes(looks.positions)), input(planes(looks.normals)),
-              input(planes(looks.viewers)), input(visible), radiance);
+              input(planes(points.positions)), input(planes(points.normals)),
+              input(planes(points.viewers)), input(visible), radiance);
     const auto values = radiance.read();
     std::vector<vec3> result;
-    for (std::size_t i = 0; i < looks.normals.size(); ++i) result.push_back(from_planes(values, i));
+    for (std::size_t i = 0; i < points.normals.size(); ++i)
+      result.push_back(from_planes(values, i));
     return result;
   }
 };
@@ -60,13 +61,13 @@ TEST_P(Phong, DiffuseFollowsLambertsCosine) {
   Material material;
   material.diffuse = 0.8f;
   material.albedo = {0.5f, 0.25f, 1.0f};
-  Looks looks;
+  Points points;
   for (int degrees = 0; degrees <= 180; degrees += 5) {
-    looks.add(tilted(static_cast<float>(degrees)), {0, 0, 1}, 1u);
+    points.add(tilted(static_cast<float>(degrees)), {0, 0, 1}, 1u);
   }
-  const auto radiance = shade(scene, material, looks);
+  const auto radiance = shade(scene, material, points);
   for (std::size_t i = 0; i < radiance.size(); ++i) {
-    const float cosine = std::max(looks.normals[i].y, 0.0f);
+    const float cosine = std::max(points.normals[i].y, 0.0f);
     expect_color(radiance[i], 0.8f * cosine * vec3(0.5f, 0.5f, 3.0f), 2e-6f, "lit");
   }
 }
@@ -80,7 +81,7 @@ TEST_P(Phong, RoughSurfacesKeepTheEnergyAndLookBackAtTheLight) {
   constexpr int kRings = 24, kTurns = 48;
   for (const float lean : {0.0f, 30.0f, 60.0f, 80.0f}) {
     // The sun is above, so the surface leans instead.
-    Looks looks;
+    Points points;
     const vec3 normal = tilted(lean);
     const vec3 side(0.0f, 0.0f, 1.0f), across = glm::cross(normal, side);
     for (int ring = 0; ring < kRings; ++ring) {
@@ -88,14 +89,14 @@ TEST_P(Phong, RoughSurfacesKeepTheEnergyAndLookBackAtTheLight) {
       const float sine = std::sqrt((static_cast<float>(ring) + 0.5f) / kRings);
       for (int turn = 0; turn < kTurns; ++turn) {
         const float a = 2.0f * kPi * static_cast<float>(turn) / kTurns;
-        looks.add(normal,
-                  normal * std::sqrt(1.0f - sine * sine) +
-                      sine * (side * std::cos(a) + across * std::sin(a)),
-                  1u);
+        points.add(normal,
+                   normal * std::sqrt(1.0f - sine * sine) +
+                       sine * (side * std::cos(a) + across * std::sin(a)),
+                   1u);
       }
     }
-    looks.add(normal, vec3(0.0f, 1.0f, 0.0f), 1u);
-    const auto radiance = shade(bare_scene(), material, looks);
+    points.add(normal, vec3(0.0f, 1.0f, 0.0f), 1u);
+    const auto radiance = shade(bare_scene(), material, points);
     double sum = 0.0;
     for (std::size_t i = 0; i + 1 < radiance.size(); ++i) sum += radiance[i].x;
     const double reflectance = sum / (kRings * kTurns) / normal.y;
@@ -111,11 +112,11 @@ TEST_P(Phong, ShadowLeavesExactlyTheAmbientLight) {
   AeroScene scene = bare_scene();
   set_ambient(scene, {0.5f, 1.0f, 2.0f}, {0.25f, 0.25f, 0.25f});
   Material material{0.5f, 1.0f, 1.0f, 20.0f, 0.0f, {1.0f, 0.5f, 0.25f}};
-  Looks looks;
-  looks.add({0, 1, 0}, {0, 1, 0}, 0u);
-  looks.add({0, -1, 0}, {0, 1, 0}, 0u);
-  looks.add({1, 0, 0}, {0, 1, 0}, 0u);
-  const auto radiance = shade(scene, material, looks);
+  Points points;
+  points.add({0, 1, 0}, {0, 1, 0}, 0u);
+  points.add({0, -1, 0}, {0, 1, 0}, 0u);
+  points.add({1, 0, 0}, {0, 1, 0}, 0u);
+  const auto radiance = shade(scene, material, points);
   expect_color(radiance[0], 0.5f * material.albedo * vec3(0.5f, 1.0f, 2.0f), 1e-6f, "up");
   expect_color(radiance[1], 0.5f * material.albedo * vec3(0.25f), 1e-6f, "down");
   expect_color(radiance[2], 0.5f * material.albedo * vec3(0.375f, 0.625f, 1.125f), 1e-6f, "level");
@@ -127,11 +128,11 @@ TEST_P(Phong, SpecularPeaksInTheMirrorDirection) {
   material.specular = 0.7f;
   material.shininess = 50.0f;
   // The sun is above and the normal leans by 30 degrees, so the mirror image of the sun is at 60.
-  Looks looks;
+  Points points;
   for (int degrees = 0; degrees <= 150; ++degrees) {
-    looks.add(tilted(30.0f), tilted(static_cast<float>(degrees)), 1u);
+    points.add(tilted(30.0f), tilted(static_cast<float>(degrees)), 1u);
   }
-  const auto radiance = shade(scene, material, looks);
+  const auto radiance = shade(scene, material, points);
   for (std::size_t i = 0; i < radiance.size(); ++i) {
     const double off = (static_cast<double>(i) - 60.0) * std::numbers::pi / 180.0;
     const auto expected = static_cast<float>(0.7 * std::pow(std::max(std::cos(off), 0.0), 50.0));
@@ -144,9 +145,9 @@ TEST_P(Phong, NoGlossFromLightBehindTheSurface) {
   Material material;
   material.specular = 1.0f;
   material.shininess = 2.0f;
-  Looks looks;
-  looks.add(tilted(100.0f), tilted(170.0f), 1u);
-  expect_color(shade(bare_scene(), material, looks)[0], vec3(0.0f), 0.0f, "behind");
+  Points points;
+  points.add(tilted(100.0f), tilted(170.0f), 1u);
+  expect_color(shade(bare_scene(), material, points)[0], vec3(0.0f), 0.0f, "behind");
 }
 
 TEST_P(Phong, ClothGlowsWithLightFromBehind) {
@@ -154,15 +155,15 @@ TEST_P(Phong, ClothGlowsWithLightFromBehind) {
   material.diffuse = 0.6f;
   material.translucency = 0.3f;
   material.albedo = {1.0f, 0.5f, 0.25f};
-  Looks looks;
+  Points points;
   // The sun is behind the cloth with nothing between.
-  looks.add({0, -1, 0}, {0, -1, 0}, 1u);
-  looks.add(tilted(120.0f), {0, -1, 0}, 1u);
+  points.add({0, -1, 0}, {0, -1, 0}, 1u);
+  points.add(tilted(120.0f), {0, -1, 0}, 1u);
   // Another layer of the cloth lies between.
-  looks.add({0, -1, 0}, {0, -1, 0}, 0u);
+  points.add({0, -1, 0}, {0, -1, 0}, 0u);
   // The sun is in front of the cloth.
-  looks.add({0, 1, 0}, {0, 1, 0}, 1u);
-  const auto radiance = shade(bare_scene(), material, looks);
+  points.add({0, 1, 0}, {0, 1, 0}, 1u);
+  const auto radiance = shade(bare_scene(), material, points);
   expect_color(radiance[0], 0.3f * material.albedo, 1e-6f, "through");
   expect_color(radiance[1], 0.15f * material.albedo, 1e-6f, "through at 60 degrees");
   expect_color(radiance[2], 0.09f * material.albedo, 1e-6f, "through two layers");
@@ -182,13 +183,13 @@ AeroScene with_point_lights() {
 TEST_P(Phong, PointLightsFallOffWithTheSquareOfTheDistance) {
   Material material;
   material.diffuse = 1.0f;
-  Looks looks;
+  Points points;
   for (const float height : {3.0f, 2.0f, 0.0f, -4.0f, -12.0f}) {
-    looks.add({0, 1, 0}, {0, 1, 0}, 2u, {0, height, 0});
+    points.add({0, 1, 0}, {0, 1, 0}, 2u, {0, height, 0});
   }
-  const auto radiance = shade(with_point_lights(), material, looks);
+  const auto radiance = shade(with_point_lights(), material, points);
   for (std::size_t i = 0; i < radiance.size(); ++i) {
-    const float distance = 4.0f - looks.positions[i].y;
+    const float distance = 4.0f - points.positions[i].y;
     const float expected = 16.0f / (distance * distance);
     expect_color(radiance[i], vec3(expected), expected * 2e-6f, "point light");
   }
@@ -197,11 +198,11 @@ TEST_P(Phong, PointLightsFallOffWithTheSquareOfTheDistance) {
 TEST_P(Phong, LightsAddAndEachHasItsOwnShadow) {
   const Material material{1.0f, 0.75f, 0.5f, 8.0f, 0.0f, {0.5f, 0.5f, 0.5f}};
   const vec3 normal = glm::normalize(vec3(0, 1, 1));
-  Looks looks;
-  for (std::uint32_t lights = 0; lights < 8; ++lights) looks.add(normal, normal, lights);
+  Points points;
+  for (std::uint32_t lights = 0; lights < 8; ++lights) points.add(normal, normal, lights);
   AeroScene scene = with_point_lights();
   set_ambient(scene, vec3(0.125f), vec3(0.0f));
-  const auto radiance = shade(scene, material, looks);
+  const auto radiance = shade(scene, material, points);
   for (std::uint32_t lights = 0; lights < 8; ++lights) {
     vec3 expected = radiance[0];
     for (const std::uint32_t one : {1u, 2u, 4u}) {

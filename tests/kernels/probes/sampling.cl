@@ -7,7 +7,7 @@ __kernel void probe_light_samples(const AeroLaunch launch, __global const float*
                                   __global float* in_disc, __global float* by_cosine) {
   const AeroLaunch task = launch;
   const PixelPacket packet = pixel_packet(&task.tile, (uint)get_global_id(0));
-  const LightSample at = light_sample(&task.frame, &packet);
+  const SampleNumbers at = sample_numbers(&task.frame, &packet);
   STORE(packet.y * task.frame.width + packet.x, pixels);
   store3_planes(lane3(at.u, at.v, at.w), uvw);
   store3_planes(direction_in_disc(axis, radius, &at), in_disc);

@@ -1,33 +1,16 @@
 #include "atmosphere/cloud_march.clh"
-#include "light/shade.clh"
+#include "integrator/local.clh"
 #include "probe.clh"
-
-/* Returns a look whose scalars are in `coefficients`: ambient, diffuse, specular, shininess,
- * translucency, then the albedo and the softness. */
-inline Look load_look(__global const float* coefficients, __global const float* positions,
-                      __global const float* normals, __global const float* viewers) {
-  Look look;
-  look.position = load3(positions);
-  look.normal = load3(normals);
-  look.to_viewer = load3(viewers);
-  look.ambient = (lane_float)coefficients[0];
-  look.diffuse = (lane_float)coefficients[1];
-  look.specular = (lane_float)coefficients[2];
-  look.shininess = (lane_float)coefficients[3];
-  look.translucency = (lane_float)coefficients[4];
-  look.albedo = lane3_from(coefficients + 5);
-  look.softness = (lane_float)coefficients[8];
-  look.open = look.sunlit = (lane_float)1.0f;
-  look.facing = (lane_float)0.0f;
-  return look;
-}
+#include "surface_of.clh"
 
 __kernel void probe_phong(__global const AeroScene* scene, __global const float* coefficients,
                           __global const float* positions, __global const float* normals,
                           __global const float* viewers, __global const uint* visible,
                           __global float* radiance) {
-  const Look look = load_look(coefficients, positions, normals, viewers);
-  store3_planes(phong(scene, &look, LOAD(visible)), radiance);
+  Surface surface = surface_of(coefficients, load3(normals), load3(viewers));
+  surface.point.position = load3(positions);
+  const AmbientFound around = all_free();
+  store3_planes(local_radiance(scene, &surface, LOAD(visible), &around), radiance);
 }
 
 __kernel void probe_sky(__global const AeroScene* scene, __global const float* origins,
@@ -65,8 +48,9 @@ __kernel void probe_fresnel(__global const float* cosines, __global float* refle
 __kernel void probe_water(__global const AeroScene* scene, __global const float* depths,
                           __global const float* cosines, __global const float* light,
                           __global float* radiance) {
-  const Lane3 body = water_body(&scene->water, LOAD(depths), LOAD(cosines), load3(light));
-  store3_planes(body, radiance);
+  const Lane3 bed = lane3_from(scene->water.bed);
+  const Lane3 albedo = water_albedo(&scene->water, bed, LOAD(depths), LOAD(cosines));
+  store3_planes(mul3(albedo, load3(light)), radiance);
 }
 
 __kernel void probe_waves(__global const AeroScene* scene, __global const float* positions,
@@ -156,14 +140,12 @@ __kernel void probe_cloth(__global const AeroScene* scene, __global const float*
                           __global const float* normals, __global const uint* inside,
                           __global float* glow) {
   const lane_float one = (lane_float)1.0f, none = (lane_float)0.0f;
-  Look look;
-  look.position = lane3(none, none, none);
-  look.normal = look.to_viewer = load3(normals);
-  look.albedo = lane3(one, one, one);
-  look.ambient = look.diffuse = 1.0f - (lane_float)through[0];
-  look.specular = look.translucency = look.softness = look.facing = none;
-  look.sunlit = one;
-  look.shininess = look.open = one;
+  Surface surface = blank_surface();
+  surface.point.normal = surface.point.to_viewer = surface.material.normal = load3(normals);
+  surface.material.albedo = lane3(one, one, one);
+  surface.material.ambient = surface.material.diffuse = 1.0f - (lane_float)through[0];
+  surface.material.translucency = (lane_float)through[0];
+  const Lane3 sun = sun_at(scene, height_of(scene, surface.point.position));
   const lane_int within = lane_as_int(LOAD(inside));
-  store3_planes(cloth_glow(scene, &look, within, (lane_float)through[0], none), glow);
+  store3_planes(cloth_glow(scene, &surface, within, sun, none), glow);
 }
