@@ -59,20 +59,3 @@ __kernel void shade_hits(const AeroLaunch launch, __global const AeroScene* scen
   samples.y.lanes = packet.y;
   add_to_film(film, &task, &samples);
 }
-
-/* Clears the film. */
-__kernel void clear_film(__global AeroFilmPixel* film, const uint pixels) {
-  const uint i = (uint)get_global_id(0);
-  if (i >= pixels) return;
-  AeroFilmPixel empty = {
-      {0.0f, 0.0f, 0.0f}, 0.0f, INFINITY, {0.0f, 0.0f, 0.0f}, AERO_OBJECT_SKY, 0u, 0u, 0.0f, 0.0f};
-  film[i] = empty;
-}
-
-/* Marks the pixels that have enough samples as converged. */
-__kernel void mark_converged(__global AeroFilmPixel* film, const AeroConvergence convergence) {
-  const uint i = (uint)get_global_id(0);
-  const AeroConvergence asked = convergence;
-  if (i >= asked.width * asked.height) return;
-  if (has_converged(film, i, &asked)) film[i].converged = 1u;
-}

@@ -1,5 +1,5 @@
 /* Step 3 uses a tree of boxes in place of a loop over all triangles. This file comes after
- * rays.clh and walk_tree.clh. */
+ * rays.clh and traverse_tree.clh. */
 
 __kernel void trace_all(Camera camera, __global const Triangle* triangles, uint count,
                         __global Hit* hits) {
@@ -21,6 +21,6 @@ __kernel void trace_tree(Camera camera, __global const Node* nodes,
   const int width = (int)get_global_size(0), height = (int)get_global_size(1);
   const Ray ray = camera_ray(&camera, (float)x + 0.5f, (float)y + 0.5f, width, height);
   Work work = {0, 0};
-  hits[y * width + x] = walk_tree(nodes, triangles, &ray, &work);
+  hits[y * width + x] = traverse_tree(nodes, triangles, &ray, &work);
   works[y * width + x] = work;
 }

@@ -7,18 +7,6 @@
 
 using namespace tutorial;
 
-namespace {
-
-struct Hit {
-  float t, u, v;
-  cl_uint triangle;
-};
-struct Work {
-  cl_uint boxes, triangles;
-};
-
-}  // namespace
-
 int main(int argc, char** argv) {
   const int width = 240, height = 136, pixels = width * height;
   const Camera camera = look_at({0.0f, 0.55f, 1.5f}, {0.0f, 0.0f, 0.0f}, 45.0f, width, height);
@@ -27,7 +15,7 @@ int main(int argc, char** argv) {
   std::cout << triangles.size() << " triangles, " << nodes.size() << " nodes\n";
 
   const Device device;
-  const cl::Program program = device.build({"rays.clh", "walk_tree.clh", "step3_tree.cl"});
+  const cl::Program program = device.build({"rays.clh", "traverse_tree.clh", "step3_tree.cl"});
   const cl::Buffer triangle_buffer = device.upload(triangles);
   const cl::Buffer node_buffer = device.upload(nodes);
   const cl::Buffer all_buffer = device.allocate<Hit>(pixels);
@@ -35,12 +23,12 @@ int main(int argc, char** argv) {
   const cl::Buffer work_buffer = device.allocate<Work>(pixels);
   const cl::Kernel loop = kernel_with(program, "trace_all", camera, triangle_buffer,
                                       static_cast<cl_uint>(triangles.size()), all_buffer);
-  const cl::Kernel walk = kernel_with(program, "trace_tree", camera, node_buffer, triangle_buffer,
-                                      tree_buffer, work_buffer);
+  const cl::Kernel traverse = kernel_with(program, "trace_tree", camera, node_buffer,
+                                          triangle_buffer, tree_buffer, work_buffer);
   const double loop_seconds = device.run(loop, width, height);
-  device.run(walk, width, height);  // compiles the kernel on some drivers
-  const double walk_seconds = device.run(walk, width, height);
-  std::cout << "all triangles: " << 1e3 * loop_seconds << " ms, tree: " << 1e3 * walk_seconds
+  device.run(traverse, width, height);  // compiles the kernel on some drivers
+  const double tree_seconds = device.run(traverse, width, height);
+  std::cout << "all triangles: " << 1e3 * loop_seconds << " ms, tree: " << 1e3 * tree_seconds
             << " ms\n";
 
   const auto all = device.download<Hit>(all_buffer, pixels);

@@ -1,5 +1,5 @@
-/* Step 5 lets 8 x 8 rays traverse the tree together. This file comes after rays.clh and
- * walk_tree.clh.
+/* Step 5 lets 8 x 8 rays traverse the tree together. This file comes after rays.clh,
+ * traverse_tree.clh and step3_tree.cl, whose kernel trace_tree serves for comparison.
  *
  * Neighbouring rays of a camera visit nearly the same nodes. Therefore a work-item takes 64 rays
  * and asks for each box only once whether any of these rays can meet it. Intervals give the
@@ -104,16 +104,4 @@ __kernel void trace_packets(Camera camera, __global const Node* nodes,
 
   for (int i = 0; i < RAYS; ++i) hits[(top + i / SIDE) * width + left + i % SIDE] = found[i];
   works[get_global_id(1) * get_global_size(0) + get_global_id(0)] = work;
-}
-
-/* Traces one ray in each work-item, as in step 3, for comparison. */
-__kernel void trace_tree(Camera camera, __global const Node* nodes,
-                         __global const Triangle* triangles, __global Hit* hits,
-                         __global Work* works) {
-  const int x = (int)get_global_id(0), y = (int)get_global_id(1);
-  const int width = (int)get_global_size(0), height = (int)get_global_size(1);
-  const Ray ray = camera_ray(&camera, (float)x + 0.5f, (float)y + 0.5f, width, height);
-  Work work = {0, 0};
-  hits[y * width + x] = walk_tree(nodes, triangles, &ray, &work);
-  works[y * width + x] = work;
 }

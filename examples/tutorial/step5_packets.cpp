@@ -10,14 +10,6 @@ namespace {
 
 constexpr int kSide = 8;
 
-struct Hit {
-  float t, u, v;
-  cl_uint triangle;
-};
-struct Work {
-  cl_uint boxes, triangles;
-};
-
 double boxes_of(const std::vector<Work>& works) {
   double boxes = 0.0;
   for (const Work& work : works) boxes += work.boxes;
@@ -33,7 +25,8 @@ int main(int argc, char** argv) {
   const std::vector<Node> nodes = build_tree(triangles);
 
   const Device device;
-  const cl::Program program = device.build({"rays.clh", "walk_tree.clh", "step5_packets.cl"});
+  const cl::Program program =
+      device.build({"rays.clh", "traverse_tree.clh", "step3_tree.cl", "step5_packets.cl"});
   const cl::Buffer triangle_buffer = device.upload(triangles);
   const cl::Buffer node_buffer = device.upload(nodes);
   const cl::Buffer lone_hits = device.allocate<Hit>(pixels);

@@ -1,4 +1,4 @@
-/* Step 6 adds light. This file comes after rays.clh and walk_tree.clh.
+/* Step 6 adds light. This file comes after rays.clh and traverse_tree.clh.
  *
  * Phong's local model adds three parts: light from everywhere (ambient), light that a matt
  * surface scatters in all directions (diffuse), and a highlight around the mirrored direction
@@ -79,7 +79,7 @@ __kernel void render(Camera camera, __global const Node* nodes, __global const T
   for (int sample = 0; sample < 4; ++sample) { /* four samples smooth edges */
     const float dx = 0.25f + 0.5f * (float)(sample % 2), dy = 0.25f + 0.5f * (float)(sample / 2);
     const Ray ray = camera_ray(&camera, (float)x + dx, (float)y + dy, width, height);
-    const Hit hit = walk_tree(nodes, triangles, &ray, &work);
+    const Hit hit = traverse_tree(nodes, triangles, &ray, &work);
     if (hit.triangle == NO_TRIANGLE) {
       sum += sky(ray.direction);
       continue;
@@ -89,7 +89,7 @@ __kernel void render(Camera camera, __global const Node* nodes, __global const T
     /* The shadow ray begins a little above the surface. Otherwise rounding would let it hit the
      * triangle that it comes from. */
     const Ray to_light = make_ray(surface.place + 1e-4f * surface.normal, to_sun);
-    const Hit blocker = walk_tree(nodes, triangles, &to_light, &work);
+    const Hit blocker = traverse_tree(nodes, triangles, &to_light, &work);
     const float visible = blocker.triangle == NO_TRIANGLE ? 1.0f : 0.0f;
     shadows += visible == 0.0f ? 1u : 0u;
     sum += phong(&surface, &material, -normalize(ray.direction), to_sun, visible);

@@ -18,7 +18,7 @@ int main(int argc, char** argv) {
   const std::vector<Node> nodes = build_tree(triangles);
 
   const Device device;
-  const cl::Program program = device.build({"rays.clh", "walk_tree.clh", "step6_light.cl"});
+  const cl::Program program = device.build({"rays.clh", "traverse_tree.clh", "step6_light.cl"});
   const cl::Buffer picture = device.allocate<std::uint8_t>(3 * pixels);
   const cl::Buffer shadow_buffer = device.allocate<cl_uint>(pixels);
   device.run(kernel_with(program, "render", camera, device.upload(nodes), device.upload(triangles),

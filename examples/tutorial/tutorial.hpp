@@ -52,6 +52,19 @@ struct Node {
 };
 static_assert(sizeof(Node) == 32);
 
+/// The nearest triangle that a ray meets, from step 3 on. `triangle` is ~0 if there is none.
+struct Hit {
+  float t, u, v;
+  std::uint32_t triangle;
+};
+static_assert(sizeof(Hit) == 16);
+
+/// How many boxes and triangles were tested for a ray or a packet, from step 3 on.
+struct Work {
+  std::uint32_t boxes, triangles;
+};
+static_assert(sizeof(Work) == 8);
+
 /// Builds a tree by splitting at the median along the longest axis. Reorders the triangles.
 std::vector<Node> build_tree(std::vector<Triangle>& triangles);
 

@@ -13,16 +13,6 @@ namespace {
 
 constexpr std::size_t kGroupLanes = 64;
 
-/// The text of one program with all kernels. One program loads faster than several, because a
-/// driver preprocesses the text and its own headers before it finds a program among those it has
-/// compiled.
-constexpr const char* kRendering = "render.cl";
-constexpr const char* kRenderingText =
-    "#include \"trace_camera.cl\"\n"
-    "#include \"trace_shadow.cl\"\n"
-    "#include \"trace_ambient.cl\"\n"
-    "#include \"shade_hits.cl\"\n";
-
 /// The share of each step in the time of a first build, as measured with PoCL.
 struct Shares {
   double text = 0.26, camera = 0.19, shadow = 0.20, ambient = 0.18, shade = 0.15, film = 0.01;
@@ -63,9 +53,7 @@ Programs build_programs(const opencl::Context& context, int lanes, KernelProgres
   const Stopwatch watch;
   const opencl::DriverAbortGuard guard;
   progress.begin(Shares{}.text);
-  opencl::SourceTree sources = opencl::kernel_sources();
-  sources.emplace(kRendering, kRenderingText);
-  const opencl::Program rendering(context, sources, kRendering, lanes);
+  const opencl::Program rendering(context, opencl::kernel_sources(), "render.cl", lanes);
   Programs programs;
   programs.trace_camera_rays = rendering.kernel("trace_camera_rays");
   programs.trace_shadow_rays = rendering.kernel("trace_shadow_rays");
