@@ -1,5 +1,6 @@
 #include "scene/read.hpp"
 
+#include <array>
 #include <cerrno>
 #include <cmath>
 #include <cstring>
@@ -7,6 +8,7 @@
 #include <system_error>
 #include <type_traits>
 #include <utility>
+#include <vector>
 
 #include <fmt/format.h>
 
@@ -27,60 +29,61 @@ namespace aerostat::scene {
 
 namespace {
 
-using detail::fields;
 using detail::Json;
 
-/// The archive of fields.hpp that reads. A missing key leaves its field as it is. The document
-/// must have passed the schema.
-class Reader {
- public:
-  explicit Reader(const Json& object) : object_(object) {}
+/// These functions read a value from a node that has passed the schema. A key that is missing
+/// leaves its field as it is.
+template <class T>
+void read(const Json& node, T& value);
 
-  template <class T>
-  bool operator()(const char* key, T& value) {
-    const auto found = object_.find(key);
-    if (found == object_.end()) return false;
-    read(*found, value);
-    return true;
+void read(const Json& node, vec3& v) {
+  v = {node[0], node[1], node[2]};
+}
+
+void read(const Json& node, dvec2& v) {
+  v = {node[0], node[1]};
+}
+
+void read(const Json& node, dvec3& v) {
+  v = {node[0], node[1], node[2]};
+}
+
+void read(const Json& node, double (&v)[2]) {
+  v[0] = node[0];
+  v[1] = node[1];
+}
+
+template <class T>
+void read(const Json& node, std::vector<T>& values) {
+  values.clear();
+  for (const Json& element : node) read(element, values.emplace_back());
+}
+
+void read(const Json& node, std::array<Material, kMaterialCount>& materials) {
+  for (std::size_t i = 0; i < kMaterialCount; ++i) {
+    const auto found = node.find(material_name(static_cast<MaterialId>(i)));
+    if (found != node.end()) read(*found, materials[i]);
   }
+}
 
-  template <class T>
-  void operator()(const char* key, T& value, bool& given) {
-    if ((*this)(key, value)) given = true;
-  }
-
- private:
-  template <class T>
-  static void read(const Json& node, T& value) {
-    if constexpr (std::is_enum_v<T>) {
-      const auto names = detail::enum_names<T>();
-      for (std::size_t i = 0; i < names.size(); ++i) {
-        if (node == names[i]) value = static_cast<T>(i);
-      }
-    } else if constexpr (std::is_arithmetic_v<T>) {
-      value = node.get<T>();
-    } else {
-      Reader inner(node);
-      fields(inner, value);
+template <class T>
+void read(const Json& node, T& value) {
+  if constexpr (std::is_enum_v<T>) {
+    const auto names = detail::enum_names<T>();
+    for (std::size_t i = 0; i < names.size(); ++i) {
+      if (node == names[i]) value = static_cast<T>(i);
     }
+  } else if constexpr (std::is_arithmetic_v<T>) {
+    value = node.get<T>();
+  } else {
+    detail::for_each_member<T>([&](const auto& field) {
+      const auto found = node.find(field.key);
+      if (found == node.end()) return;
+      read(*found, value.*field.member);
+      if (field.given != nullptr) value.*field.given = true;
+    });
   }
-
-  static void read(const Json& node, vec3& v) { v = {node[0], node[1], node[2]}; }
-  static void read(const Json& node, dvec2& v) { v = {node[0], node[1]}; }
-  static void read(const Json& node, dvec3& v) { v = {node[0], node[1], node[2]}; }
-  static void read(const Json& node, double (&v)[2]) {
-    v[0] = node[0];
-    v[1] = node[1];
-  }
-
-  template <class T>
-  static void read(const Json& node, std::vector<T>& values) {
-    values.clear();
-    for (const Json& element : node) read(element, values.emplace_back());
-  }
-
-  const Json& object_;
-};
+}
 
 /// Turns whole numbers such as 4.0 into integers. JSON Schema counts them as integers, but the
 /// parser does not. A negative zero becomes zero.
@@ -173,8 +176,7 @@ Read read_fields(const Json& document) {
   const Json haze = document.value("haze", Json::object());
   set_haze_droplets(usual.haze, haze.value("visibility_m", usual.haze.visibility_m));
   Scene scene = usual;
-  Reader reader(document);
-  fields(reader, scene);
+  read(document, scene);
   settle_colors(document, scene);
   return {std::move(scene), std::move(usual)};
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "scene/faults.hpp"
@@ -7,8 +8,9 @@
 
 namespace aerostat::scene::detail {
 
-/// The text of scenes/aerostat-scene.schema.json.
-extern const char* const kSchemaText;
+/// Returns the text of the JSON Schema of scenes, made from the tables of fields.
+/// scenes/aerostat-scene.schema.json is a copy of it for text editors.
+std::string schema_text();
 
 /// Returns the schema of scenes as a document.
 const Json& schema_document();

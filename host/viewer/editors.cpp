@@ -22,9 +22,9 @@ class NumberRow : public ControlRow {
   NumberRow(const Control& control, Document& document, QObject* parent)
       : ControlRow(control, document, parent) {
     const bool whole = control.editor == Editor::integer;
-    number_ = new NumberEditor({rule().minimum, rule().maximum, control.from, control.to,
-                                whole ? 0 : control.decimals, control.logarithmic, unit_of(control),
-                                none_of(control)});
+    number_ = new NumberEditor(
+        {rule().minimum, rule().maximum, control.from, control.to, whole ? 0 : control.decimals,
+         control.scale == scene::Scale::logarithmic, unit_of(control), none_of(control)});
     connect(number_, &NumberEditor::edited, this, [this, whole](double value) {
       set(whole ? QString::number(static_cast<qint64>(value)) : QString::number(value, 'g', 12));
     });
@@ -213,7 +213,7 @@ ControlRow* ControlRow::make(const Control& control, Document& document, QObject
 ControlRow::ControlRow(const Control& control, Document& document, QObject* parent)
     : QObject(parent),
       control_(control),
-      pointer_(QString::fromLatin1(control.pointer)),
+      pointer_(QString::fromStdString(control.pointer)),
       document_(document),
       rule_(scene::field_rule(control.pointer)),
       label_(new QLabel(label_of(control))) {}
@@ -221,7 +221,7 @@ ControlRow::ControlRow(const Control& control, Document& document, QObject* pare
 void ControlRow::adopt(QWidget* editor) {
   editor_ = editor;
   const QString tip = "<p>" + description_of(control_).toHtmlEscaped() + "</p><p><code>" +
-                      QString::fromLatin1(control_.pointer) + "</code></p>";
+                      QString::fromStdString(control_.pointer) + "</code></p>";
   auto* reset_action = new QAction(tr("Reset to the Default"), this);
   connect(reset_action, &QAction::triggered, this, &ControlRow::reset);
   label_->addAction(reset_action);
@@ -233,7 +233,7 @@ void ControlRow::adopt(QWidget* editor) {
     widget->setAccessibleDescription(description_of(control_));
   }
   editor_->setAccessibleName(label_->text());
-  editor_->setObjectName(QString::fromLatin1(control_.pointer));
+  editor_->setObjectName(QString::fromStdString(control_.pointer));
   editor_->installEventFilter(this);
   for (QWidget* child : editor_->findChildren<QWidget*>()) {
     child->installEventFilter(this);

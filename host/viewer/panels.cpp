@@ -114,33 +114,38 @@ void Panels::fit_width() {
 }
 
 void Panels::add_rows(QFormLayout* form, Panel panel) {
-  fold_ = nullptr;
-  for (const Control& control : controls()) {
-    if (control.panel != panel) continue;
-    if (control.group != nullptr) begin_group(form, control);
-    ControlRow* row = ControlRow::make(control, document_, this);
-    form->addRow(row->label(), row->editor());
-    rows_.push_back(row);
-    const bool of_lamp = !lamps_->prefix_of(QString::fromLatin1(control.pointer)).isEmpty();
-    if (fold_ != nullptr) hide_with(*fold_, *form, row->editor(), of_lamp ? lamps_ : nullptr);
-    if (QLatin1String(control.pointer) == QLatin1String("/image/height")) add_sizes(form);
+  for (const ControlGroup& group : control_groups()) {
+    if (group.panel == panel) add_group(form, group);
   }
 }
 
-/// Adds the heading of a group and the picker of the object that the group edits.
-void Panels::begin_group(QFormLayout* form, const Control& control) {
-  fold_ = control.folded ? add_fold(form, group_of(control)) : nullptr;
-  if (fold_ == nullptr) form->addRow(heading(group_of(control)));
+/// Adds the controls of a group below its heading.
+void Panels::add_group(QFormLayout* form, const ControlGroup& group) {
+  QToolButton* const fold = group.folded ? add_fold(form, heading_of(group)) : nullptr;
+  if (fold == nullptr && group.heading != nullptr) form->addRow(heading(heading_of(group)));
+  for (const Control& control : controls()) {
+    if (control.group != group.group) continue;
+    const QString pointer = QString::fromStdString(control.pointer);
+    add_picker(form, pointer, fold);
+    ControlRow* row = ControlRow::make(control, document_, this);
+    form->addRow(row->label(), row->editor());
+    rows_.push_back(row);
+    const bool of_lamp = !lamps_->prefix_of(pointer).isEmpty();
+    if (fold != nullptr) hide_with(*fold, *form, row->editor(), of_lamp ? lamps_ : nullptr);
+    if (pointer == QLatin1String("/image/height")) add_sizes(form);
+  }
+}
+
+/// Adds the picker of the object that a control edits, unless the picker already has its place.
+void Panels::add_picker(QFormLayout* form, const QString& pointer, QToolButton* fold) {
   const std::pair<ItemPicker*, QString> pickers[] = {
       {balloons_, tr("Balloon")}, {lamps_, tr("Lamp")}, {materials_, tr("Material of")}};
   for (const auto& [picker, text] : pickers) {
-    if (picker->prefix_of(QString::fromLatin1(control.pointer)).isEmpty()) continue;
-    // The picker already has its place.
-    if (picker->parentWidget() != nullptr) continue;
+    if (picker->prefix_of(pointer).isEmpty() || picker->parentWidget() != nullptr) continue;
     auto* label = new QLabel(text);
     label->setBuddy(picker);
     form->addRow(label, picker);
-    if (fold_ != nullptr) hide_with(*fold_, *form, picker);
+    if (fold != nullptr) hide_with(*fold, *form, picker);
   }
 }
 
@@ -166,7 +171,7 @@ QToolButton* Panels::add_fold(QFormLayout* form, const QString& title) {
 /// Binds the controls of the picker's kind to the object that is chosen in it.
 void Panels::bind_rows(const ItemPicker& picker) {
   for (ControlRow* row : rows_) {
-    const QString own = QString::fromLatin1(row->control().pointer);
+    const QString own = QString::fromStdString(row->control().pointer);
     const QString prefix = picker.prefix_of(own);
     if (prefix.isEmpty()) continue;
     row->bind_to(picker.chosen().isEmpty() ? QString() : picker.chosen() + own.mid(prefix.size()));

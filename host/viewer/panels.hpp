@@ -42,7 +42,8 @@ class Panels : public QTabWidget {
  private:
   QFormLayout* add_panel(const QString& title);
   void add_rows(QFormLayout* form, Panel panel);
-  void begin_group(QFormLayout* form, const Control& control);
+  void add_group(QFormLayout* form, const ControlGroup& group);
+  void add_picker(QFormLayout* form, const QString& pointer, QToolButton* fold);
   QToolButton* add_fold(QFormLayout* form, const QString& title);
   void bind_rows(const ItemPicker& picker);
   void fit_width();
@@ -59,8 +60,6 @@ class Panels : public QTabWidget {
   ItemPicker* balloons_;
   ItemPicker* lamps_;
   ItemPicker* materials_;
-  /// The fold that hides the rows which are being added.
-  QToolButton* fold_ = nullptr;
   QComboBox* view_;
   QComboBox* presets_;
   std::optional<scene::BiomeKind> presets_of_;

@@ -1,11 +1,7 @@
-// Tests that the manual's reference of scene files agrees with the schema and the defaults. After a
-// change of these, AEROSTAT_UPDATE_DOCS=1 scene_reference_test renews the reference.
+// Tests that the manual's reference of scene files agrees with the schema and the defaults.
 
 #include <array>
 #include <cmath>
-#include <cstdlib>
-#include <fstream>
-#include <iterator>
 #include <string>
 
 #include <fmt/format.h>
@@ -13,26 +9,22 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include "generated_file.hpp"
 #include "scene/io.hpp"
+#include "scene/schema.hpp"
 
 namespace aerostat::scene {
 namespace {
 
 using Json = nlohmann::ordered_json;
 
-const std::string kManual = AEROSTAT_SOURCE_DIR "/docs/manual/scene-file.md";
+const std::string kManual = "docs/manual/scene-file.md";
 const std::string kMark = "<!-- From here on written by tests/host/scene_reference_test.cpp -->\n";
-
-std::string file_text(const std::string& path) {
-  std::ifstream file(path);
-  return {std::istreambuf_iterator<char>(file), {}};
-}
 
 /// Builds the reference in Markdown.
 class Reference {
  public:
-  Reference()
-      : schema_(Json::parse(file_text(AEROSTAT_SOURCE_DIR "/scenes/aerostat-scene.schema.json"))) {
+  Reference() : schema_(Json::parse(detail::schema_text())) {
     constexpr BiomeKind kKinds[] = {BiomeKind::snow, BiomeKind::tropical, BiomeKind::sand};
     for (std::size_t i = 0; i < 3; ++i) {
       defaults_[i] = Json::parse(write_text(defaults(kKinds[i], View::outside)));
@@ -145,15 +137,11 @@ class Reference {
   std::string text_;
 };
 
-TEST(SceneReference, OfTheManualIsWhatSchemaAndDefaultsSay) {
-  const std::string page = file_text(kManual);
+TEST(Generated, ReferenceOfTheManualIsWhatSchemaAndDefaultsSay) {
+  const std::string page = test::file_text(AEROSTAT_SOURCE_DIR "/" + kManual);
   const auto mark = page.find(kMark);
   ASSERT_NE(mark, std::string::npos) << kManual;
-  const std::string before = page.substr(0, mark + kMark.size());
-  const std::string expected = before + Reference().text();
-  if (std::getenv("AEROSTAT_UPDATE_DOCS") != nullptr) std::ofstream(kManual) << expected;
-  EXPECT_EQ(file_text(kManual), expected)
-      << "renew it: AEROSTAT_UPDATE_DOCS=1 ctest --preset dev -R SceneReference";
+  test::expect_generated(kManual, page.substr(0, mark + kMark.size()) + Reference().text());
 }
 
 }  // namespace

@@ -127,7 +127,7 @@ void ControlsTest::init() {
 
 ControlRow* ControlsTest::row(const QString& pointer) const {
   for (ControlRow* one : panels_->rows()) {
-    if (pointer == one->control().pointer) return one;
+    if (pointer == QString::fromStdString(one->control().pointer)) return one;
   }
   return nullptr;
 }
@@ -136,8 +136,8 @@ void ControlsTest::every_control_data() {
   QTest::addColumn<QString>("pointer");
   QTest::addColumn<QString>("bound_to");
   for (const Control& control : controls()) {
-    const QString own = control.pointer;
-    QTest::newRow(control.pointer) << own << own;
+    const QString own = QString::fromStdString(control.pointer);
+    QTest::newRow(control.pointer.c_str()) << own << own;
     // The same control is tested again, bound to another object of its list.
     const std::pair<QString, QString> others[] = {{"/balloon/", "/balloons/1/"},
                                                   {"/materials/envelope/", "/materials/rim/"},
@@ -196,15 +196,15 @@ void ControlsTest::every_control() {
 
 void ControlsTest::every_control_has_a_text_and_a_unit_that_fits() {
   for (const Control& control : controls()) {
-    QVERIFY2(!description_of(control).isEmpty(), control.pointer);
-    const QString pointer = control.pointer;
+    QVERIFY2(!description_of(control).isEmpty(), control.pointer.c_str());
+    const QString pointer = QString::fromStdString(control.pointer);
     if (pointer.endsWith("_m") && !pointer.endsWith("_per_m"))
       QCOMPARE(unit_of(control), QString("m"));
     if (pointer.endsWith("_deg")) QCOMPARE(unit_of(control), QString("°"));
     const scene::FieldRule rule = scene::field_rule(control.pointer);
     const bool numeric = control.editor == Editor::number || control.editor == Editor::integer;
     QVERIFY2(!numeric || (control.from >= rule.minimum && control.to <= rule.maximum),
-             control.pointer);
+             control.pointer.c_str());
   }
 }
 

@@ -17,7 +17,7 @@ class ValuesTest : public QObject {
 void ValuesTest::every_value_of_a_scene_can_be_set() {
   QSet<QString> reached;
   for (const Control& control : controls()) {
-    QString pointer = control.pointer;
+    QString pointer = QString::fromStdString(control.pointer);
     // An element of an array stands for the whole array.
     static const QRegularExpression kElement("/[0-9]$");
     pointer.remove(kElement);

@@ -1482,6 +1482,10 @@
         <source>stone</source>
         <translation>камни</translation>
     </message>
+    <message>
+        <source>outside</source>
+        <translation>снаружи</translation>
+    </message>
 </context>
 <context>
     <name>aerostat::viewer::CameraControl</name>
