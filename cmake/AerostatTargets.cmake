@@ -11,6 +11,11 @@ if(PROJECT_IS_TOP_LEVEL AND NOT CMAKE_BUILD_TYPE AND NOT CMAKE_CONFIGURATION_TYP
 endif()
 
 option(AEROSTAT_WERROR "Treat warnings as errors" OFF)
+# A compiler cache keeps nothing of what reads a precompiled header.
+if(CMAKE_CXX_COMPILER_LAUNCHER AND NOT DEFINED CMAKE_DISABLE_PRECOMPILE_HEADERS)
+  set(CMAKE_DISABLE_PRECOMPILE_HEADERS ON)
+endif()
+
 option(AEROSTAT_SANITIZE "Build with AddressSanitizer and UndefinedBehaviorSanitizer" OFF)
 
 add_library(aerostat_options INTERFACE)
@@ -41,18 +46,4 @@ function(aerostat_library name)
   add_library(aerostat::${name} ALIAS aerostat_${name})
   target_link_libraries(aerostat_${name} PUBLIC aerostat_options ${ARG_LINKS}
                         PRIVATE ${ARG_PRIVATE_LINKS})
-endfunction()
-
-# aerostat_test(noise_test LABEL unit LINKS aerostat::terrain)
-# builds a test from noise_test.cpp of the current folder.
-function(aerostat_test name)
-  cmake_parse_arguments(ARG "" "LABEL;TIMEOUT" "LINKS;SOURCES" ${ARGN})
-  if(NOT ARG_TIMEOUT)
-    set(ARG_TIMEOUT 300)
-  endif()
-  add_executable(${name} ${name}.cpp ${ARG_SOURCES})
-  target_link_libraries(${name} PRIVATE aerostat_options ${ARG_LINKS} GTest::gtest_main)
-  target_compile_definitions(${name} PRIVATE AEROSTAT_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
-  gtest_discover_tests(${name} PROPERTIES LABELS ${ARG_LABEL} TIMEOUT ${ARG_TIMEOUT}
-                       DISCOVERY_MODE PRE_TEST)
 endfunction()

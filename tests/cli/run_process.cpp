@@ -74,16 +74,6 @@ Outcome Process::wait() {
   return outcome;
 }
 
-void CliTest::SetUp() {
-  std::string name = (fs::temp_directory_path() / "aerostat-cli-XXXXXX").string();
-  ASSERT_NE(::mkdtemp(name.data()), nullptr);
-  folder_ = name;
-}
-
-void CliTest::TearDown() {
-  fs::remove_all(folder_);
-}
-
 Outcome CliTest::run(const std::vector<std::string>& arguments, const Environment& environment,
                      const std::vector<Limit>& limits) const {
   return Process(arguments, folder_, environment, limits).wait();

@@ -9,6 +9,8 @@
 #include <gtest/gtest.h>
 #include <sys/resource.h>
 
+#include "support/temporary_folder.hpp"
+
 /// Runs the program as a user does.
 namespace aerostat::test {
 
@@ -50,9 +52,6 @@ class Process {
 /// A test with an empty folder of its own, which is also the current folder of the program.
 class CliTest : public testing::Test {
  protected:
-  void SetUp() override;
-  void TearDown() override;
-
   /// Runs `aerostat` with these arguments to its end.
   Outcome run(const std::vector<std::string>& arguments, const Environment& environment = {},
               const std::vector<Limit>& limits = {}) const;
@@ -63,7 +62,8 @@ class CliTest : public testing::Test {
   /// Returns the names in the folder.
   std::vector<std::string> files() const;
 
-  std::filesystem::path folder_;
+  const TemporaryFolder temporary_;
+  const std::filesystem::path folder_ = temporary_.path();
 };
 
 /// Returns the path of a scene of the repository, such as "snow".

@@ -1,7 +1,7 @@
 #include "oracle.hpp"
 
 #ifdef AEROSTAT_EMBREE
-#include "../host/embree_mesh.hpp"
+#include "support/embree_mesh.hpp"
 #endif
 
 namespace aerostat::test {

@@ -12,6 +12,7 @@
 #include "core/stopwatch.hpp"
 #include "pictures.hpp"
 #include "render/programs.hpp"
+#include "support/temporary_folder.hpp"
 
 namespace aerostat::test {
 namespace {
@@ -59,20 +60,14 @@ double seconds_to_stop(Session& session, const scene::Scene& scene, Stage stage,
 class ColdKernelCache : public testing::Environment {
  public:
   void SetUp() override {
-    folder_ = fs::temp_directory_path() / ("aerostat-cold-" + std::to_string(::getpid()));
-    fs::create_directories(folder_);
-    ::setenv("POCL_CACHE_DIR", folder_.c_str(), 1);
+    ::setenv("POCL_CACHE_DIR", folder_.path().c_str(), 1);
     // The device can be cut in two, even on a single core.
     const unsigned cores = std::max(2u, std::thread::hardware_concurrency());
     ::setenv("POCL_MAX_PTHREAD_COUNT", std::to_string(cores).c_str(), 0);
   }
-  void TearDown() override {
-    std::error_code ignored;
-    fs::remove_all(folder_, ignored);
-  }
 
  private:
-  fs::path folder_;
+  TemporaryFolder folder_;
 };
 const auto* const kColdCache = testing::AddGlobalTestEnvironment(new ColdKernelCache);
 

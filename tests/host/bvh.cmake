@@ -1,8 +1,0 @@
-aerostat_test(bvh_test LABEL unit LINKS aerostat::bvh)
-aerostat_test(bvh_loops_test LABEL unit LINKS aerostat::bvh)
-aerostat_test(bvh_grid_test LABEL unit LINKS aerostat::bvh)
-aerostat_test(bvh_slopes_test LABEL unit LINKS aerostat::bvh)
-aerostat_test(bvh_traversal_test LABEL unit LINKS aerostat::bvh)
-if(TARGET aerostat::embree)
-  target_link_libraries(bvh_traversal_test PRIVATE aerostat::embree)
-endif()

@@ -1,1 +1,0 @@
-aerostat_test(file_test LABEL unit LINKS aerostat::core)

@@ -1,7 +1,0 @@
-aerostat_test(mesh_test LABEL unit LINKS aerostat::mesh)
-aerostat_test(envelope_test LABEL unit LINKS aerostat::model)
-aerostat_test(balloon_test LABEL unit LINKS aerostat::model)
-aerostat_test(balloons_world_test LABEL unit LINKS aerostat::pack aerostat::world)
-aerostat_test(buried_eye_test LABEL unit LINKS aerostat::world)
-aerostat_test(land_memory_test LABEL unit LINKS aerostat::world)
-aerostat_test(stop_scope_test LABEL unit LINKS aerostat::world)

@@ -1,1 +1,0 @@
-aerostat_test(plant_test LABEL unit LINKS aerostat::plant)

@@ -1,1 +1,0 @@
-aerostat_test(translation_test LABEL unit LINKS aerostat::core)
