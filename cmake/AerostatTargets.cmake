@@ -11,8 +11,8 @@ if(PROJECT_IS_TOP_LEVEL AND NOT CMAKE_BUILD_TYPE AND NOT CMAKE_CONFIGURATION_TYP
 endif()
 
 option(AEROSTAT_WERROR "Treat warnings as errors" OFF)
-# A compiler cache keeps nothing of what reads a precompiled header.
-if(CMAKE_CXX_COMPILER_LAUNCHER AND NOT DEFINED CMAKE_DISABLE_PRECOMPILE_HEADERS)
+# Precompiled headers are for those who ask for them: ccache keeps nothing that reads one.
+if(NOT DEFINED CMAKE_DISABLE_PRECOMPILE_HEADERS)
   set(CMAKE_DISABLE_PRECOMPILE_HEADERS ON)
 endif()
 
@@ -40,10 +40,19 @@ endif()
 
 # aerostat_library(bvh SOURCES a.cpp b.cpp LINKS aerostat::core TBB::tbb PRIVATE_LINKS ...)
 # makes one library for each host folder. A folder may include only what its library links.
+# LOOPS gives it the options for loops. PRECOMPILED names a precompiled header of its own. Libraries
+# with neither share that of core, because all options must be the same for that.
 function(aerostat_library name)
-  cmake_parse_arguments(ARG "" "" "SOURCES;LINKS;PRIVATE_LINKS" ${ARGN})
+  cmake_parse_arguments(ARG "LOOPS" "PRECOMPILED" "SOURCES;LINKS;PRIVATE_LINKS" ${ARGN})
   add_library(aerostat_${name} STATIC ${ARG_SOURCES})
   add_library(aerostat::${name} ALIAS aerostat_${name})
   target_link_libraries(aerostat_${name} PUBLIC aerostat_options ${ARG_LINKS}
                         PRIVATE ${ARG_PRIVATE_LINKS})
+  if(ARG_LOOPS)
+    target_compile_options(aerostat_${name} PRIVATE ${AEROSTAT_LOOP_OPTIONS})
+  elseif(ARG_PRECOMPILED)
+    target_precompile_headers(aerostat_${name} PRIVATE ${ARG_PRECOMPILED})
+  else()
+    target_precompile_headers(aerostat_${name} REUSE_FROM aerostat_core)
+  endif()
 endfunction()

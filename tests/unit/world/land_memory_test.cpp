@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "error_of.hpp"
+#include "support/error_of.hpp"
 #include "world/world.hpp"
 
 namespace aerostat::world {
