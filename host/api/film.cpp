@@ -6,7 +6,7 @@
 #include "api/state.hpp"
 #include "core/file.hpp"
 #include "image/write.hpp"
-#include "render/look.hpp"
+#include "render/development.hpp"
 
 namespace aerostat {
 namespace {
@@ -51,7 +51,7 @@ std::span<const std::uint32_t> Film::object_id() const {
 }
 
 std::vector<std::uint8_t> Film::to_rgb8() const {
-  return image::develop(state_->film, render::look_of(state_->image, state_->film)).rgb;
+  return image::develop(state_->film, render::development_of(state_->image, state_->film)).rgb;
 }
 
 std::vector<std::uint8_t> Film::to_png() const {
@@ -61,7 +61,7 @@ std::vector<std::uint8_t> Film::to_png() const {
                             height()));
   }
   return image::encode_png(
-      image::develop(state_->film, render::look_of(state_->image, state_->film)));
+      image::develop(state_->film, render::development_of(state_->image, state_->film)));
 }
 
 std::vector<std::uint8_t> Film::to_exr() const {

@@ -7,7 +7,7 @@
 #include <fmt/format.h>
 
 #include "opencl/device.hpp"
-#include "render/look.hpp"
+#include "render/development.hpp"
 
 namespace aerostat::cli {
 
@@ -51,7 +51,7 @@ void warn_of_nan(const image::Film& film) {
 }
 
 image::Pixels develop(const image::Film& film, const scene::Image& image) {
-  return image::develop(film, render::look_of(image, film));
+  return image::develop(film, render::development_of(image, film));
 }
 
 }  // namespace aerostat::cli

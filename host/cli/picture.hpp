@@ -39,7 +39,7 @@ std::string names_of(const std::vector<opencl::Device>& devices);
 
 void warn_of_nan(const image::Film& film);
 
-/// Turns a film into a picture with the look that render::look_of gives.
+/// Turns a film into a picture as render::development_of says.
 image::Pixels develop(const image::Film& film, const scene::Image& image);
 
 }  // namespace aerostat::cli

@@ -55,8 +55,8 @@ using Values = std::array<double, kBlock>;
 /// The factor by which a vignette multiplies the light of a pixel.
 class Vignette {
  public:
-  Vignette(const Film& film, const Look& look)
-      : lost_(look.vignette),
+  Vignette(const Film& film, const Development& development)
+      : lost_(development.vignette),
         first_(film.first),
         size_(film.whole == glm::ivec2(0) ? dvec2(film.width, film.height) : dvec2(film.whole)) {}
 
@@ -125,11 +125,12 @@ AEROSTAT_INLINE void develop_loop(const Bath& bath, const Strip& strip) {
   for (int i = 0; i < 3 * count; ++i) rgb[i] = static_cast<std::uint8_t>(bytes[i]);
 }
 
-void develop_row(const Film& film, const Look& look, int y, Pixels& pixels) {
+void develop_row(const Film& film, const Development& development, int y, Pixels& pixels) {
   static const Table encode(srgb_from_linear, 1.0);
   static const Table curve(tone_curve, kWhitePoint);
-  const Vignette vignette(film, look);
-  const Bath bath{look.white_balance * std::exp2(look.exposure_ev), curve.lines(), encode.lines()};
+  const Vignette vignette(film, development);
+  const Bath bath{development.white_balance * std::exp2(development.exposure_ev), curve.lines(),
+                  encode.lines()};
   Strip strip;
   for (int i = 0; i < kBlock; ++i)
     strip.thresholds[i] = dither_threshold(film.first.x + i, film.first.y + y);
@@ -152,10 +153,10 @@ double vignette_share(double distance, double lost) {
 }
 
 Pixels develop(const Film& film, double exposure_ev) {
-  return develop(film, Look{exposure_ev, glm::dmat3(1.0), 0.0});
+  return develop(film, Development{exposure_ev, glm::dmat3(1.0), 0.0});
 }
 
-Pixels develop(const Film& film, const Look& look) {
+Pixels develop(const Film& film, const Development& development) {
   const std::size_t count =
       static_cast<std::size_t>(film.width) * static_cast<std::size_t>(film.height);
   if (film.width < 0 || film.height < 0 || film.radiance.size() != count) {
@@ -163,7 +164,7 @@ Pixels develop(const Film& film, const Look& look) {
   }
   Pixels pixels{film.width, film.height, std::vector<std::uint8_t>(3 * count)};
   tbb::parallel_for(tbb::blocked_range<int>(0, film.height, 16), [&](const auto& rows) {
-    for (int y = rows.begin(); y != rows.end(); ++y) develop_row(film, look, y, pixels);
+    for (int y = rows.begin(); y != rows.end(); ++y) develop_row(film, development, y, pixels);
   });
   return pixels;
 }

@@ -24,7 +24,7 @@ struct Pixels {
 double automatic_exposure_ev(const Film& film);
 
 /// The settings that turn a film into a picture.
-struct Look {
+struct Development {
   double exposure_ev = 0.0;       // exposure in stops
   glm::dmat3 white_balance{1.0};  // matrix for linear Rec. 709
   double vignette = 0.0;          // share of the light lost in the corners, 0 to below 1
@@ -33,7 +33,7 @@ struct Look {
 /// Turns a film into a picture. Applies the vignette, the exposure (2^ev), the white balance, a
 /// filmic tone curve, the sRGB transfer function and ordered dither against banding. The result
 /// is deterministic. A part of a picture has the same pixels as the whole.
-Pixels develop(const Film& film, const Look& look);
+Pixels develop(const Film& film, const Development& development);
 Pixels develop(const Film& film, double exposure_ev);
 
 /// Returns the share of the light that is left at a distance from the picture's middle, which is

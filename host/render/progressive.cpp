@@ -14,10 +14,10 @@
 namespace aerostat::render {
 namespace {
 
-/// The largest shrink of a look, and the cells of a coarse land on each side. Chosen by eye.
+/// The largest shrink of a preview, and the cells of a coarse land on each side. Chosen by eye.
 constexpr int kMostShrink = 16;
 constexpr int kRoughCells = 192;
-/// The times of a launch and of the first look in seconds. Chosen by eye.
+/// The times of a launch and of the first preview in seconds. Chosen by eye.
 constexpr double kLaunch_s = 0.02;
 constexpr double kFirstLook_s = 0.05;
 /// The patience for the first look at a rough scene, in seconds. Carving and building the land take
@@ -120,7 +120,7 @@ struct Progressive::State {
   /// Objects are made as fine as pixels that are this many times larger need.
   int world_shrink = 1;
   std::stop_token stop;
-  LookCallback show;
+  PreviewCallback show;
   ProgressCallback progress;
   Stopwatch watch;
 };
@@ -161,27 +161,28 @@ void Progressive::State::show_step(Session& session, const scene::Scene& resolve
   const bool last = step.shrink == 1 && !rough && step.draft == is_draft(resolved);
   // Until the view rests, the plants stay as they were placed for a former eye.
   const Plants plants = last ? Plants::as_seen : Plants::as_they_stand;
-  Look look{image::Film(), resolved, surface, step.shrink, 0, rough, step.draft, false, {}, 0.0};
+  Preview preview{image::Film(), resolved,   surface, step.shrink, 0,
+                  rough,         step.draft, false,   {},          0.0};
   const auto watch_passes = [&](const Progress& now) {
     if (progress) progress(now);
     if (!rough && now.stage >= Stage::upload) {
       built = resolved;
       built_surface = surface;
     }
-    if (now.stage != Stage::rays || now.samples_done <= look.samples) return;
-    look.film = session.snapshot();
-    look.samples = now.samples_done;
-    look.stats = session.stats();
-    look.seconds = watch.seconds();
-    show(look);
+    if (now.stage != Stage::rays || now.samples_done <= preview.samples) return;
+    preview.film = session.snapshot();
+    preview.samples = now.samples_done;
+    preview.stats = session.stats();
+    preview.seconds = watch.seconds();
+    show(preview);
   };
-  look.film = session.render(scene, stop, watch_passes, {}, plants, step.shrink / world_shrink);
-  look.samples = scene.image.spp;
-  look.complete = last;
-  look.stats = session.stats();
-  look.seconds = watch.seconds();
-  if (step.draft) measure(step, resolved, rough, look.stats);
-  show(look);
+  preview.film = session.render(scene, stop, watch_passes, {}, plants, step.shrink / world_shrink);
+  preview.samples = scene.image.spp;
+  preview.complete = last;
+  preview.stats = session.stats();
+  preview.seconds = watch.seconds();
+  if (step.draft) measure(step, resolved, rough, preview.stats);
+  show(preview);
 }
 
 void Progressive::State::measure(const Step& step, const scene::Scene& resolved, bool rough,
@@ -197,7 +198,7 @@ Progressive::Progressive(Options options) : state_(std::make_unique<State>(std::
 Progressive::~Progressive() = default;
 
 void Progressive::render(const scene::Scene& scene, const std::stop_token& stop,
-                         const LookCallback& show, const ProgressCallback& progress) {
+                         const PreviewCallback& show, const ProgressCallback& progress) {
   State& state = *state_;
   state.stop = stop;
   state.show = show;

@@ -13,7 +13,7 @@
 namespace aerostat::render {
 
 /// One of the pictures that a progressive render shows. Each is better than the one before.
-struct Look {
+struct Preview {
   image::Film film;
   /// The scene, resolved and at the size of the whole picture.
   scene::Scene scene;
@@ -35,7 +35,7 @@ struct Look {
   /// The seconds since the render began.
   double seconds = 0.0;
 };
-using LookCallback = std::function<void(const Look&)>;
+using PreviewCallback = std::function<void(const Preview&)>;
 
 /// A step of a progressive render.
 struct Step {
@@ -61,9 +61,9 @@ class Progressive {
   Progressive(const Progressive&) = delete;
   Progressive& operator=(const Progressive&) = delete;
 
-  /// Renders `scene`, which is not resolved, and shows each look on this thread up to the last.
+  /// Renders `scene`, which is not resolved, and shows each preview on this thread up to the last.
   /// Throws Error{interrupted} soon after `stop` is requested. Throws as Session::render does.
-  void render(const scene::Scene& scene, const std::stop_token& stop, const LookCallback& show,
+  void render(const scene::Scene& scene, const std::stop_token& stop, const PreviewCallback& show,
               const ProgressCallback& progress = {});
 
  private:

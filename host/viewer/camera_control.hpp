@@ -14,7 +14,7 @@ namespace aerostat::viewer {
 
 enum class ViewKind { outside, basket, free };
 
-/// Moves the camera of the document. Each movement starts from the camera of the last look.
+/// Moves the camera of the document. Each movement starts from the camera of the last preview.
 class CameraControl : public QObject {
   Q_OBJECT
 

@@ -7,7 +7,7 @@
 #include "core/stop_scope.hpp"
 #include "image/write.hpp"
 #include "opencl/device.hpp"
-#include "render/look.hpp"
+#include "render/development.hpp"
 #include "render/session.hpp"
 #include "world/world.hpp"
 
@@ -78,8 +78,9 @@ void ExportJob::run(const std::stop_token& stop, scene::Scene scene, const QStri
       Q_EMIT progressed(traces ? begin + (1.0 - begin) * progress.fraction : begin,
                         text_of(progress.stage));
     });
-    bytes_ = is_exr ? image::encode_exr(film)
-                    : image::encode_png(image::develop(film, render::look_of(scene.image, film)));
+    bytes_ =
+        is_exr ? image::encode_exr(film)
+               : image::encode_png(image::develop(film, render::development_of(scene.image, film)));
     stop_if_asked(stop);
     if (!is_special_file(file) && file_stamp(file) != before_) {
       Q_EMIT obstructed();

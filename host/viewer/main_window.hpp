@@ -33,7 +33,7 @@ class MainWindow : public QMainWindow {
   Panels& panels() { return *panels_; }
   PictureView& view() { return *view_; }
   MessageBar& messages() { return *messages_; }
-  /// Returns the look that is shown, or null before the first one.
+  /// Returns the preview that is shown, or null before the first one.
   const std::shared_ptr<const Shown>& shown() const { return shown_; }
   /// Returns the number of the render that shows the present document.
   std::uint64_t request() const { return request_; }

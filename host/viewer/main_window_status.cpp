@@ -48,22 +48,22 @@ void MainWindow::build_status() {
 }
 
 void MainWindow::show_look(std::shared_ptr<const Shown> shown) {
-  const render::Look& look = shown->look;
+  const render::Preview& preview = shown->preview;
   shown_ = shown;
   camera_.note(shown);
-  view_->show_image(shown->image, QSize(look.scene.image.width, look.scene.image.height));
+  view_->show_image(shown->image, QSize(preview.scene.image.width, preview.scene.image.height));
   QStringList parts;
-  parts << tr("%1 × %2").arg(look.scene.image.width).arg(look.scene.image.height);
-  if (look.shrink > 1) {
-    parts << tr("1/%1 of the size").arg(look.shrink);
+  parts << tr("%1 × %2").arg(preview.scene.image.width).arg(preview.scene.image.height);
+  if (preview.shrink > 1) {
+    parts << tr("1/%1 of the size").arg(preview.shrink);
   } else {
-    parts << tr("%n sample(s) a pixel", nullptr, look.samples);
+    parts << tr("%n sample(s) a pixel", nullptr, preview.samples);
   }
-  if (look.rough) parts << tr("coarse land");
-  const double rate = rays_per_second(look.stats);
+  if (preview.rough) parts << tr("coarse land");
+  const double rate = rays_per_second(preview.stats);
   if (rate > 0.0) parts << tr("%1 Mrays/s").arg(rate * 1e-6, 0, 'f', 1);
-  parts << tr("%1 s").arg(look.seconds, 0, 'f', 2);
-  if (look.complete) parts << tr("done");
+  parts << tr("%1 s").arg(preview.seconds, 0, 'f', 2);
+  if (preview.complete) parts << tr("done");
   work_label_->setText(parts.join(QStringLiteral("  ·  ")));
   device_label_->setText(shown->device);
   device_label_->setToolTip(shown->device);

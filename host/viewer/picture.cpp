@@ -2,7 +2,7 @@
 
 #include <cstring>
 
-#include "render/look.hpp"
+#include "render/development.hpp"
 
 namespace aerostat::viewer {
 
@@ -15,9 +15,9 @@ QImage image_of(const image::Pixels& pixels) {
   return image;
 }
 
-QImage picture_of(const render::Look& look) {
-  const scene::Image& image = look.scene.image;
-  return image_of(image::develop(look.film, render::look_of(image, look.film)));
+QImage picture_of(const render::Preview& preview) {
+  const scene::Image& image = preview.scene.image;
+  return image_of(image::develop(preview.film, render::development_of(image, preview.film)));
 }
 
 }  // namespace aerostat::viewer

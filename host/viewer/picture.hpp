@@ -10,7 +10,7 @@ namespace aerostat::viewer {
 /// Converts developed pixels to an image of Qt.
 QImage image_of(const image::Pixels& pixels);
 
-/// Develops a look as its scene demands.
-QImage picture_of(const render::Look& look);
+/// Develops a preview as its scene demands.
+QImage picture_of(const render::Preview& preview);
 
 }  // namespace aerostat::viewer

@@ -108,8 +108,8 @@ void PictureView::paintEvent(QPaintEvent*) {
   if (image_.isNull()) return;
   QPainter painter(viewport());
   const QRectF rect = picture_rect();
-  // The pixels of a coarse look are interpolated. Those of a whole picture at 1:1 are shown as they
-  // are.
+  // The pixels of a coarse preview are interpolated. Those of a whole picture at 1:1 are shown as
+  // they are.
   painter.setRenderHint(QPainter::SmoothPixmapTransform, fit_ || image_.size() != size_);
   painter.drawImage(rect, image_);
 }

@@ -112,7 +112,7 @@ void RenderThread::serve(const Request& request, const std::stop_token& stop) {
   }
   double told = -1.0;
   progressive_->render(
-      *request.scene, stop, [&](const render::Look& look) { show(look, request.number); },
+      *request.scene, stop, [&](const render::Preview& preview) { show(preview, request.number); },
       [&](const render::Progress& progress) {
         if (progress.seconds - told < 0.1 && progress.seconds >= told) return;
         told = progress.seconds;
@@ -130,8 +130,8 @@ void RenderThread::find_devices() {
   tell([this, choices] { listener_.devices_found(choices); });
 }
 
-void RenderThread::show(const render::Look& look, std::uint64_t request) {
-  auto shown = std::make_shared<Shown>(Shown{look, picture_of(look), request, device_});
+void RenderThread::show(const render::Preview& preview, std::uint64_t request) {
+  auto shown = std::make_shared<Shown>(Shown{preview, picture_of(preview), request, device_});
   const std::lock_guard lock(mutex_);
   const bool waits = newest_ != nullptr;
   newest_ = std::move(shown);

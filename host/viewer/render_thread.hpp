@@ -17,11 +17,11 @@
 
 namespace aerostat::viewer {
 
-/// A look as the window shows it.
+/// A preview as the window shows it.
 struct Shown {
-  render::Look look;
+  render::Preview preview;
   QImage image;
-  /// The number of the request that the look belongs to.
+  /// The number of the request that the preview belongs to.
   std::uint64_t request = 0;
   QString device;
 };
@@ -39,7 +39,7 @@ struct DeviceChoice {
 };
 
 /// Renders the scene that was requested last, on a thread of its own. All reports arrive on the
-/// thread that made this object. Only the newest look is reported, and nothing is reported after
+/// thread that made this object. Only the newest preview is reported, and nothing is reported after
 /// the end of this object.
 class RenderThread {
  public:
@@ -78,7 +78,7 @@ class RenderThread {
   void serve(const Request& request, const std::stop_token& stop);
   void ask(Request request);
   void find_devices();
-  void show(const render::Look& look, std::uint64_t request);
+  void show(const render::Preview& preview, std::uint64_t request);
   void tell(std::function<void()> message);
   void deliver();
 
@@ -92,7 +92,7 @@ class RenderThread {
   std::stop_source stop_;
   std::uint64_t last_number_ = 0;
   QString selector_;
-  /// The newest look, which is not delivered yet.
+  /// The newest preview, which is not delivered yet.
   std::shared_ptr<const Shown> newest_;
 
   std::unique_ptr<render::Progressive> progressive_;

@@ -6,7 +6,7 @@
 #include "image/tone.hpp"
 #include "image/write.hpp"
 #include "pictures.hpp"
-#include "render/look.hpp"
+#include "render/development.hpp"
 
 namespace aerostat::test {
 namespace {
@@ -23,7 +23,7 @@ struct Shown {
   image::Pixels pixels;
 
   explicit Shown(const scene::Scene& scene) : film(shared_session().render(scene)) {
-    pixels = image::develop(film, render::look_of(scene.image, film));
+    pixels = image::develop(film, render::development_of(scene.image, film));
   }
 
   /// Returns the mean of all pixels or of those of the sky, encoded from 0 to 255.

@@ -3,7 +3,7 @@
 
 #include "image/write.hpp"
 #include "pictures.hpp"
-#include "render/look.hpp"
+#include "render/development.hpp"
 #include "render/metering.hpp"
 #include "render/passes.hpp"
 
@@ -31,7 +31,7 @@ scene::Scene scene_of(scene::Quality quality) {
 }
 
 image::Pixels developed(const scene::Scene& scene, const image::Film& film) {
-  return image::develop(film, render::look_of(scene.image, film));
+  return image::develop(film, render::development_of(scene.image, film));
 }
 
 std::vector<std::uint8_t> cut_bytes(const image::Pixels& pixels, const Crop& crop) {

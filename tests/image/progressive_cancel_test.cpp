@@ -33,7 +33,7 @@ double seconds_to_stop(render::Progressive& progressive, const scene::Scene& sce
     stop.request_stop();
   });
   try {
-    progressive.render(scene, stop.get_token(), [](const render::Look&) {});
+    progressive.render(scene, stop.get_token(), [](const render::Preview&) {});
     canceller.join();
     // The render was complete before the request.
     return 0.0;
@@ -47,7 +47,7 @@ double seconds_to_stop(render::Progressive& progressive, const scene::Scene& sce
 
 TEST(ProgressiveCancel, SoonWhateverItIsAt) {
   render::Progressive progressive(options());
-  progressive.render(scene_of(1), {}, [](const render::Look&) {});
+  progressive.render(scene_of(1), {}, [](const render::Preview&) {});
   std::vector<double> times;
   int seed = 2;
   // The waits fall into carving, the coarse land, the pause, the fine land with its plants, and the

@@ -1,4 +1,4 @@
-// Tests progressive renders. Each look is finer than the one before, and the last is the picture
+// Tests progressive renders. Each preview is finer than the one before, and the last is the picture
 // itself.
 #include "render/progressive.hpp"
 
@@ -9,7 +9,7 @@
 namespace aerostat::test {
 namespace {
 
-using render::Look;
+using render::Preview;
 using render::Step;
 
 /// Returns a scene that is not resolved.
@@ -30,12 +30,12 @@ struct Seen {
 std::vector<Seen> seen_of(render::Progressive& progressive, const scene::Scene& scene,
                           image::Film& last, render::Stats& stats) {
   std::vector<Seen> seen;
-  progressive.render(scene, {}, [&](const Look& look) {
-    seen.push_back(
-        {look.film.width, look.shrink, look.samples, look.rough, look.draft, look.complete});
-    last = look.film;
-    stats = look.stats;
-    EXPECT_EQ(look.scene.camera.height_above, scene::HeightReference::sea);
+  progressive.render(scene, {}, [&](const Preview& preview) {
+    seen.push_back({preview.film.width, preview.shrink, preview.samples, preview.rough,
+                    preview.draft, preview.complete});
+    last = preview.film;
+    stats = preview.stats;
+    EXPECT_EQ(preview.scene.camera.height_above, scene::HeightReference::sea);
   });
   return seen;
 }
@@ -78,7 +78,7 @@ TEST(Progressive, ALandThatIsThereIsNotBuiltAgain) {
   scene::Scene scene = scene_of("sand");
   seen_of(progressive, scene, last, stats);
   scene.sun.direction = {0.0, 0.6, 0.8};
-  for (const Seen& look : seen_of(progressive, scene, last, stats)) EXPECT_FALSE(look.rough);
+  for (const Seen& preview : seen_of(progressive, scene, last, stats)) EXPECT_FALSE(preview.rough);
   EXPECT_EQ(stats.worlds_built, 0);
   const auto other = seen_of(progressive, scene_of("sand", 2), last, stats);
   EXPECT_TRUE(other.front().rough);
@@ -95,19 +95,19 @@ TEST(Progressive, AnotherOriginNeedsNoRoughLook) {
   scene.camera.target = {8000.0, 300.0, 0.0};
   seen_of(progressive, scene, last, stats);
   scene.camera.position.x = 8200.0;
-  for (const Seen& look : seen_of(progressive, scene, last, stats)) EXPECT_FALSE(look.rough);
+  for (const Seen& preview : seen_of(progressive, scene, last, stats)) EXPECT_FALSE(preview.rough);
   world::resolve(scene);
   EXPECT_EQ(scene.origin, dvec3(8192.0, 0.0, 0.0));
   EXPECT_TRUE(same_bits(last, shared_session().render(scene)));
 }
 
-/// Returns for each look whether it was rough. The render is stopped at the first fine look.
+/// Returns for each preview whether it was rough. The render is stopped at the first fine preview.
 std::vector<bool> rough_until_fine(render::Progressive& progressive, const scene::Scene& scene) {
   std::stop_source stop;
   std::vector<bool> rough;
-  const auto watch = [&](const Look& look) {
-    rough.push_back(look.rough);
-    if (!look.rough) stop.request_stop();
+  const auto watch = [&](const Preview& preview) {
+    rough.push_back(preview.rough);
+    if (!preview.rough) stop.request_stop();
   };
   try {
     progressive.render(scene, stop.get_token(), watch);
@@ -134,13 +134,13 @@ TEST(Progressive, ACoarseLandDoesNotBuryTheEye) {
   scene.camera.position = {2500.0, -400.0, 1200.0};
   scene.camera.target = {2500.0, -400.0, 1100.0};
   int rough = 0;
-  progressive.render(scene, {}, [&](const Look& look) {
-    const dvec3 eye = look.scene.camera.position;
-    rough += look.rough ? 1 : 0;
-    if (look.rough) {
-      EXPECT_GE(eye.y, look.surface->height(eye.x, eye.z) + 1.99);
-      EXPECT_LT(std::abs(look.film.distance_m.back()), 1e9f) << "it sees the ground";
-      EXPECT_EQ(look.scene.camera.target.y, eye.y) << "it looks where it did";
+  progressive.render(scene, {}, [&](const Preview& preview) {
+    const dvec3 eye = preview.scene.camera.position;
+    rough += preview.rough ? 1 : 0;
+    if (preview.rough) {
+      EXPECT_GE(eye.y, preview.surface->height(eye.x, eye.z) + 1.99);
+      EXPECT_LT(std::abs(preview.film.distance_m.back()), 1e9f) << "it sees the ground";
+      EXPECT_EQ(preview.scene.camera.target.y, eye.y) << "it looks where it did";
     } else {
       EXPECT_EQ(eye.y, -400.0) << "as the scene says";
     }
@@ -151,13 +151,13 @@ TEST(Progressive, ACoarseLandDoesNotBuryTheEye) {
 TEST(Progressive, StopsAndGoesOn) {
   render::Progressive progressive(options());
   std::stop_source stop;
-  int looks = 0;
-  const auto once = [&](const Look&) {
-    ++looks;
+  int previews = 0;
+  const auto once = [&](const Preview&) {
+    ++previews;
     stop.request_stop();
   };
   EXPECT_THROW(progressive.render(scene_of("snow"), stop.get_token(), once), Error);
-  EXPECT_EQ(looks, 1);
+  EXPECT_EQ(previews, 1);
   image::Film last;
   render::Stats stats;
   EXPECT_TRUE(seen_of(progressive, scene_of("snow"), last, stats).back().complete);

@@ -11,9 +11,9 @@ namespace {
 
 /// The longest wait in milliseconds. Kernels may have to be compiled first.
 constexpr int kPatience_ms = 180000;
-/// The bound of the best first look of some tries, in milliseconds. The aim is 150 ms on two cores.
-/// The bound is higher because the machine may be busy with something else. The measured times are
-/// printed.
+/// The bound of the best first preview of some tries, in milliseconds. The aim is 150 ms on two
+/// cores. The bound is higher because the machine may be busy with something else. The measured
+/// times are printed.
 constexpr qint64 kBestLook_ms = 300;
 
 struct Change {
@@ -22,14 +22,14 @@ struct Change {
   int wait_ms = 100;
 };
 
-QString told(const render::Look& look) {
+QString told(const render::Preview& preview) {
   return QString("1/%1%2 world %3 tree %4 upload %5 rays %6")
-      .arg(look.shrink)
-      .arg(look.rough ? " rough" : "")
-      .arg(look.stats.world_seconds * 1e3, 0, 'f', 0)
-      .arg(look.stats.tree_seconds * 1e3, 0, 'f', 0)
-      .arg(look.stats.upload_seconds * 1e3, 0, 'f', 0)
-      .arg(look.stats.rays_seconds * 1e3, 0, 'f', 0);
+      .arg(preview.shrink)
+      .arg(preview.rough ? " rough" : "")
+      .arg(preview.stats.world_seconds * 1e3, 0, 'f', 0)
+      .arg(preview.stats.tree_seconds * 1e3, 0, 'f', 0)
+      .arg(preview.stats.upload_seconds * 1e3, 0, 'f', 0)
+      .arg(preview.stats.rays_seconds * 1e3, 0, 'f', 0);
 }
 
 }  // namespace
@@ -43,7 +43,7 @@ class FirstLookTest : public QObject {
   void changes_are_seen_soon();
 
  private:
-  /// Returns the milliseconds from a change to its first look.
+  /// Returns the milliseconds from a change to its first preview.
   qint64 look_after(const QString& pointer, const QString& value);
 
   std::unique_ptr<MainWindow> window_;
@@ -85,13 +85,13 @@ void FirstLookTest::changes_are_seen_soon() {
     return window_->shown() && window_->shown()->request == window_->request();
   };
   QVERIFY(QTest::qWaitFor(opened, kPatience_ms));
-  qInfo("%s: first look %lld ms after opening (%s)", qPrintable(scene), opening.elapsed(),
-        qPrintable(told(window_->shown()->look)));
+  qInfo("%s: first preview %lld ms after opening (%s)", qPrintable(scene), opening.elapsed(),
+        qPrintable(told(window_->shown()->preview)));
   QVERIFY(QTest::qWaitFor(
       [&] {
         const auto& shown = window_->shown();
-        return shown && shown->request == window_->request() && !shown->look.rough &&
-               shown->look.shrink == 1;
+        return shown && shown->request == window_->request() && !shown->preview.rough &&
+               shown->preview.shrink == 1;
       },
       kPatience_ms));
   qInfo("%s: all pixels %lld ms after opening", qPrintable(scene), opening.elapsed());
@@ -114,7 +114,7 @@ void FirstLookTest::changes_are_seen_soon() {
       const qint64 took = look_after(change.pointer, value);
       all.push_back(took);
       best = std::min(best, took);
-      figures << QString("%1 (%2)").arg(took).arg(told(window_->shown()->look));
+      figures << QString("%1 (%2)").arg(took).arg(told(window_->shown()->preview));
       QTest::qWait(change.wait_ms);
     }
     qInfo("%s %s: %s ms", qPrintable(scene), change.pointer, qPrintable(figures.join(", ")));

@@ -80,7 +80,7 @@ bool WindowTest::wait_until_done() {
   return QTest::qWaitFor(
       [this] {
         const auto& shown = window_->shown();
-        return shown && shown->look.complete && shown->request == window_->request();
+        return shown && shown->preview.complete && shown->request == window_->request();
       },
       kPatience_ms);
 }
@@ -88,7 +88,7 @@ bool WindowTest::wait_until_done() {
 void WindowTest::shows_the_scene_to_the_end() {
   QVERIFY(wait_until_done());
   QCOMPARE(window_->shown()->image.size(), QSize(160, 90));
-  QCOMPARE(window_->shown()->look.samples, 4);
+  QCOMPARE(window_->shown()->preview.samples, 4);
   QCOMPARE(window_->view().image(), window_->shown()->image);
   QVERIFY(window_->messages().message().isEmpty());
   // The picture does not have the same colour everywhere.
@@ -111,7 +111,7 @@ void WindowTest::a_change_is_seen_soon() {
     window_->camera().look_by(0.05, 0.0);
     const auto request = window_->request();
     QVERIFY(QTest::qWaitFor([&] { return window_->shown()->request == request; }, kPatience_ms));
-    qInfo("%s look after a turn of the view: %lld ms", view, watch.elapsed());
+    qInfo("%s preview after a turn of the view: %lld ms", view, watch.elapsed());
     QVERIFY(watch.elapsed() < kFirstLook_ms);
   }
 }
@@ -132,7 +132,7 @@ void WindowTest::two_hundred_changes_leave_the_last() {
   qInfo("200 changes in %lld ms; the window was busy with one for %lld ms at most", watch.elapsed(),
         slowest);
   QVERIFY(wait_until_done());
-  const auto& seen = window_->shown()->look.scene;
+  const auto& seen = window_->shown()->preview.scene;
   QCOMPARE(seen.terrain.seed, 10u);
   QCOMPARE(seen.camera.target.x, window_->document().scene().camera.target.x);
 }
@@ -167,7 +167,7 @@ void WindowTest::a_click_puts_the_balloon() {
   QVERIFY(wait_until_done());
   QVERIFY(glm::distance(window_->camera().pose()->position, eye.position) < 0.1);
   // A double click on an object moves it to the middle of the picture.
-  const auto& film = window_->shown()->look.film;
+  const auto& film = window_->shown()->preview.film;
   std::size_t hit = 0;
   while (hit < film.object_id.size() && film.object_id[hit] != 3u) ++hit;
   // The object is out of sight.
@@ -176,7 +176,7 @@ void WindowTest::a_click_puts_the_balloon() {
                       (static_cast<double>(hit / 160) + 0.5) / 90);
   window_->camera().aim_at(place);
   QVERIFY(wait_until_done());
-  QCOMPARE(window_->shown()->look.film.object_id[45 * 160 + 80], 3u);
+  QCOMPARE(window_->shown()->preview.film.object_id[45 * 160 + 80], 3u);
 }
 
 void WindowTest::the_menu_has_the_cameras_of_the_scenes() {
@@ -269,7 +269,7 @@ void WindowTest::a_lost_device_offers_another() {
   window.show();
   const auto told = [&] { return window.messages().message(); };
   QVERIFY(QTest::qWaitFor([&] { return window.shown() != nullptr; }, kPatience_ms));
-  QVERIFY(!window.shown()->look.complete);
+  QVERIFY(!window.shown()->preview.complete);
   is_lost = true;
   QVERIFY(QTest::qWaitFor([&] { return !told().isEmpty(); }, kPatience_ms));
   QVERIFY2(told().contains("the device was lost"), qPrintable(told()));

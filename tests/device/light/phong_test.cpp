@@ -7,7 +7,7 @@
 namespace aerostat::test {
 namespace {
 
-/// Points at the same material: positions, normals, directions to the viewer, and the lights that
+/// Points of the same material: positions, normals, directions to the viewer, and the lights that
 /// reach them.
 struct Points {
   std::vector<vec3> positions, normals, viewers;

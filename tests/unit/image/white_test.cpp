@@ -79,9 +79,9 @@ TEST(WhiteBalance, IsDoneWhenDeveloping) {
   film.width = film.height = 8;
   const vec3 warm(0.5f, 0.4f, 0.25f);
   film.radiance.assign(64, warm);
-  Look look;
-  look.white_balance = white_balance(dvec3(warm), 1.0);
-  const Pixels pixels = develop(film, look);
+  Development development;
+  development.white_balance = white_balance(dvec3(warm), 1.0);
+  const Pixels pixels = develop(film, development);
   EXPECT_LE(std::abs(pixels.rgb[0] - pixels.rgb[2]), 1);
   EXPECT_GT(develop(film, 0.0).rgb[0], develop(film, 0.0).rgb[2] + 20);
 }
@@ -102,15 +102,15 @@ TEST(Vignette, OfACropIsThatOfThePicture) {
   film.width = 16;
   film.height = 8;
   film.radiance.assign(128, vec3(0.3f));
-  Look look;
-  look.vignette = 0.6;
-  const Pixels all = develop(film, look);
+  Development development;
+  development.vignette = 0.6;
+  const Pixels all = develop(film, development);
   EXPECT_LT(all.rgb[0] + 20, all.rgb[3 * (4 * 16 + 8)]);
   film.width = 8;
   film.radiance.assign(64, vec3(0.3f));
   film.whole = {16, 8};
   film.first = {8, 0};
-  const Pixels right = develop(film, look);
+  const Pixels right = develop(film, development);
   for (int y = 0; y < 8; ++y) {
     for (int x = 0; x < 8; ++x) {
       const auto at = static_cast<std::size_t>(3 * (y * 8 + x));
