@@ -78,6 +78,9 @@ float wavelength_or_none(double metres) {
 AeroGround pack_ground(const scene::Scene& scene) {
   const scene::Ground& from = scene.biome.ground;
   AeroGround ground{};
+#define AERO_NUMBER(member, source) ground.member = static_cast<float>(from.source);
+  AERO_GROUND_NUMBERS(AERO_NUMBER)
+#undef AERO_NUMBER
   copy(ground.cover_a, from.cover_a);
   copy(ground.cover_b, from.cover_b);
   copy(ground.rock_a, from.rock_a);
@@ -88,19 +91,10 @@ AeroGround pack_ground(const scene::Scene& scene) {
     ground.rock_cos[i] = cosine_of_deg(from.rock_slope_deg[i]);
     ground.snow_cos[i] = cosine_of_deg(from.snow_slope_deg[i]);
   }
-  ground.snow_line = static_cast<float>(from.snow_line_m);
-  ground.snow_fuzz = static_cast<float>(from.snow_fuzz_m);
-  ground.beach_top = static_cast<float>(from.beach_top_m);
   ground.pattern = wavelength(from.pattern_m);
-  ground.relief = static_cast<float>(from.relief);
   ground.ripple = wavelength_or_none(from.ripple_m);
   ground.strata = wavelength_or_none(from.strata_m);
-  ground.softness = static_cast<float>(from.softness);
-  ground.sparkle = static_cast<float>(from.sparkle);
   copy(ground.forest, from.forest);
-  ground.forest_top = static_cast<float>(from.forest_top_m);
-  ground.forest_share = static_cast<float>(from.forest_share);
-  ground.canopy = static_cast<float>(from.canopy_m);
   const vec3 wind = direction_from_angles(
       radians_from_degrees(static_cast<float>(scene.terrain.dunes.wind_deg)), 0.0f);
   ground.wind[0] = wind.x;

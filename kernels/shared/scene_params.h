@@ -67,26 +67,37 @@ typedef struct AeroSky {
 
 AERO_ASSERT_LAYOUT(AeroSky, 262236);
 
+/* Lists the numbers that the host copies from scene::Ground as they are. NUMBER is called with the
+ * member of AeroGround and the member of scene::Ground. */
+#define AERO_GROUND_NUMBERS(NUMBER)  \
+  NUMBER(snow_line, snow_line_m)     \
+  NUMBER(snow_fuzz, snow_fuzz_m)     \
+  NUMBER(beach_top, beach_top_m)     \
+  NUMBER(relief, relief)             \
+  NUMBER(softness, softness)         \
+  NUMBER(sparkle, sparkle)           \
+  NUMBER(forest_top, forest_top_m)   \
+  NUMBER(forest_share, forest_share) \
+  NUMBER(canopy, canopy_m)
+
 /* The colour rules of the ground. */
 typedef struct AeroGround {
-  aero_float cover_a[3], cover_b[3], rock_a[3], rock_b[3], snow[3], beach[3];
+  aero_float cover_a[3], cover_b[3], rock_a[3], rock_b[3], snow[3], beach[3], forest[3];
   aero_float rock_cos[2]; /* slopes at which rock begins and is complete (begin > complete) */
-  aero_float snow_line, snow_fuzz;
   aero_float snow_cos[2]; /* snow is full above the first slope, and absent below the second */
-  aero_float beach_top;
   aero_float pattern;
-  aero_float relief;
   aero_float ripple;
   aero_float wind[2]; /* unit vector of the wind, x and z */
   aero_float strata;  /* thickness of the largest beds of rock, or 0 without beds */
-  aero_float softness, sparkle;
-  aero_float forest[3];
-  aero_float forest_top, forest_share;
-  aero_float canopy;
   aero_uint seed;
+#define AERO_NUMBER(member, source) aero_float member;
+  AERO_GROUND_NUMBERS(AERO_NUMBER)
+#undef AERO_NUMBER
 } AeroGround;
 
-AERO_ASSERT_LAYOUT(AeroGround, 160);
+#define AERO_BYTES(member, source) +4
+AERO_ASSERT_LAYOUT(AeroGround, 124 AERO_GROUND_NUMBERS(AERO_BYTES));
+#undef AERO_BYTES
 
 typedef struct AeroWater {
   aero_float absorption[3]; /* absorption per metre */
@@ -123,6 +134,6 @@ typedef struct AeroScene {
   aero_float place[3];
 } AeroScene;
 
-AERO_ASSERT_LAYOUT(AeroScene, 296184);
+AERO_ASSERT_LAYOUT(AeroScene, 296024 + sizeof(AeroGround));
 
 #endif
