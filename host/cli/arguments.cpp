@@ -114,7 +114,7 @@ class Arguments {
         ->required()
         ->type_name("");
     sub->add_option("--set", options.overrides,
-                    "Change the scene; the value is JSON or else text. May be given often, the "
+                    "Change the scene; the value is JSON or else text. Can be repeated; the "
                     "last one wins")
         ->allow_extra_args(false)
         ->take_all()
@@ -130,7 +130,7 @@ class Arguments {
                     "standard output; by default the scene's name and .png, in this folder")
         ->type_name("FILE");
     add_format(sub, render_.format, {"png", "exr"},
-               "png or exr, whatever the name says; by default png for -o -");
+               "File format, png or exr; by default the one that the name ends in, png for -o -");
     add_image(sub);
     add_device(sub, render_.device);
     add_quiet(sub, render_.quiet);
@@ -139,10 +139,10 @@ class Arguments {
 
   void add_image(CLI::App* sub) {
     CLI::Validator side = in_range(1, kLargestSide);
-    sub->add_option("--width", render_.width, "Pixels across, 1 to 32768; wins over the scene")
+    sub->add_option("--width", render_.width, "Pixels across, 1 to 32768; overrides the scene")
         ->transform(side)
         ->type_name("W");
-    sub->add_option("--height", render_.height, "Pixels down, 1 to 32768; wins over the scene")
+    sub->add_option("--height", render_.height, "Pixels down, 1 to 32768; overrides the scene")
         ->transform(side)
         ->type_name("H");
     add_quality(sub, render_.quality);
@@ -173,7 +173,7 @@ class Arguments {
   }
 
   static void add_quiet(CLI::App* sub, bool& quiet) {
-    sub->add_flag("--quiet,-q", quiet, "Say nothing but errors");
+    sub->add_flag("--quiet,-q", quiet, "Print only errors");
   }
 
   static void add_device(CLI::App* sub, DeviceOptions& options) {
@@ -182,7 +182,7 @@ class Arguments {
                     "or parts of one, 0:0/2 (below)")
         ->type_name("SEL");
     sub->add_option("--lanes", options.lanes,
-                    "Rays per work-item, 1, 4, 8 or 16; by default what suits the device")
+                    "Rays per work-item, 1, 4, 8 or 16; by default what the device prefers")
         ->check(one_of({"1", "4", "8", "16"}))
         ->type_name("N");
     sub->add_option_function<std::string>(
@@ -190,8 +190,8 @@ class Arguments {
            [&options](const std::string& text) {
              options.memory_limit_bytes = parse_byte_size(text);
            },
-           "Most memory to take on each device: whole bytes, or a number with K, M, G or T (1024 "
-           "bytes and so on), such as 1.5G")
+           "Most memory to take on each device: whole bytes, or a number with K, M, G or T (powers "
+           "of 1024), such as 1.5G")
         ->type_name("SIZE");
   }
 
@@ -207,7 +207,8 @@ class Arguments {
                     "A .png file, or - for standard output; by default the scene's name and "
                     "-seeds.png, in this folder")
         ->type_name("FILE");
-    sub->add_option("--columns", sheet_.columns, "Tiles across, 1 to 1000; by default what suits")
+    sub->add_option("--columns", sheet_.columns,
+                    "Tiles across, 1 to 1000; by default chosen by their number")
         ->transform(in_range(1, kMostTiles))
         ->type_name("N");
     sub->add_option("--tile-width", sheet_.tile_width,
@@ -229,7 +230,7 @@ class Arguments {
   void add_devices() {
     CLI::App* sub = add("devices", "List OpenCL platforms and devices", kDevicesFooter,
                         [this] { return devices(devices_); });
-    sub->add_flag("--json", devices_.json, "As JSON");
+    sub->add_flag("--json", devices_.json, "Print JSON");
   }
 
   void add_check() {
@@ -253,9 +254,9 @@ class Arguments {
         ->required()
         ->type_name("FILE");
     add_format(sub, export_.format, {"ply", "obj"},
-               "ply or obj, whatever the name says; by default ply for -o -");
+               "File format, ply or obj; by default the one that the name ends in, ply for -o -");
     sub->add_flag("--plants", export_.plants,
-                  "Every plant, too: millions of triangles, and gigabytes of memory");
+                  "Also write every plant: millions of triangles and gigabytes of memory");
   }
 
   CLI::App app_;

@@ -33,7 +33,7 @@ inline constexpr const char* kRenderFooter = R"(Examples:
   aerostat dump snow | aerostat render - -o - --format exr > layers.exr
 
 Devices:
-  A name is platform:device (as 'aerostat devices' lists them), a part of a name, cpu, gpu or auto. 0:0,1:0 is two devices that share the picture, all is every device there is; 0:0/2 is a device cut into 2 parts of its compute units, 0:0/2.1 the second of them. --memory-limit is for each. Devices of one lane width give the same picture, bit by bit, whether together or alone.)";
+  A name is platform:device (as 'aerostat devices' lists them), a part of a name, cpu, gpu or auto. 0:0,1:0 is two devices that share the picture, all is every device there is; 0:0/2 is a device cut into 2 parts of its compute units, 0:0/2.1 the second of them. --memory-limit holds for each device. Devices of one lane width give the same picture, bit by bit, whether together or alone.)";
 
 inline constexpr const char* kContactSheetFooter = R"(Examples:
   aerostat contact-sheet scenes/snow.json
@@ -46,7 +46,7 @@ inline constexpr const char* kScenesFooter = R"(Examples:
   aerostat scenes
   cp "$(aerostat scenes --folder)/snow.json" my.json
 
-A name without folder and extension means one of them wherever a command takes a scene, unless a file has that name.)";
+Every command that takes a scene also takes the name of one of them, without folder and extension, unless a file has that name.)";
 
 inline constexpr const char* kDevicesFooter = R"(Examples:
   aerostat devices
@@ -56,7 +56,7 @@ inline constexpr const char* kCheckFooter = R"(Examples:
   aerostat check scenes/snow.json
   aerostat check my.json --set /image/width=800
 
-Says on stderr that the scene is right, or all that is wrong with it, a line for each fault.)";
+Prints to stderr that the scene is right, or a line for each of its faults.)";
 
 inline constexpr const char* kDumpFooter = R"(Examples:
   aerostat dump scenes/snow.json

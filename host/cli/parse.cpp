@@ -102,7 +102,7 @@ render::Crop parse_crop(const std::string& text) {
 void require_inside(const render::Crop& crop, int width, int height) {
   if (crop.x1 <= width && crop.y1 <= height) return;
   throw Error(ErrorKind::usage,
-              fmt::format("--crop: {},{},{},{} leaves the image, which has {} x {} pixels", crop.x0,
+              fmt::format("--crop: {},{},{},{} reaches beyond the image of {} x {} pixels", crop.x0,
                           crop.y0, crop.x1, crop.y1, width, height));
 }
 
@@ -127,7 +127,7 @@ std::vector<std::uint32_t> parse_seeds(const std::string& text) {
   while (start <= text.size()) {
     const std::size_t end = std::min(text.find(',', start), text.size());
     const auto range = seed_range(std::string_view(text).substr(start, end - start));
-    if (!range) refuse_seeds(text, "is no list of seeds");
+    if (!range) refuse_seeds(text, "is not a list of seeds");
     const auto [first, last] = *range;
     if (first > last)
       refuse_seeds(text, fmt::format("has a range from {} down to {}", first, last));
@@ -145,19 +145,22 @@ PictureFormat picture_format(const std::filesystem::path& path, const std::strin
   const std::string ending = ending_of(path, format, ".png");
   if (ending == ".png") return PictureFormat::png;
   if (ending == ".exr") return PictureFormat::exr;
-  throw Error(ErrorKind::usage,
-              fmt::format("--output: '{}' says no known format; expected a name that ends in .png "
-                          "(8-bit picture) or .exr (linear layers), or --format",
-                          path.string()));
+  throw Error(
+      ErrorKind::usage,
+      fmt::format(
+          "--output: '{}' has no ending of a known format; expected a name that ends in .png "
+          "(8-bit picture) or .exr (linear layers), or --format",
+          path.string()));
 }
 
 MeshFormat mesh_format(const std::filesystem::path& path, const std::string& format) {
   const std::string ending = ending_of(path, format, ".ply");
   if (ending == ".ply") return MeshFormat::ply;
   if (ending == ".obj") return MeshFormat::obj;
-  throw Error(ErrorKind::usage, fmt::format("--output: '{}' says no known format; expected a name "
-                                            "that ends in .ply or .obj, or --format",
-                                            path.string()));
+  throw Error(ErrorKind::usage,
+              fmt::format("--output: '{}' has no ending of a known format; expected a name "
+                          "that ends in .ply or .obj, or --format",
+                          path.string()));
 }
 
 bool is_standard(const std::filesystem::path& path) {

@@ -47,7 +47,7 @@ std::string names_of(const std::vector<opencl::Device>& devices) {
 
 void warn_of_nan(const image::Film& film) {
   if (film.nan_pixels == 0) return;
-  warn(fmt::format("{} pixels came out as no number and were set to black", film.nan_pixels));
+  warn(fmt::format("{} pixels were not a number (NaN) and were set to black", film.nan_pixels));
 }
 
 image::Pixels develop(const image::Film& film, const scene::Image& image) {

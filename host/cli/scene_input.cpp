@@ -87,8 +87,8 @@ std::filesystem::path output_file(const std::filesystem::path& output, const Sce
   const std::filesystem::path file = is_standard(output) ? "/dev/stdout" : output;
   if (file == "/dev/stdout" && is_binary && ::isatty(STDOUT_FILENO) == 1) {
     throw Error(ErrorKind::usage,
-                "--output: standard output is a terminal, which can show no binary file; send it "
-                "on, such as > picture.png");
+                "--output: standard output is a terminal, which cannot show a binary file; "
+                "redirect it, such as > picture.png");
   }
   require_writable(file);
   refuse_own_input(file, input);

@@ -78,7 +78,7 @@ RawBuffer::RawBuffer(const Context& context, MemoryBudget budget, std::shared_pt
       what_(std::move(what)) {
   budget_.reserve(bytes, what_);
   try {
-    guarded(fmt::format("lending {:.1f} MiB for {}", mebibytes(bytes), what_).c_str(), [&] {
+    guarded(fmt::format("sharing {:.1f} MiB for {}", mebibytes(bytes), what_).c_str(), [&] {
       // CL_MEM_READ_ONLY promises that no kernel writes to this memory.
       handle_ = std::make_shared<cl::Buffer>(
           context.handle(), CL_MEM_READ_ONLY | CL_MEM_USE_HOST_PTR, bytes, const_cast<void*>(data));
@@ -164,7 +164,7 @@ void RawBuffer::look_at(std::uint64_t offset, std::uint64_t bytes,
                         const std::function<void(const void*)>& look) const {
   check_range(offset, bytes);
   if (bytes == 0) return look(nullptr);
-  const auto doing = fmt::format("looking at {} on the device", what_);
+  const auto doing = fmt::format("reading {} from the device", what_);
   void* const data = guarded(doing.c_str(), [&] {
     return queue_->enqueueMapBuffer(*handle_, CL_TRUE, CL_MAP_READ, offset, bytes);
   });

@@ -80,7 +80,7 @@ std::optional<std::string> mend(CacheFolder& folder) {
     const auto removed = remove_damaged_programs(folder.path);
     if (removed > 0) {
       folder.warning = fmt::format(
-          "compiled kernels in {} were damaged and have been removed; they are compiled anew",
+          "compiled kernels in {} were damaged and have been removed; they are compiled again",
           folder.path.string());
     }
     return std::nullopt;

@@ -59,7 +59,8 @@ std::optional<std::string> obstacle(const cl::Device& handle) {
   const auto version = handle.getInfo<CL_DEVICE_VERSION>();
   if (is_older_than_1_2(version)) return fmt::format("{}: 1.2 is needed", trimmed(version));
   const bool little = handle.getInfo<CL_DEVICE_ENDIAN_LITTLE>() != CL_FALSE;
-  if (little != (std::endian::native == std::endian::little)) return "its byte order is not ours";
+  if (little != (std::endian::native == std::endian::little))
+    return "its byte order differs from that of this machine";
   return std::nullopt;
 }
 

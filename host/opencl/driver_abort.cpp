@@ -61,7 +61,7 @@ LastWords compose() {
     return {head + "its message, if any, is above\n", {}, static_cast<int>(ErrorKind::internal)};
   }
   return {fmt::format("{}the compiled kernels in {} will be removed by the next run, which "
-                      "compiles them anew\n",
+                      "compiles them again\n",
                       head, *folder),
           suspect_mark(*folder).string(), static_cast<int>(ErrorKind::internal)};
 }

@@ -31,9 +31,9 @@ std::vector<unsigned> even_shares(unsigned units, unsigned parts) {
 }
 
 std::vector<Device> cut(const Device& device, unsigned parts) {
-  if (device.most_parts == 0) refuse(device, parts, "its driver cuts no devices");
+  if (device.most_parts == 0) refuse(device, parts, "its driver does not support that");
   if (parts > device.most_parts) {
-    refuse(device, parts, fmt::format("{} are the most", device.most_parts));
+    refuse(device, parts, fmt::format("at most {} are possible", device.most_parts));
   }
   const auto shares = even_shares(device.compute_units, parts);
   std::vector<cl_device_partition_property> how = {CL_DEVICE_PARTITION_BY_COUNTS};

@@ -57,7 +57,7 @@ std::optional<std::string> obstacle(const RegisteredDriver& driver, bool some_ar
   }
   const bool is_driver = dlsym(library, "clGetExtensionFunctionAddress") != nullptr;
   dlclose(library);
-  if (!is_driver) return "it is no OpenCL driver";
+  if (!is_driver) return "it is not an OpenCL driver";
   if (was_loaded && some_are_usable) return std::nullopt;
   return "it can be loaded, but offers no platform";
 }

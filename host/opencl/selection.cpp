@@ -172,7 +172,7 @@ std::string advice_without_devices(const DeviceList& list) {
            "(ulimit -v) or of its container";
   }
   const char* const install = "install pocl-opencl-icd or your GPU's driver";
-  return list.has_drivers ? fmt::format("mend the driver that is registered, or {}", install)
+  return list.has_drivers ? fmt::format("repair the driver that is registered, or {}", install)
                           : install;
 }
 
@@ -180,7 +180,8 @@ std::vector<Device> pick(const DeviceList& list, const std::string& selector) {
   std::vector<Device> picked;
   const auto names = split(selector);
   for (const auto& name : names) {
-    if (name.empty() && names.size() > 1) refuse(selector, "a name is missing beside a comma");
+    if (name.empty() && names.size() > 1)
+      refuse(selector, "a name is missing before or after a comma");
     for (const Device& device : pick_named(list, name)) {
       for (const Device& other : picked) {
         if (!overlap(device, other)) continue;
@@ -200,7 +201,7 @@ std::vector<Device> select_devices(const std::string& selector) {
 Device select_device(const std::string& selector) {
   const auto devices = select_devices(selector);
   if (devices.size() > 1) {
-    refuse(selector, fmt::format("these are {} devices; expected one", devices.size()));
+    refuse(selector, fmt::format("found {} devices, expected one", devices.size()));
   }
   return devices.front();
 }

@@ -93,10 +93,10 @@ const char* exhaustion(int status) {
     case CL_OUT_OF_RESOURCES:
       return "the device ran out of memory or other resources, or was lost";
     case CL_EXEC_STATUS_ERROR_FOR_EVENTS_IN_WAIT_LIST:
-      return "what the device did before has failed";
+      return "an earlier command on the device failed";
     case CL_DEVICE_NOT_AVAILABLE:
     case kIllegalAccess:
-      return "the device was lost or gave up";
+      return "the device was lost or stopped working";
     default:
       return nullptr;
   }

@@ -33,7 +33,7 @@ std::vector<std::string> BadScene::lines() const {
   std::vector<std::string> lines;
   for (const Fault& fault : faults) {
     if (lines.size() == kMostTold) {
-      lines.push_back(fmt::format("{}: and {} faults more", name_, faults.size() - kMostTold));
+      lines.push_back(fmt::format("{}: and {} more faults", name_, faults.size() - kMostTold));
       break;
     }
     const std::string place =

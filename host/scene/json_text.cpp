@@ -172,7 +172,8 @@ Json parse_json(std::string_view text, Faults& faults) {
   };
   try {
     Json json = Json::parse(text.begin(), text.end(), callback, true, true);
-    for (const Pointer& pointer : watcher.twice()) faults.add(pointer, "this key twice", "it once");
+    for (const Pointer& pointer : watcher.twice())
+      faults.add(pointer, "this key twice", "this key once");
     return json;
   } catch (const Json::parse_error& error) {
     throw Error(ErrorKind::bad_data, fmt::format("{}: {}: {}", name, position(text, error.byte),

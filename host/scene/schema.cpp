@@ -89,8 +89,8 @@ std::vector<Pointer> check_schema(const Json& document, Faults& faults) {
       for (std::size_t i = before; i < faults.count(); ++i) faulty.push_back(faults.pointer(i));
     } else if (!is_parent) {
       throw Error(ErrorKind::internal,
-                  fmt::format("{}: {}: the schema refuses this for no known reason", faults.name(),
-                              to_string(*at)));
+                  fmt::format("{}: {}: the schema refuses this value for an unknown reason",
+                              faults.name(), to_string(*at)));
     }
   }
   return faulty;

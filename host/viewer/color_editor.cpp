@@ -87,7 +87,7 @@ ColorEditor::ColorEditor(int least, int most, const QString& title, QWidget* par
   more_->setText(QStringLiteral("+"));
   more_->setToolTip(tr("One more colour"));
   fewer_->setText(QStringLiteral("−"));
-  fewer_->setToolTip(tr("One colour less"));
+  fewer_->setToolTip(tr("Remove the last colour"));
   layout_->addWidget(more_);
   layout_->addWidget(fewer_);
   layout_->addStretch(1);

@@ -44,7 +44,7 @@ ItemPicker::ItemPicker(Kind kind, Document& document, std::function<dvec3()> nea
   more_->setText(QStringLiteral("+"));
   more_->setToolTip(kind == Kind::lamp ? tr("One more lamp") : tr("One more balloon"));
   fewer_->setText(QStringLiteral("−"));
-  fewer_->setToolTip(kind == Kind::lamp ? tr("Take this lamp away") : tr("Take this balloon away"));
+  fewer_->setToolTip(kind == Kind::lamp ? tr("Remove this lamp") : tr("Remove this balloon"));
   for (QToolButton* button : {more_, fewer_}) {
     button->setAccessibleName(button->toolTip());
     button->setVisible(kind != Kind::material);

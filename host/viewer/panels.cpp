@@ -247,7 +247,7 @@ void Panels::add_sizes(QFormLayout* form) {
 
 void Panels::add_device(QFormLayout* form) {
   devices_->addItem(tr("Automatic"), QString());
-  devices_->setToolTip(tr("What computes the picture. Not part of the scene."));
+  devices_->setToolTip(tr("The device that computes the picture. It is not saved with the scene."));
   devices_->setObjectName(QStringLiteral("device"));
   connect(devices_, &QComboBox::activated, this,
           [this](int index) { Q_EMIT device_chosen(devices_->itemData(index).toString()); });

@@ -54,7 +54,7 @@ void SceneFiles::look_at_file() {
     Q_EMIT changed_elsewhere(tr("Another program changed %1.").arg(name), true);
   } else {
     Q_EMIT changed_elsewhere(
-        tr("Another program removed or renamed %1. Saving writes it anew.").arg(name), false);
+        tr("Another program removed or renamed %1. Saving creates it again.").arg(name), false);
   }
 }
 

@@ -102,7 +102,7 @@ void SunPanel::build() {
   // The calendar has the locale of the window, because its months have names.
   date_->calendarWidget()->setLocale(locale());
   date_->setDateRange(QDate(1900, 1, 1), QDate(2100, 12, 31));
-  date_->setToolTip(tr("Day at which the sun stands where it stands"));
+  date_->setToolTip(tr("The day that gives the sun its place"));
   time_->setDisplayFormat(QStringLiteral("HH:mm"));
   time_->setToolTip(tr("Time of that day, by the clock of the place"));
   offset_->setRange(-12.0, 14.0);

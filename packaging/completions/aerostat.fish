@@ -30,7 +30,7 @@ complete -c aerostat -n "__fish_seen_subcommand_from $rendering" -x -l quality -
 complete -c aerostat -n "__fish_seen_subcommand_from $rendering" -x -l device -a '(__aerostat_devices)' -d 'What computes'
 complete -c aerostat -n "__fish_seen_subcommand_from $rendering" -x -l lanes -a '1 4 8 16' -d 'Rays per work-item'
 complete -c aerostat -n "__fish_seen_subcommand_from $rendering" -x -l memory-limit -d 'Most memory to take on the device'
-complete -c aerostat -n "__fish_seen_subcommand_from $rendering" -s q -l quiet -d 'Say nothing but errors'
+complete -c aerostat -n "__fish_seen_subcommand_from $rendering" -s q -l quiet -d 'Print only errors'
 
 set -l output 'render contact-sheet export'
 complete -c aerostat -n "__fish_seen_subcommand_from $output" -r -F -s o -l output -d 'The file to write'
@@ -49,5 +49,5 @@ complete -c aerostat -n '__fish_seen_subcommand_from contact-sheet' -x -l column
 complete -c aerostat -n '__fish_seen_subcommand_from contact-sheet' -x -l tile-width -d 'Pixels across a tile'
 
 complete -c aerostat -n '__fish_seen_subcommand_from scenes' -l folder -d 'Print only the folder that they are in'
-complete -c aerostat -n '__fish_seen_subcommand_from devices' -l json -d 'As JSON'
-complete -c aerostat -n '__fish_seen_subcommand_from export' -l plants -d 'Every plant, too'
+complete -c aerostat -n '__fish_seen_subcommand_from devices' -l json -d 'Print JSON'
+complete -c aerostat -n '__fish_seen_subcommand_from export' -l plants -d 'Also write every plant'

@@ -54,7 +54,7 @@ TEST_F(ContactSheet, TilesHaveTheShapeOfThePicture) {
 TEST_F(ContactSheet, MistakesAreOneClearLineAndCode64) {
   const std::pair<std::vector<std::string>, std::string> mistakes[] = {
       {{"--seeds", ""}, "--seeds"},
-      {{"--seeds", "1,,2"}, "--seeds: '1,,2' is no list of seeds"},
+      {{"--seeds", "1,,2"}, "--seeds: '1,,2' is not a list of seeds"},
       {{"--seeds", "9-3"}, "from 9 down to 3"},
       {{"--seeds", "1-1001"}, "more than 1000 seeds"},
       {{"--seeds", "4294967296"}, "'4294967296'"},

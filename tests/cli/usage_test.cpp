@@ -100,7 +100,7 @@ TEST_F(Usage, MistakesAreOneClearLineAndCode64) {
       {{"render", scene, "--lanes", "3"}, "--lanes: 3 not in {1,4,8,16}"},
       {{"render", scene, "--crop", "1,2,3"}, "--crop: '1,2,3'"},
       {{"render", scene, "--crop", "5,5,5,9"}, "is empty"},
-      {{"render", scene, "--crop", "0,0,99999,9"}, "leaves the image"},
+      {{"render", scene, "--crop", "0,0,99999,9"}, "reaches beyond the image"},
       {{"render", scene, "--memory-limit", "much"}, "--memory-limit: 'much'"},
       {{"render", scene, "--memory-limit", "1.5"}, "such as 1.5G"},
       {{"render", scene, "-o", "x.jpg"}, ".png"},
@@ -162,7 +162,7 @@ TEST_F(Usage, DevicesTellWhatCanBeCut) {
   EXPECT_EQ(chosen, 1) << "the device whose parts they are";
   const Outcome many = run(small_render("snow", {"--device", "portable/3"}), two_units);
   EXPECT_EQ(many.code, 69);
-  EXPECT_TRUE(contains(many.err, "cannot be cut into 3 parts: 2 are the most"));
+  EXPECT_TRUE(contains(many.err, "cannot be cut into 3 parts: at most 2 are possible"));
 }
 
 TEST_F(Usage, WithoutPlatformsThereIsNoDevice) {
@@ -181,7 +181,7 @@ TEST_F(Usage, ADriverThatCannotBeLoadedIsNamed) {
   const Outcome outcome = run(small_render("snow"), gone);
   EXPECT_EQ(outcome.code, 69);
   EXPECT_TRUE(contains(outcome.err, "the driver libgone.so, which " + icd + " registers"));
-  EXPECT_TRUE(contains(outcome.err, "mend the driver that is registered"));
+  EXPECT_TRUE(contains(outcome.err, "repair the driver that is registered"));
   const Outcome devices = run({"devices"}, gone);
   EXPECT_EQ(devices.code, 69);
   EXPECT_TRUE(contains(devices.out, "! the driver libgone.so, which " + icd + " registers"));

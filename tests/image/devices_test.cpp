@@ -183,7 +183,7 @@ TEST(Devices, AreLostInWords) {
   };
   Session session(options);
   EXPECT_EQ(last_words(session, small_scene("sand-empty", {640, 360, 256, 64}), lost),
-            "while starting the kernel trace_camera_rays: the device was lost or gave up "
+            "while starting the kernel trace_camera_rays: the device was lost or stopped working "
             "(CL_DEVICE_NOT_AVAILABLE from clEnqueueNDRangeKernel)");
   EXPECT_EQ(session.snapshot().width, 640) << "what was done stays readable";
   EXPECT_THROW(session.render(small_scene("snow")), Error) << "it is still lost";

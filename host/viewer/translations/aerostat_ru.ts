@@ -1537,7 +1537,7 @@
         <translation>Ещё один цвет</translation>
     </message>
     <message>
-        <source>One colour less</source>
+        <source>Remove the last colour</source>
         <translation>На один цвет меньше</translation>
     </message>
     <message>
@@ -1716,11 +1716,11 @@
         <translation>Ещё один шар</translation>
     </message>
     <message>
-        <source>Take this lamp away</source>
+        <source>Remove this lamp</source>
         <translation>Убрать эту лампу</translation>
     </message>
     <message>
-        <source>Take this balloon away</source>
+        <source>Remove this balloon</source>
         <translation>Убрать этот шар</translation>
     </message>
     <message>
@@ -2048,7 +2048,7 @@
         <translation>Выбрать само</translation>
     </message>
     <message>
-        <source>What computes the picture. Not part of the scene.</source>
+        <source>The device that computes the picture. It is not saved with the scene.</source>
         <translation>Что вычисляет картину. К сцене не относится.</translation>
     </message>
     <message>
@@ -2126,7 +2126,7 @@
         <translation>Другая программа изменила файл %1.</translation>
     </message>
     <message>
-        <source>Another program removed or renamed %1. Saving writes it anew.</source>
+        <source>Another program removed or renamed %1. Saving creates it again.</source>
         <translation>Другая программа удалила или переименовала файл %1. При сохранении он будет записан заново.</translation>
     </message>
     <message>
@@ -2307,7 +2307,7 @@
         <translation>По дате, времени и месту</translation>
     </message>
     <message>
-        <source>Day at which the sun stands where it stands</source>
+        <source>The day that gives the sun its place</source>
         <translation>День, в который солнце стоит именно так</translation>
     </message>
     <message>

@@ -90,7 +90,7 @@ TEST_F(Registered, AreNamedWithTheReason) {
   EXPECT_TRUE(contains(text_of({text.string(), icd}), "invalid ELF header"));
   EXPECT_TRUE(contains(text_of({"", icd}), "the file names no library"));
   EXPECT_TRUE(contains(text_of({"", root_ / "gone.icd"}), "the file cannot be read"));
-  EXPECT_TRUE(contains(text_of({"libanl.so.1", icd}), "it is no OpenCL driver"));
+  EXPECT_TRUE(contains(text_of({"libanl.so.1", icd}), "it is not an OpenCL driver"));
 }
 
 TEST(Memory, IsNamedByLoaders) {
@@ -105,7 +105,7 @@ TEST(Advice, FitsTheCause) {
   DeviceList list;
   EXPECT_TRUE(contains(advice_without_devices(list), "install pocl-opencl-icd"));
   list.has_drivers = true;
-  EXPECT_TRUE(contains(advice_without_devices(list), "mend the driver that is registered"));
+  EXPECT_TRUE(contains(advice_without_devices(list), "repair the driver that is registered"));
   list.lacks_memory = true;
   EXPECT_FALSE(contains(advice_without_devices(list), "install"));
   EXPECT_TRUE(contains(advice_without_devices(list), "ulimit -v"));

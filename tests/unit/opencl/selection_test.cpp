@@ -161,7 +161,7 @@ TEST(Pick, CutsOnlyWhatItsDriverCuts) {
   EXPECT_TRUE(contains(whole.what(), "1:0  GeForce One (gpu) cannot be cut")) << whole.what();
   const auto many = error_of([&] { pick(list, "cpu/5"); });
   EXPECT_EQ(many.kind(), ErrorKind::no_device);
-  EXPECT_TRUE(contains(many.what(), "into 5 parts: 4 are the most")) << many.what();
+  EXPECT_TRUE(contains(many.what(), "into 5 parts: at most 4 are possible")) << many.what();
 }
 
 TEST(Shares, AreEvenAndLeaveNothing) {

@@ -103,7 +103,7 @@ INSTANTIATE_TEST_SUITE_P(
         Case{R"("image": {"exposure_ev": 1e999})",
              "/image/exposure_ev: found a number that is too large, expected a finite number"},
         Case{R"("image": {"spp": 1, "spp": 2})",
-             "/image/spp: found this key twice, expected it once"},
+             "/image/spp: found this key twice, expected this key once"},
         Case{R"("sun": {"direction": [0, 0, 0]})",
              "/sun/direction: found [0,0,0], expected a vector that is not null"},
         Case{

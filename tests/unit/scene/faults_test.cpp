@@ -94,7 +94,7 @@ TEST(SceneFaults, WithoutNumberAreCounted) {
   for (int i = 0; i < 70; ++i) text += ", \"wrong" + std::to_string(i) + "\": 1";
   const Lines lines = lines_of(text + "}");
   ASSERT_EQ(lines.size(), 51u);
-  EXPECT_EQ(lines.back(), "x.json: and 20 faults more");
+  EXPECT_EQ(lines.back(), "x.json: and 20 more faults");
 }
 
 TEST(SceneFaults, OfAFileInTheWindowHaveTheirLine) {
