@@ -1,12 +1,23 @@
 #include "scene/materials.hpp"
 
-namespace aerostat::scene::detail {
+#include <algorithm>
 
+#include "core/error.hpp"
+
+namespace aerostat::scene {
 namespace {
 
-Material surface(vec3 albedo, double specular, double shininess, double translucency = 0.0) {
+/// One row of the table of materials.
+struct Row {
+  MaterialId id;
+  const char* name;
+  MaterialKind kind;
+  bool burner_light;  // the burners of the balloon light it
+  Material coefficients;
+};
+
+Material surface(double specular, double shininess, double translucency = 0.0) {
   Material material;
-  material.albedo = albedo;
   material.specular = specular;
   material.shininess = shininess;
   material.translucency = translucency;
@@ -18,13 +29,20 @@ Material surface(vec3 albedo, double specular, double shininess, double transluc
 Material terrain(BiomeKind biome) {
   switch (biome) {
     case BiomeKind::snow:
-      return surface(vec3(1.0f), 0.06, 24.0);
+      return surface(0.06, 24.0);
     case BiomeKind::tropical:
-      return surface(vec3(1.0f), 0.02, 12.0);
+      return surface(0.02, 12.0);
     case BiomeKind::sand:
       break;
   }
-  return surface(vec3(1.0f), 0.015, 10.0);
+  return surface(0.015, 10.0);
+}
+
+/// Returns the material of coated ripstop nylon. It does not reflect the light that it transmits.
+Material ripstop() {
+  Material material = surface(0.10, 28.0, 0.3);
+  material.diffuse = 0.85;
+  return material;
 }
 
 /// Returns the material of a propane flame, which gives light but takes none.
@@ -36,27 +54,56 @@ Material flame() {
   return material;
 }
 
+const std::array<Row, kMaterialCount>& table() {
+  using Id = MaterialId;
+  using Kind = MaterialKind;
+  static const std::array<Row, kMaterialCount> rows{{
+      {Id::terrain, "terrain", Kind::ground, false, terrain(BiomeKind::sand)},
+      {Id::water, "water", Kind::water, false, surface(0.6, 220.0)},
+      {Id::envelope, "envelope", Kind::envelope, true, ripstop()},
+      {Id::skirt, "skirt", Kind::skirt, true, surface(0.03, 14.0, 0.15)},  // Nomex
+      {Id::basket, "basket", Kind::plain, true, surface(0.05, 18.0)},      // willow
+      {Id::rim, "rim", Kind::suede, true, surface(0.03, 9.0)},             // padded
+      {Id::frame, "frame", Kind::plain, true, surface(0.55, 90.0)},        // steel
+      {Id::cables, "cables", Kind::plain, true, surface(0.12, 40.0)},      // steel rope
+      {Id::floor, "floor", Kind::plain, true, surface(0.04, 16.0)},        // plywood
+      {Id::flame, "flame", Kind::plain, false, flame()},
+      {Id::plant, "plant", Kind::plain, false, surface(0.02, 12.0, 0.35)},  // leaves
+      {Id::stone, "stone", Kind::plain, false, surface(0.02, 12.0)},
+  }};
+  return rows;
+}
+
+const Row& row_of(MaterialId id) {
+  const auto row =
+      std::find_if(table().begin(), table().end(), [id](const Row& one) { return one.id == id; });
+  if (row == table().end()) throw Error(ErrorKind::internal, "a material has no row");
+  return *row;
+}
+
 }  // namespace
+
+std::string material_name(MaterialId id) {
+  return row_of(id).name;
+}
+
+MaterialKind material_kind(MaterialId id) {
+  return row_of(id).kind;
+}
+
+bool lit_by_burners(MaterialId id) {
+  return row_of(id).burner_light;
+}
+
+namespace detail {
 
 std::array<Material, kMaterialCount> default_materials(BiomeKind biome) {
   std::array<Material, kMaterialCount> materials{};
-  const auto at = [&materials](MaterialId id) -> Material& {
-    return materials[static_cast<std::size_t>(id)];
-  };
-  at(MaterialId::terrain) = terrain(biome);
-  at(MaterialId::water) = surface(vec3(1.0f), 0.6, 220.0);
-  at(MaterialId::envelope) = surface(vec3(1.0f), 0.10, 28.0, 0.3);  // coated ripstop nylon
-  at(MaterialId::envelope).diffuse = 0.85;  // transmitted light is not reflected
-  at(MaterialId::skirt) = surface(vec3(1.0f), 0.03, 14.0, 0.15);  // Nomex, which is duller
-  at(MaterialId::basket) = surface(vec3(1.0f), 0.05, 18.0);       // willow
-  at(MaterialId::rim) = surface(vec3(1.0f), 0.03, 9.0);           // padded suede
-  at(MaterialId::frame) = surface(vec3(1.0f), 0.55, 90.0);        // steel
-  at(MaterialId::cables) = surface(vec3(1.0f), 0.12, 40.0);       // steel rope
-  at(MaterialId::floor) = surface(vec3(1.0f), 0.04, 16.0);        // plywood
-  at(MaterialId::flame) = flame();
-  at(MaterialId::plant) = surface(vec3(1.0f), 0.02, 12.0, 0.35);  // light shines through leaves
-  at(MaterialId::stone) = surface(vec3(1.0f), 0.02, 12.0);
+  for (const Row& row : table()) materials[static_cast<std::size_t>(row.id)] = row.coefficients;
+  materials[static_cast<std::size_t>(MaterialId::terrain)] = terrain(biome);
   return materials;
 }
 
-}  // namespace aerostat::scene::detail
+}  // namespace detail
+
+}  // namespace aerostat::scene

@@ -38,36 +38,4 @@ std::string object_name(ObjectId id) {
   throw Error(ErrorKind::internal, "an object id is out of range");
 }
 
-std::string material_name(MaterialId id) {
-  switch (id) {
-    case MaterialId::terrain:
-      return "terrain";
-    case MaterialId::water:
-      return "water";
-    case MaterialId::envelope:
-      return "envelope";
-    case MaterialId::skirt:
-      return "skirt";
-    case MaterialId::basket:
-      return "basket";
-    case MaterialId::rim:
-      return "rim";
-    case MaterialId::frame:
-      return "frame";
-    case MaterialId::cables:
-      return "cables";
-    case MaterialId::floor:
-      return "floor";
-    case MaterialId::flame:
-      return "flame";
-    case MaterialId::plant:
-      return "plant";
-    case MaterialId::stone:
-      return "stone";
-    case MaterialId::count:
-      break;
-  }
-  throw Error(ErrorKind::internal, "a material is out of range");
-}
-
 }  // namespace aerostat::scene

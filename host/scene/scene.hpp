@@ -265,6 +265,10 @@ enum class MaterialId : std::uint32_t {
 };
 inline constexpr std::size_t kMaterialCount = static_cast<std::size_t>(MaterialId::count);
 
+/// The kinds of materials. A kind says how the colour, the bumps and the gloss of a point are
+/// found.
+enum class MaterialKind { plain, ground, water, envelope, skirt, suede };
+
 /// Phong coefficients. Most materials multiply the colours of vertices by `albedo`. Terrain and
 /// water take their colours from Ground and Water.
 struct Material {
@@ -321,5 +325,12 @@ std::string object_name(ObjectId id);
 
 /// Returns the JSON key of a material, such as "envelope".
 std::string material_name(MaterialId id);
+
+/// Returns the kind of a material.
+MaterialKind material_kind(MaterialId id);
+
+/// Tells whether the burners of the balloon light a material. Their light has no shadows, so it is
+/// kept to the balloon.
+bool lit_by_burners(MaterialId id);
 
 }  // namespace aerostat::scene

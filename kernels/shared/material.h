@@ -12,8 +12,8 @@
 #define AERO_MATERIAL_SKIRT 4    /* cloth that hangs in folds */
 #define AERO_MATERIAL_SUEDE 5    /* grained leather */
 
-/* The number of materials in a scene's table, and the number of the height grid's material. */
-#define AERO_MATERIAL_COUNT 12
+/* The most materials that a scene can have, and the index of the height grid's material. */
+#define AERO_MAX_MATERIALS 32
 #define AERO_GRID_MATERIAL 0
 
 /* Coefficients of one material. Colours are linear Rec. 709. */

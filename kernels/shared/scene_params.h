@@ -124,7 +124,7 @@ typedef struct AeroScene {
   AeroGround ground;
   AeroWater water;
   AeroBalloon balloon;
-  AeroMaterial materials[AERO_MATERIAL_COUNT];
+  AeroMaterial materials[AERO_MAX_MATERIALS];
   AeroPointLight lights[AERO_MAX_POINT_LIGHTS];
   aero_uint light_count;
   aero_uint shading; /* one of AERO_SHADING_... */
@@ -134,6 +134,6 @@ typedef struct AeroScene {
   aero_float place[3];
 } AeroScene;
 
-AERO_ASSERT_LAYOUT(AeroScene, 296024 + sizeof(AeroGround));
+AERO_ASSERT_LAYOUT(AeroScene, 297064 + sizeof(AeroGround));
 
 #endif

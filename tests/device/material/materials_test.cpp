@@ -18,7 +18,8 @@ struct Material {
 
   std::vector<float> coefficients() const {
     return {1.0f,     diffuse,  specular, shininess, translucency, albedo.x,
-            albedo.y, albedo.z, softness, roughness, foam,         static_cast<float>(kind)};
+            albedo.y, albedo.z, softness, roughness, foam,         static_cast<float>(kind),
+            0.0f,     0.0f};
   }
 };
 

@@ -25,7 +25,8 @@ struct Points {
 struct Material {
   float ambient = 0.0f, diffuse = 0.0f, specular = 0.0f, shininess = 1.0f, translucency = 0.0f;
   vec3 albedo{1.0f};
-  float softness = 0.0f;
+  float softness = 0.0f, emission = 0.0f;
+  bool burner_light = false;
 };
 
 class Phong : public LaneTest {
@@ -33,9 +34,13 @@ class Phong : public LaneTest {
   const Probe probe{"shading.cl", GetParam()};
 
   std::vector<vec3> shade(const AeroScene& scene, const Material& m, const Points& points) const {
-    const std::vector<float> coefficients{
-        m.ambient,  m.diffuse,  m.specular, m.shininess, m.translucency, m.albedo.x,
-        m.albedo.y, m.albedo.z, m.softness, 0.0f,        0.0f,           AERO_MATERIAL_PLAIN};
+    const std::vector<float> coefficients{m.ambient,      m.diffuse,
+                                          m.specular,     m.shininess,
+                                          m.translucency, m.albedo.x,
+                                          m.albedo.y,     m.albedo.z,
+                                          m.softness,     0.0f,
+                                          0.0f,           AERO_MATERIAL_PLAIN,
+                                          m.emission,     m.burner_light ? 1.0f : 0.0f};
     const std::size_t count = whole_packets(points.normals.size());
     std::vector<std::uint32_t> visible = points.visible;
     visible.resize(count, 0u);
@@ -168,6 +173,23 @@ TEST_P(Phong, ClothGlowsWithLightFromBehind) {
   expect_color(radiance[1], 0.15f * material.albedo, 1e-6f, "through at 60 degrees");
   expect_color(radiance[2], 0.09f * material.albedo, 1e-6f, "through two layers");
   expect_color(radiance[3], 0.6f * material.albedo, 1e-6f, "in front");
+}
+
+// What a surface emits adds to what it reflects, also of the parts that the burners light.
+TEST_P(Phong, EmissionAdds) {
+  AeroScene scene = bare_scene();
+  set3(scene.balloon.flame, {0, 2, 0});
+  set3(scene.balloon.flame_light, {4, 4, 4});
+  for (const bool burner_light : {false, true}) {
+    Material material;
+    material.diffuse = 0.5f;
+    material.emission = 3.0f;
+    material.burner_light = burner_light;
+    Points points;
+    points.add({0, 1, 0}, {0, 1, 0}, 1u);
+    const auto radiance = shade(scene, material, points);
+    expect_color(radiance[0], vec3(3.5f + (burner_light ? 0.5f : 0.0f)), 1e-5f, "emission");
+  }
 }
 
 AeroScene with_point_lights() {
