@@ -80,8 +80,11 @@ render::BuiltGeometry build(const Arguments& arguments) {
   scene.image.width = arguments.width;
   scene.image.height = arguments.height;
   scene.vegetation.enabled = false;  // Embree gets no instances here
-  world::resolve(scene);
-  return render::build_geometry(scene, nullptr);
+  world::ReliefCache reliefs;
+  world::resolve(scene, reliefs);
+  render::GeometryOptions options;
+  options.reliefs = &reliefs;
+  return render::build_geometry(scene, nullptr, options);
 }
 
 ordered_json describe(const Arguments& arguments, const bench::DeviceBench& device,

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
-#include <mutex>
 
 namespace aerostat::air {
 namespace {
@@ -35,24 +34,19 @@ std::array<dvec3, 3> parabola(const dvec3& f0, double a, const dvec3& fa, double
   return {f0, slope_a - bend * a, bend};
 }
 
-/// Returns the scattering of a scene and keeps the last result for the next call. The scattering
-/// does not depend on the eye, and takes three times as long to compute as the sky that an eye
-/// sees.
-std::shared_ptr<const Scattering> scattering_of(const scene::Scene& scene) {
-  static std::mutex mutex;
-  static std::shared_ptr<const Scattering> kept;
+std::shared_ptr<const Scattering> scattering_of(const scene::Scene& scene, ScatteringCache& cache) {
   const Atmosphere air = atmosphere_of(scene);
   const dvec3 sun = glm::normalize(scene.sun.direction);
-  const std::lock_guard lock(mutex);
-  if (!kept || kept->atmosphere() != air || kept->sun() != sun) {
-    kept = std::make_shared<const Scattering>(air, sun);
-  }
-  return kept;
+  return cache.get({air, sun}, [&] { return std::make_shared<const Scattering>(air, sun); });
 }
 
 }  // namespace
 
-Light::Light(const scene::Scene& scene) : Light(scene, *scattering_of(scene)) {}
+Light::Light(const scene::Scene& scene)
+    : Light(scene, Scattering(atmosphere_of(scene), glm::normalize(scene.sun.direction))) {}
+
+Light::Light(const scene::Scene& scene, ScatteringCache& cache)
+    : Light(scene, *scattering_of(scene, cache)) {}
 
 Light::Light(const scene::Scene& scene, const Scattering& air)
     : atmosphere(air.atmosphere()), sky(air, scene.camera.position.y) {

@@ -1,14 +1,24 @@
 #pragma once
 
+#include <utility>
+
 #include "air/sky.hpp"
+#include "core/last_made.hpp"
 
 namespace aerostat::air {
+
+/// Keeps the scattering of the last air and sun. It does not depend on the eye, and takes three
+/// times as long to compute as the sky that an eye sees.
+using ScatteringCache = LastMade<std::pair<Atmosphere, dvec3>, Scattering>;
 
 /// The light of the air over a landscape for a renderer. It assumes one sun and heights below
 /// some kilometres, and uses closed forms in the height and the sky of one eye. All light is per
 /// irradiance of the sun outside the air.
 struct Light {
   explicit Light(const scene::Scene& scene);
+
+  /// Takes the scattering from a cache, or computes it and leaves it there.
+  Light(const scene::Scene& scene, ScatteringCache& cache);
 
   Atmosphere atmosphere;
   /// The optical depth towards the sun at height h is

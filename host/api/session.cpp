@@ -4,6 +4,7 @@
 #include "api/state.hpp"
 #include "core/log.hpp"
 #include "opencl/device.hpp"
+#include "render/scene_cache.hpp"
 #include "render/session.hpp"
 #include "world/world.hpp"
 
@@ -58,6 +59,7 @@ render::Options render_options(const SessionOptions& options) {
   result.lanes = options.lanes;
   result.memory_limit_bytes = options.memory_limit_bytes;
   result.plants_in_sight_alone = !options.interactive;
+  result.cache = std::make_shared<render::SceneCache>();
   return result;
 }
 
@@ -86,7 +88,7 @@ Session& Session::operator=(Session&&) noexcept = default;
 Film Session::render(const Scene& scene, const std::function<void(const Progress&)>& progress,
                      std::stop_token stop) {
   scene::Scene resolved = scene.state().source.scene();
-  world::resolve(resolved);
+  world::resolve(resolved, state_->options.cache->reliefs);
   render::ProgressCallback report;
   if (progress) {
     report = [&progress](const render::Progress& now) {

@@ -8,7 +8,8 @@
 namespace aerostat::cli {
 
 int check(const SceneOptions& options) {
-  load_scene(options);
+  world::ReliefCache reliefs;
+  load_scene(options, reliefs);
   fmt::print(stderr, "{}: ok\n", name_of_scene(options));
   return 0;
 }

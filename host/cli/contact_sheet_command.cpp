@@ -13,6 +13,7 @@
 #include "core/stop_scope.hpp"
 #include "core/stopwatch.hpp"
 #include "image/sheet.hpp"
+#include "render/scene_cache.hpp"
 
 namespace aerostat::cli {
 
@@ -55,7 +56,9 @@ image::SheetLayout layout_of(const ContactSheetOptions& options, const scene::Im
 /// Renders one tile after another with one session. Progress counts all tiles.
 class SheetRender {
  public:
-  SheetRender(const render::Options& options, ProgressBar& bar) : session_(options), bar_(bar) {
+  /// The options must name a cache.
+  SheetRender(const render::Options& options, ProgressBar& bar)
+      : cache_(options.cache), session_(options), bar_(bar) {
     session_.begin_kernels();
   }
 
@@ -69,7 +72,7 @@ class SheetRender {
       const auto label = fmt::format("seed {}, {} of {}", seeds[i], i + 1, seeds.size());
       bar_.set_label(label);
       show(i, seeds.size(), 0.0);
-      resolve_scene(tile, input);
+      resolve_scene(tile, input, cache_->reliefs);
       const image::Film film = session_.render(tile, stop, [&](const render::Progress& progress) {
         const bool is_compiling = progress.stage == render::Stage::kernels;
         bar_.set_label(is_compiling ? "" : label);
@@ -94,6 +97,7 @@ class SheetRender {
     bar_.update(progress);
   }
 
+  std::shared_ptr<render::SceneCache> cache_;
   render::Session session_;
   ProgressBar& bar_;
   Stopwatch watch_;
@@ -112,7 +116,8 @@ int contact_sheet(const ContactSheetOptions& options) {
       options.seeds.empty() ? parse_seeds("1-12") : options.seeds;
   const scene::Scene scene = scene_of_tiles(options);
   const image::SheetLayout layout = layout_of(options, scene.image, seeds.size());
-  const render::Options session_options = session_options_of(options.device);
+  render::Options session_options = session_options_of(options.device);
+  session_options.cache = std::make_shared<render::SceneCache>();
   SheetRender sheet_render(session_options, bar);
   const image::Sheet sheet =
       sheet_render.render(options.input, scene, seeds, layout, interrupt.token());

@@ -5,7 +5,8 @@
 namespace aerostat::cli {
 
 int dump(const SceneOptions& options) {
-  write_stdout(scene::write_text(load_scene(options)));
+  world::ReliefCache reliefs;
+  write_stdout(scene::write_text(load_scene(options, reliefs)));
   return 0;
 }
 

@@ -12,12 +12,14 @@ int export_world(const ExportOptions& options) {
   const MeshFormat format = mesh_format(options.output, options.format);
   const std::filesystem::path output =
       output_file(options.output, options.input, format == MeshFormat::ply);
-  scene::Scene scene = load_scene(options.input);
+  world::ReliefCache reliefs;
+  scene::Scene scene = load_scene(options.input, reliefs);
   scene.origin = scene::origin_for_export(scene);
-  const world::Objects world = world::as_triangles(
-      world::build(scene), options.plants ? world::Placed::included : world::Placed::left_out);
+  const world::World world = world::build(scene, {.reliefs = &reliefs});
+  const world::Objects triangles = world::as_triangles(
+      world, options.plants ? world::Placed::included : world::Placed::left_out);
   std::vector<mesh::ExportObject> objects;
-  for (const world::Object& object : world) {
+  for (const world::Object& object : triangles) {
     objects.push_back(
         {static_cast<std::uint32_t>(object.id), scene::object_name(object.id), &object.mesh});
   }

@@ -16,6 +16,7 @@
 #include "core/stop_scope.hpp"
 #include "core/stopwatch.hpp"
 #include "image/write.hpp"
+#include "render/scene_cache.hpp"
 #include "render/session.hpp"
 
 namespace aerostat::cli {
@@ -61,9 +62,11 @@ struct Opened {
 };
 
 /// Opens a session, which begins to load or compile its kernels.
-Opened open_session(const RenderOptions& options, PictureFormat format) {
+Opened open_session(const RenderOptions& options, PictureFormat format,
+                    const std::shared_ptr<render::SceneCache>& cache) {
   const Stopwatch watch;
   render::Options session_options = session_options_of(options.device);
+  session_options.cache = cache;
   if (format == PictureFormat::png) session_options.layers = render::Layers::light_alone;
   session_options.meters = format == PictureFormat::png;
   Opened opened{std::make_unique<render::Session>(session_options), session_options.devices,
@@ -106,8 +109,10 @@ int render(const RenderOptions& options) {
   // libraries that it loads, and the requests of its new threads to the loader, would wait for
   // the drivers.
   tbb::parallel_for(0, tbb::this_task_arena::max_concurrency(), [](int) {});
-  auto opening = std::async(std::launch::async, [&] { return open_session(options, format); });
-  resolve_scene(scene, options.input);
+  const auto cache = std::make_shared<render::SceneCache>();
+  auto opening =
+      std::async(std::launch::async, [&] { return open_session(options, format, cache); });
+  resolve_scene(scene, options.input, cache->reliefs);
   seconds.placing = phase.seconds();
   Opened opened = opening.get();
   seconds.device = opened.seconds;

@@ -67,18 +67,18 @@ std::string name_of_scene(const SceneOptions& options) {
   return is_standard(options.scene) ? kStandardInput : options.scene.string();
 }
 
-void resolve_scene(scene::Scene& scene, const SceneOptions& options) {
+void resolve_scene(scene::Scene& scene, const SceneOptions& options, world::ReliefCache& reliefs) {
   try {
-    world::resolve(scene);
+    world::resolve(scene, reliefs);
   } catch (const Error& error) {
     if (error.kind() != ErrorKind::bad_data) throw;
     throw Error(error.kind(), fmt::format("{}: {}", name_of_scene(options), error.what()));
   }
 }
 
-scene::Scene load_scene(const SceneOptions& options) {
+scene::Scene load_scene(const SceneOptions& options, world::ReliefCache& reliefs) {
   scene::Scene scene = read_scene(options);
-  resolve_scene(scene, options);
+  resolve_scene(scene, options, reliefs);
   return scene;
 }
 

@@ -5,6 +5,7 @@
 
 #include "cli/options.hpp"
 #include "scene/scene.hpp"
+#include "world/surface.hpp"
 
 /// These functions read the input of all commands and write data to stdout.
 namespace aerostat::cli {
@@ -17,11 +18,11 @@ std::string name_of_scene(const SceneOptions& options);
 
 /// Resolves a scene that was read by `options`. Throws the errors of world::resolve. A message
 /// about the scene's data begins with the scene's name.
-void resolve_scene(scene::Scene& scene, const SceneOptions& options);
+void resolve_scene(scene::Scene& scene, const SceneOptions& options, world::ReliefCache& reliefs);
 
 /// Reads the scene, applies the overrides and resolves it. Throws the errors of read_scene and
 /// resolve_scene.
-scene::Scene load_scene(const SceneOptions& options);
+scene::Scene load_scene(const SceneOptions& options, world::ReliefCache& reliefs);
 
 /// Returns the file to write for a name on the command line, which is standard output for "-".
 /// Throws Error{usage} if standard output is a terminal and `is_binary` is true. Throws

@@ -5,7 +5,6 @@
 #include <cmath>
 #include <cstdint>
 #include <cstdlib>
-#include <mutex>
 #include <vector>
 
 #include <oneapi/tbb/parallel_for.h>
@@ -205,40 +204,24 @@ float corner_by(float eye, float tile) {
   return tile * (std::floor(eye / tile) - static_cast<float>(kSide / kTile / 2));
 }
 
-/// The newest chart and what it was made of.
-struct Kept {
-  float size, threshold;
-  std::uint32_t seed;
-  std::shared_ptr<const AeroCloudChart> chart;
-
-  bool is_for(const AeroCumulus& clouds, float x0, float z0) const {
-    return chart && size == clouds.size && threshold == clouds.threshold && seed == clouds.seed &&
-           chart->x0 == x0 && chart->z0 == z0;
-  }
-};
-
 }  // namespace
 
-std::shared_ptr<const AeroCloudChart> cloud_chart(const AeroCumulus& clouds, const vec3& eye) {
+std::shared_ptr<const AeroCloudChart> cloud_chart(const AeroCumulus& clouds, const vec3& eye,
+                                                  CloudChartCache& cache) {
   const bool some_clear = clouds.threshold + kLeastOver - kNumericalMargin > 0.0f;
   if (!(clouds.extinction > 0.0f) || !some_clear) return nullptr;
   const float cell = clouds.size / kCellsPerSize;
   const float tile = static_cast<float>(kTile) * cell;
   const float x0 = corner_by(eye.x, tile), z0 = corner_by(eye.z, tile);
-
-  static std::mutex mutex;
-  static Kept kept{};
-  const std::lock_guard lock(mutex);
-  if (!kept.is_for(clouds, x0, z0)) {
+  return cache.get({clouds.size, clouds.threshold, clouds.seed, x0, z0}, [&] {
     const auto chart = std::make_shared<AeroCloudChart>();
     chart->x0 = x0;
     chart->z0 = z0;
     chart->cell = cell;
     chart->side = kSide;
     mark_cells(clouds, *chart);
-    kept = {clouds.size, clouds.threshold, clouds.seed, chart};
-  }
-  return kept.chart;
+    return chart;
+  });
 }
 
 }  // namespace aerostat::pack

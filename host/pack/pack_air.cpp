@@ -33,8 +33,8 @@ void pack_sky_cells(const air::SkyTable& table, AeroAir& air) {
 
 }  // namespace
 
-void pack_air(const scene::Scene& scene, AeroAir& air) {
-  const air::Light light(scene);
+void pack_air(const scene::Scene& scene, air::ScatteringCache& cache, AeroAir& air) {
+  const air::Light light(scene, cache);
   const air::Atmosphere& from = light.atmosphere;
   copy(air.molecules, from.molecules);
   copy(air.haze_scattering, from.haze_scattering);

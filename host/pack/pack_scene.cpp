@@ -25,12 +25,12 @@ float cosine_of_deg(double degrees) {
 // Per metre: a cloud of fair weather with some 60 droplets of 8 um radius a cubic centimetre.
 constexpr float kCumulusExtinction = 0.03f;
 
-/// Above it the kernels' noise, whose values are spread like a logistic distribution's, has a
-/// cloud.
 /// How high the tops of heaped clouds are at most, in widths of a cloud: heaps are about as high as
 /// they are wide, narrower ones would be columns. Chosen by eye.
 constexpr double kTallest = 1.5;
 
+/// Returns the value of the kernels' noise above which there is a cloud, so that clouds have the
+/// given share of the sky. The values of the noise are spread about like a logistic distribution.
 float cumulus_threshold(double cover) {
   if (cover >= 1.0) return -3.0f;
   const double share = std::max(cover, 1e-4);
@@ -38,17 +38,18 @@ float cumulus_threshold(double cover) {
 }
 
 /// `eye` is the place of the eye over the terrain.
-void pack_cumulus(const scene::Cumulus& from, const dvec3& eye, AeroCumulus& cumulus) {
+void pack_cumulus(const scene::Cumulus& from, const dvec3& eye, CloudChartCache& cache,
+                  AeroCumulus& cumulus) {
   cumulus.base = static_cast<float>(from.base_m);
   cumulus.thickness = static_cast<float>(std::min(from.thickness_m, kTallest * from.size_m));
   cumulus.size = static_cast<float>(from.size_m);
   cumulus.threshold = cumulus_threshold(from.cover);
   cumulus.extinction = from.cover > 0.0 ? kCumulusExtinction : 0.0f;
   cumulus.seed = from.seed * 2654435761u;
-  if (const auto chart = cloud_chart(cumulus, vec3(eye))) cumulus.chart = *chart;
+  if (const auto chart = cloud_chart(cumulus, vec3(eye), cache)) cumulus.chart = *chart;
 }
 
-void pack_sky(const scene::Scene& scene, AeroSky& sky) {
+void pack_sky(const scene::Scene& scene, CloudChartCache& cache, AeroSky& sky) {
   copy(sky.sun_direction, glm::normalize(scene.sun.direction));
   copy(sky.sun_irradiance, dvec3(scene.sun.color) * scene.sun.irradiance);
   sky.sun_cos = static_cast<float>(std::cos(air::kSunRadius));
@@ -59,7 +60,8 @@ void pack_sky(const scene::Scene& scene, AeroSky& sky) {
   sky.ambient_reach =
       scene.sky.ambient_occlusion ? static_cast<float>(scene.sky.occlusion_m) : 0.0f;
   sky.bounced = scene.sky.bounced_light ? 1u : 0u;
-  pack_cumulus(scene.sky.cumulus, scene::place_of(scene, scene.camera.position), sky.cumulus);
+  pack_cumulus(scene.sky.cumulus, scene::place_of(scene, scene.camera.position), cache,
+               sky.cumulus);
 }
 
 /// Waves shorter than a millimetre are finer than any picture shows, and their number over a land
@@ -138,12 +140,17 @@ std::uint32_t shading_of(scene::Shading shading) {
 }  // namespace
 
 std::unique_ptr<AeroScene> pack_scene(const scene::Scene& scene) {
+  PackCache cache;
+  return pack_scene(scene, cache);
+}
+
+std::unique_ptr<AeroScene> pack_scene(const scene::Scene& scene, PackCache& cache) {
   if (scene.lights.size() > AERO_MAX_POINT_LIGHTS) {
     throw Error(ErrorKind::bad_data, fmt::format("/lights: found {} lights, expected at most {}",
                                                  scene.lights.size(), AERO_MAX_POINT_LIGHTS));
   }
   auto packed = std::make_unique<AeroScene>();
-  pack_sky(scene, packed->sky);
+  pack_sky(scene, cache.clouds, packed->sky);
   packed->ground = pack_ground(scene);
   packed->water = pack_water(scene.biome.water);
   packed->balloon = pack_balloon(scene);
@@ -153,7 +160,7 @@ std::unique_ptr<AeroScene> pack_scene(const scene::Scene& scene) {
   }
   packed->light_count = static_cast<std::uint32_t>(scene.lights.size());
   packed->shading = shading_of(scene.shading);
-  pack_air(scene, packed->air);
+  pack_air(scene, cache.air, packed->air);
   copy(packed->place, scene::place_of(scene, scene.origin));
   return packed;
 }

@@ -127,6 +127,7 @@ BuiltGeometry build_geometry(const scene::Scene& scene, const HostGeometry* prev
   build.where = options.where;
   build.carving = options.carving;
   build.kinds = options.kinds;
+  build.reliefs = options.reliefs;
   build.previous = previous != nullptr ? &previous->world : nullptr;
   const Stopwatch watch;
   world::World world = world::build(seen, build);

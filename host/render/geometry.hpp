@@ -43,6 +43,7 @@ struct GeometryOptions {
   scatter::Where where = scatter::Where::everywhere;
   world::Carving carving = world::Carving::fine;
   world::GroupKinds kinds = world::all_kinds();
+  world::ReliefCache* reliefs = nullptr;  // null: the land is carved for this geometry alone
 };
 
 /// Builds the geometry of a resolved scene. Groups that `previous` (may be null) has already are

@@ -9,6 +9,7 @@
 #include "core/stop_scope.hpp"
 #include "core/stopwatch.hpp"
 #include "render/abandonable.hpp"
+#include "render/scene_cache.hpp"
 #include "world/world.hpp"
 
 namespace aerostat::render {
@@ -92,7 +93,8 @@ std::vector<Step> steps_to(double pixels, double pixels_per_second, double patie
 }
 
 struct Progressive::State {
-  explicit State(const Options& options) : fine(promptly(options)), coarse(coarsely(options)) {}
+  explicit State(const Options& options)
+      : cache(options.cache), fine(promptly(options)), coarse(coarsely(options)) {}
 
   scene::Scene placed(const scene::Scene& scene, world::Carving carving);
   void show_steps(Session& session, const scene::Scene& resolved, bool rough);
@@ -106,6 +108,7 @@ struct Progressive::State {
     return draft_rates.try_emplace({scene.biome.kind, rough}, kFirstRate).first->second;
   }
 
+  std::shared_ptr<SceneCache> cache;  // of both sessions
   Session fine, coarse;
   /// The scene whose land `fine` holds, and the surface of this land.
   std::optional<scene::Scene> built;
@@ -129,9 +132,10 @@ struct Progressive::State {
 /// carves a new one first.
 scene::Scene Progressive::State::placed(const scene::Scene& scene, world::Carving carving) {
   const auto known = has_land(scene) ? built_surface : nullptr;
-  const auto resolve = [scene, carving, known] {
+  const auto resolve = [scene, carving, known, kept = cache] {
     scene::Scene copy = scene;
-    auto ground = known ? known : std::make_shared<const world::Surface>(copy, carving);
+    auto ground =
+        known ? known : std::make_shared<const world::Surface>(copy, carving, kept->reliefs);
     world::resolve(copy, *ground);
     if (carving == world::Carving::coarse) world::unbury_eye(copy, *ground, kRoughCells);
     return std::pair(std::move(copy), std::move(ground));
@@ -193,7 +197,10 @@ void Progressive::State::measure(const Step& step, const scene::Scene& resolved,
   rate = 0.5 * rate + 0.5 * pixels / stats.rays_seconds;
 }
 
-Progressive::Progressive(Options options) : state_(std::make_unique<State>(std::move(options))) {}
+Progressive::Progressive(Options options) {
+  if (!options.cache) options.cache = std::make_shared<SceneCache>();
+  state_ = std::make_unique<State>(options);
+}
 
 Progressive::~Progressive() = default;
 

@@ -19,6 +19,7 @@
 #include "render/device_team.hpp"
 #include "render/metering.hpp"
 #include "render/passes.hpp"
+#include "render/scene_cache.hpp"
 
 namespace aerostat::render {
 namespace {
@@ -53,7 +54,9 @@ bool takes_all_rays_of(const AeroFrame& metering, const AeroFrame& whole, const 
 }  // namespace
 
 struct Session::State {
-  explicit State(Options given) : options(std::move(given)), team(options) {}
+  explicit State(Options given) : options(std::move(given)), team(options) {
+    if (!options.cache) options.cache = std::make_shared<SceneCache>();
+  }
 
   void await_programs();
   void build(const scene::Scene& scene, Plants plants);
@@ -119,9 +122,13 @@ void Session::State::build(const scene::Scene& scene, Plants plants) {
       options.plants_in_sight_alone ? scatter::Where::in_sight : scatter::Where::everywhere;
   GeometryOptions how{Meshes::release, plants, where, options.carving};
   how.kinds.insert(how.kinds.end(), options.more_kinds.begin(), options.more_kinds.end());
-  BuiltGeometry built =
-      background.run([scene, old, how] { return build_geometry(scene, old.get(), how); }, stop,
-                     [this] { report(Stage::world, 0.0); });
+  // Work that is given up may outlive the session's other members, but not the cache.
+  BuiltGeometry built = background.run(
+      [scene, old, how, cache = options.cache]() mutable {
+        how.reliefs = &cache->reliefs;
+        return build_geometry(scene, old.get(), how);
+      },
+      stop, [this] { report(Stage::world, 0.0); });
   geometry = std::move(built.geometry);
   fresh.merge(built.arrays);
   std::erase_if(fresh, [this](const auto& one) { return !has_group(geometry->world, one.first); });
@@ -163,7 +170,8 @@ void Session::State::prepare(const scene::Scene& scene, const scene::Scene& show
   // Air and clouds fill what the world of a single picture leaves idle. Looks follow each other:
   // their worlds are small, and a stop would wait for what runs beside.
   const auto when = options.plants_in_sight_alone ? std::launch::async : std::launch::deferred;
-  auto packing = std::async(when, [&shown] { return pack::pack_scene(shown); });
+  auto packing =
+      std::async(when, [this, &shown] { return pack::pack_scene(shown, options.cache->packing); });
   build(scene, plants);
   await_programs();
   stop_if_asked();

@@ -22,6 +22,8 @@ struct GroupKind;
 /// Rendering as a library: a render can be started, observed, cancelled and read while it refines.
 namespace aerostat::render {
 
+struct SceneCache;
+
 /// What a film holds beside the light: all layers, or none, which is less to read back.
 enum class Layers { all, light_alone };
 
@@ -42,6 +44,9 @@ struct Options {
   bool meters = true;
   /// Kinds of groups (world/group.hpp) that scenes have beside those of world::all_kinds.
   std::vector<const world::GroupKind*> more_kinds = {};
+  /// What the session keeps of scenes beside their geometry; null: it has its own. A caller that
+  /// resolves the scenes gives the cache with which it does so.
+  std::shared_ptr<SceneCache> cache = nullptr;
   /// For tests: called before each launch, on the thread that launches, with the device that it is
   /// for. What it throws comes out as if the launch had failed.
   std::function<void(const opencl::Device&)> before_launch = {};

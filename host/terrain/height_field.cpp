@@ -1,7 +1,5 @@
 #include "height_field.hpp"
 
-#include <mutex>
-
 #include "relief.hpp"
 
 namespace aerostat::terrain {
@@ -29,35 +27,24 @@ scene::Terrain shape_of(scene::Terrain terrain) {
   return terrain;
 }
 
-/// The relief of the last terrain asked for: placing a scene's objects and building its meshes ask
-/// for the same one in turn, and carving it takes longer than anything else about it. A coarse one
-/// waits for no fine one.
-std::shared_ptr<const Relief> relief_of(const scene::Terrain& terrain, Carving carving) {
-  struct Kept {
-    std::mutex mutex;
-    std::shared_ptr<const Relief> relief;
-    scene::Terrain made_for;
-  };
-  static Kept fine, coarse;
-  Kept& kept = carving == Carving::coarse ? coarse : fine;
+std::shared_ptr<const Relief> relief_of(const scene::Terrain& terrain, Carving carving,
+                                        ReliefCache& cache) {
   const scene::Terrain shape = shape_of(terrain);
-  const std::lock_guard lock(kept.mutex);
-  if (!kept.relief || kept.made_for != shape) {
-    kept.relief = nullptr;
-    kept.relief = make_relief(shape, carving);
-    kept.made_for = shape;
-  }
-  return kept.relief;
+  return cache.of(carving).get(
+      shape, [&] { return std::shared_ptr<const Relief>(make_relief(shape, carving)); });
 }
 
 }  // namespace
 
-HeightField::HeightField(const scene::Terrain& terrain, Carving carving)
-    : relief_(relief_of(terrain, carving)),
+HeightField::HeightField(const scene::Terrain& terrain, Carving carving, ReliefCache& cache)
+    : relief_(relief_of(terrain, carving, cache)),
       center_(terrain.center),
       base_m_(static_cast<float>(terrain.base_m)) {}
 
-HeightField::HeightField(const scene::Terrain& terrain) : HeightField(terrain, Carving::fine) {}
+HeightField::HeightField(const scene::Terrain& terrain, Carving carving)
+    : relief_(make_relief(shape_of(terrain), carving)),
+      center_(terrain.center),
+      base_m_(static_cast<float>(terrain.base_m)) {}
 
 void HeightField::heights(const Points& points, Block& height) const {
   relief_->heights(points, height);

@@ -6,21 +6,21 @@
 #include "scene/scene.hpp"
 #include "terrain/carving.hpp"
 #include "terrain/points.hpp"
+#include "terrain/relief_cache.hpp"
 
 namespace aerostat::terrain {
-
-class Relief;
 
 /// The ground as a function: one height for every point of the plane. Copies share their data, and
 /// every call is safe from any thread. The sea is not part of it: heights go on under water. Nor is
 /// the scree of terrain_mesh.hpp, which raises the ground at the feet of walls.
 class HeightField {
  public:
-  /// Prepares the relief (some tenths of a second for carved kinds, a sixth of it if coarse), or
-  /// takes the last one made of its carving if it is that of an equal terrain. Safe from any
-  /// thread.
-  HeightField(const scene::Terrain& terrain, Carving carving);
-  explicit HeightField(const scene::Terrain& terrain);
+  /// Prepares the relief, which takes some tenths of a second for carved kinds and a sixth of that
+  /// if it is coarse.
+  explicit HeightField(const scene::Terrain& terrain, Carving carving = Carving::fine);
+
+  /// Takes the relief from a cache, or prepares it and leaves it there.
+  HeightField(const scene::Terrain& terrain, Carving carving, ReliefCache& cache);
 
   /// Height above sea level in metres, without detail below `spacing`.
   double height(double x, double z, double spacing = 0.0) const;

@@ -8,6 +8,7 @@
 #include "image/write.hpp"
 #include "opencl/device.hpp"
 #include "render/development.hpp"
+#include "render/scene_cache.hpp"
 #include "render/session.hpp"
 #include "world/world.hpp"
 
@@ -69,9 +70,11 @@ void ExportJob::run(const std::stop_token& stop, scene::Scene scene, const QStri
         QFileInfo(path).suffix().compare(QLatin1String("exr"), Qt::CaseInsensitive) == 0;
     if (!is_exr) options.layers = render::Layers::light_alone;
     options.meters = !is_exr;
+    const auto cache = std::make_shared<render::SceneCache>();
+    options.cache = cache;
     render::Session session(std::move(options));
     session.begin_kernels();
-    world::resolve(scene);
+    world::resolve(scene, cache->reliefs);
     const auto film = session.render(scene, stop, [this](const render::Progress& progress) {
       const double begin = begin_of(progress.stage);
       const bool traces = progress.stage == render::Stage::rays;

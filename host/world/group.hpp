@@ -10,6 +10,7 @@
 #include "scatter/scatter.hpp"
 #include "scene/scene.hpp"
 #include "terrain/carving.hpp"
+#include "terrain/relief_cache.hpp"
 
 /// What a world is made of: groups, each of which is built, kept and thrown away as a whole.
 namespace aerostat::world {
@@ -53,6 +54,7 @@ struct GroupInput {
   const GroupRequest& request;
   const scene::Scene& local;     // the request's scene, counted from its origin
   const mesh::GridMesh* ground;  // for groups on the ground, else null
+  terrain::ReliefCache& reliefs;
 };
 
 /// What a group has to do with the ground.

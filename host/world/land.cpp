@@ -8,7 +8,7 @@ namespace {
 Shape build(const GroupInput& input) {
   require_memory_for_land(input.local);
   const scene::Terrain& terrain = input.local.terrain;
-  const terrain::HeightField field(terrain, input.request.carving);
+  const terrain::HeightField field(terrain, input.request.carving, input.reliefs);
   return HeightGrid{std::make_shared<const mesh::GridMesh>(terrain::terrain_mesh(terrain, field))};
 }
 

@@ -101,6 +101,10 @@ void resolve(scene::Scene& scene) {
   resolve(scene, Surface(scene));
 }
 
+void resolve(scene::Scene& scene, ReliefCache& reliefs) {
+  resolve(scene, Surface(scene, Carving::fine, reliefs));
+}
+
 void resolve(scene::Scene& scene, const Surface& surface) {
   for (scene::Balloon* balloon : scene::all_balloons(scene)) settle_height(surface, *balloon);
   scene::Camera& camera = scene.camera;

@@ -15,6 +15,10 @@ Surface::Surface(const scene::Scene& scene, Carving carving)
     : state_(std::make_shared<const State>(
           State{terrain::HeightField(scene.terrain, carving), scene.biome.water})) {}
 
+Surface::Surface(const scene::Scene& scene, Carving carving, ReliefCache& reliefs)
+    : state_(std::make_shared<const State>(
+          State{terrain::HeightField(scene.terrain, carving, reliefs), scene.biome.water})) {}
+
 double Surface::height(double x, double z, double spacing) const {
   const double ground = state_->field.height(x, z, spacing);
   return state_->water.enabled ? std::max(ground, state_->water.level_m) : ground;

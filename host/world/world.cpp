@@ -30,7 +30,8 @@ class Builder {
   Builder(const scene::Scene& scene, const BuildOptions& options)
       : request_(request_for(scene, options)),
         options_(options),
-        local_(scene::counted_from_origin(scene)) {}
+        local_(scene::counted_from_origin(scene)),
+        reliefs_(options.reliefs != nullptr ? *options.reliefs : own_reliefs_) {}
 
   std::vector<Group> run() {
     groups_.resize(options_.kinds.size());
@@ -53,7 +54,7 @@ class Builder {
       const GroupKind& kind = *options_.kinds[i];
       if (kind.footing != footing) continue;
       const Group* kept = kept_group(kind);
-      const GroupInput input{request_, local_, ground_};
+      const GroupInput input{request_, local_, ground_, reliefs_};
       groups_[i] = kept != nullptr ? *kept : make_group(kind, kind.build(input));
       if (footing != Footing::ground) continue;
       ground_is_kept_ = kept != nullptr;
@@ -76,6 +77,8 @@ class Builder {
   GroupRequest request_;
   const BuildOptions& options_;
   scene::Scene local_;
+  ReliefCache own_reliefs_;
+  ReliefCache& reliefs_;
   std::vector<Group> groups_;
   const mesh::GridMesh* ground_ = nullptr;
   bool ground_is_kept_ = false;

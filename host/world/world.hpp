@@ -31,6 +31,7 @@ struct BuildOptions {
   scatter::Where where = scatter::Where::everywhere;  // plants are placed
   Carving carving = Carving::fine;                    // of the land
   GroupKinds kinds = all_kinds();
+  ReliefCache* reliefs = nullptr;  // null: the land is carved for this build alone
   /// Groups of it are kept if they are what the scene asks for and were built with the same
   /// options.
   const World* previous = nullptr;
@@ -55,6 +56,9 @@ bool same_land(const scene::Scene& a, const scene::Scene& b);
 /// a place is beyond the 1000 km that a scene may ask for, or if that puts the camera's target at
 /// its position.
 void resolve(scene::Scene& scene);
+
+/// Resolves a scene on the relief of a cache, where it is left for the build of the world.
+void resolve(scene::Scene& scene, ReliefCache& reliefs);
 
 /// Resolves a scene on a surface that is already there, which must be that of its terrain.
 void resolve(scene::Scene& scene, const Surface& surface);

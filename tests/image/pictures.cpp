@@ -2,6 +2,7 @@
 
 #include <cstring>
 
+#include "render/scene_cache.hpp"
 #include "world/world.hpp"
 
 namespace aerostat::test {
@@ -51,7 +52,7 @@ scene::Scene read_small(const std::string& name, const Size& size) {
                         {"/image/height", text(size.height)},
                         {"/image/spp", text(size.spp)},
                         {"/terrain/cells", text(size.cells)}});
-  world::resolve(scene);
+  world::resolve(scene, shared_cache()->reliefs);
   return scene;
 }
 
@@ -75,8 +76,14 @@ const std::vector<opencl::Device>& devices() {
   return chosen;
 }
 
+const std::shared_ptr<render::SceneCache>& shared_cache() {
+  static const auto& cache = *new auto(std::make_shared<render::SceneCache>());
+  return cache;
+}
+
 render::Options options(int lanes) {
   render::Options chosen;
+  chosen.cache = shared_cache();
   chosen.devices = devices();
   chosen.lanes = lanes;
   return chosen;

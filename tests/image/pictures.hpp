@@ -38,6 +38,9 @@ const std::vector<opencl::Device>& devices();
 /// Returns options for a render on `devices()`.
 render::Options options(int lanes = 0);
 
+/// The cache of all sessions that are made with `options`, so that few lands are carved.
+const std::shared_ptr<render::SceneCache>& shared_cache();
+
 /// Returns the session of all tests of this process that need no session of their own.
 render::Session& shared_session();
 

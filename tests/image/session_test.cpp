@@ -7,6 +7,7 @@
 
 #include "core/error.hpp"
 #include "pictures.hpp"
+#include "render/scene_cache.hpp"
 
 namespace aerostat::test {
 namespace {
@@ -307,6 +308,41 @@ TEST(Tiles, DoNotShowInThePicture) {
     cut.tile_pixels = pixels;
     Session session(cut);
     EXPECT_TRUE(same_bits(expected, session.render(scene))) << pixels << " pixels a tile";
+  }
+}
+
+/// A session with a cache of its own, and a scene with clouds whose land is cut ever more finely.
+struct Side {
+  explicit Side(const char* name) : scene(small_scene(name, {96, 64, 1, 64})), mine(options()) {
+    scene.sky.cumulus.cover = 0.3;
+    mine.cache = std::make_shared<render::SceneCache>();
+  }
+
+  void render() {
+    Session session(mine);
+    for (int step = 0; step < 4; ++step) {
+      scene.terrain.cells = 64 + 16 * step;
+      film = session.render(scene);
+    }
+  }
+
+  scene::Scene scene;
+  render::Options mine;
+  image::Film film;
+};
+
+/// Each relief, air and chart of clouds is made once: neither session puts out what the other
+/// keeps.
+TEST(Cache, OfTwoSessionsOnTwoScenesAtOnceIsEachOnesOwn) {
+  Side snow("snow"), tropical("tropical");
+  std::thread beside([&] { tropical.render(); });
+  snow.render();
+  beside.join();
+  for (const Side* side : {&snow, &tropical}) {
+    EXPECT_EQ(side->mine.cache->reliefs.fine.count(), 1);
+    EXPECT_EQ(side->mine.cache->packing.air.count(), 1);
+    EXPECT_EQ(side->mine.cache->packing.clouds.count(), 1);
+    EXPECT_TRUE(same_bits(side->film, shared_session().render(side->scene)));
   }
 }
 
