@@ -5,6 +5,7 @@
 
 #include "model/balloon.hpp"
 #include "pack/copy.hpp"
+#include "scene/balloons.hpp"
 
 namespace aerostat::pack {
 namespace {
@@ -22,17 +23,16 @@ dvec3 mean_cloth(const scene::Scene& scene, const scene::Balloon& balloon) {
   return mean * dvec3(scene.material(scene::MaterialId::envelope).albedo);
 }
 
-/// The nearest to the eye: of several, the one whose cloth is seen best.
+/// Returns the balloon that is nearest to the eye, whose cloth is seen best; null if there is none.
 const scene::Balloon* seen_best(const scene::Scene& scene) {
-  const scene::Balloon* best = scene.balloon.enabled ? &scene.balloon : nullptr;
+  const auto balloons = scene::balloons_of(scene);
   const auto distance = [&scene](const scene::Balloon* balloon) {
     return glm::distance(balloon->position, scene.camera.position);
   };
-  for (const scene::Balloon& further : scene.balloons) {
-    if (!further.enabled) continue;
-    if (best == nullptr || distance(&further) < distance(best)) best = &further;
-  }
-  return best;
+  const auto nearest = std::min_element(
+      balloons.begin(), balloons.end(),
+      [&](const scene::Balloon* a, const scene::Balloon* b) { return distance(a) < distance(b); });
+  return nearest != balloons.end() ? *nearest : nullptr;
 }
 
 }  // namespace

@@ -21,7 +21,7 @@ struct PackedArrays {
   Array<AeroVertex> vertices;
 };
 
-/// How many elements arrays hold.
+/// The number of elements that arrays hold.
 struct Room {
   std::size_t triangles = 0, vertices = 0;
 
@@ -32,13 +32,14 @@ struct Room {
   }
 };
 
+/// Returns the number of elements that arrays hold.
 Room room_of(const PackedArrays& arrays);
 
 /// Makes arrays hold so many elements without being moved.
 void reserve(PackedArrays& arrays, const Room& room);
 
-/// A group as the kernels read it, but for its arrays. `order` of the trees is given up: it is what
-/// the triangles were sorted by.
+/// A group as the kernels read it, without its arrays. The `order` of its trees, by which the
+/// triangles were sorted, is empty.
 struct PackedGroup {
   std::vector<bvh::Bvh> trees;                 // that stand in the world
   std::vector<bvh::Bvh> models;                // that instances refer to
@@ -62,11 +63,11 @@ Packed pack_shape(const world::Shape& shape, const Room& more = {});
 /// Appends `part` to `whole`.
 void append(PackedArrays& whole, const PackedArrays& part);
 
-/// The common tree of several groups, whose arrays follow each other in the same order. Throws
-/// Error{internal} if more than one of them has a height grid.
+/// Builds the common tree of several groups, whose arrays follow each other in the same order.
+/// Throws Error{internal} if more than one of them has a height grid.
 bvh::JoinedBvh join_trees(const std::vector<std::shared_ptr<const PackedGroup>>& groups);
 
-/// All instances of several groups, whose common tree is `tree`.
+/// Returns the instances of several groups, whose common tree is `tree`.
 std::vector<AeroInstance> join_instances(
     const std::vector<std::shared_ptr<const PackedGroup>>& groups, const bvh::JoinedBvh& tree);
 

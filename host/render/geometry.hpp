@@ -22,8 +22,8 @@ struct HostGeometry {
   int worlds_built = 0, trees_built = 0;  // groups that were not shared
 };
 
-/// Arrays of groups, by the groups' revisions. They are there once: who makes them hands them to
-/// the FrameArrays.
+/// The arrays of groups, by the revision of the group. They exist once: whoever makes them moves
+/// them on, until a FrameArrays takes them.
 using GroupArrays = std::map<std::uint64_t, pack::PackedArrays>;
 
 /// A geometry, which may be shared, and the arrays of those groups that were packed for it.
@@ -32,7 +32,7 @@ struct BuiltGeometry {
   GroupArrays arrays;
 };
 
-/// Whether the meshes stay when the trees are built, for who wants to look at them.
+/// Says whether the meshes stay when the trees are built, for callers that look at them.
 enum class Meshes { keep, release };
 
 struct GeometryOptions {
@@ -56,9 +56,10 @@ BuiltGeometry build_geometry(const scene::Scene& scene, const HostGeometry* prev
 BuiltGeometry pack_world(world::World world, const HostGeometry* previous, Meshes meshes,
                          double world_seconds = 0.0);
 
+/// Returns whether a world has the group of a revision.
 bool has_group(const world::World& world, std::uint64_t revision);
 
-/// Whether two geometries have the same groups.
+/// Returns whether two geometries have the same groups.
 bool same_groups(const HostGeometry& a, const HostGeometry& b);
 
 /// The triangles, vertices and instances of a frame and the ground: those of all groups, one behind

@@ -31,7 +31,8 @@ dvec3 origin_for(const Scene& scene) {
 dvec3 origin_for_export(const Scene& scene) {
   const Terrain& terrain = scene.terrain;
   const dvec3 center(terrain.center.x, terrain.base_m, terrain.center.y);
-  return origin_near(scene, scene.balloon.enabled ? scene.balloon.position : center);
+  const auto balloons = balloons_of(scene);
+  return origin_near(scene, balloons.empty() ? center : balloons.front()->position);
 }
 
 dvec3 place_of(const Scene& scene, const dvec3& position) {

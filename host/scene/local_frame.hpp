@@ -18,8 +18,8 @@ dvec3 origin_near(const Scene& scene, const dvec3& position);
 /// heights of the scene must count from the sea.
 dvec3 origin_for(const Scene& scene);
 
-/// Returns the origin of exported meshes. It is near the balloon, or near the terrain's centre if
-/// there is no balloon, and does not depend on the camera.
+/// Returns the origin of exported meshes. It is near the first balloon, or near the terrain's
+/// centre if there is no balloon, and does not depend on the camera.
 dvec3 origin_for_export(const Scene& scene);
 
 /// Returns the place of a position over the terrain, counted from the terrain's centre at sea

@@ -39,6 +39,7 @@ struct Instances {
 /// The shapes that packing and exporting know. A group of nothing is an empty list of objects.
 using Shape = std::variant<Objects, HeightGrid, Instances>;
 
+/// Returns whether a shape has nothing to show.
 bool is_empty(const Shape& shape);
 
 /// What a group is built for.
@@ -71,10 +72,10 @@ struct GroupKind {
   /// Builds the group. Positions count from Scene::origin. Runs on all cores; throws
   /// Error{interrupted} if core/stop_scope.hpp asks to stop.
   Shape (*build)(const GroupInput& input) = nullptr;
-  /// Whether a group that was built for `before` is also what `now` asks for. Both scenes have the
-  /// same origin and, for a group on the ground, the same ground.
+  /// Returns whether a group that was built for `before` is also what `now` asks for. Both scenes
+  /// have the same origin and, for a group on the ground, the same ground.
   bool (*same)(const GroupRequest& now, const GroupRequest& before) = nullptr;
-  /// Tells where the objects stand that plants leave room for; null: they leave none.
+  /// Returns where the objects stand that plants leave room for. Null means that they leave none.
   std::vector<scatter::Obstacle> (*obstacles)(const scene::Scene& scene) = nullptr;
 };
 
@@ -86,7 +87,7 @@ struct Group {
   std::shared_ptr<const Shape> shape;  // null: given up, to save memory
 };
 
-/// A group with a new revision.
+/// Makes a group with a new revision.
 Group make_group(const GroupKind& kind, Shape shape);
 
 }  // namespace aerostat::world

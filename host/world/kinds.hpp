@@ -18,7 +18,7 @@ extern const GroupKind kBalloons;
 /// Plants and stones, each in the level of detail that its size in the picture asks for.
 extern const GroupKind kPlants;
 
-/// All kinds that this program knows.
+/// Returns the kinds of groups that every world has.
 GroupKinds all_kinds();
 
 }  // namespace aerostat::world

@@ -17,8 +17,8 @@ struct World {
   std::vector<Group> groups;  // one of each kind, in the kinds' order
 };
 
-/// The shape of a group, or null if the world has no group of the kind, its shape was given up or
-/// it is another kind of shape.
+/// Returns the shape of a group, or null if the world has no group of the kind, its shape was given
+/// up or it is another kind of shape.
 template <typename T>
 const T* shape_of(const World& world, const GroupKind& kind) {
   for (const Group& group : world.groups) {
@@ -37,18 +37,18 @@ struct BuildOptions {
   const World* previous = nullptr;
 };
 
-/// Builds the world of a resolved scene. Runs on all cores; may be given up (core/stop_scope.hpp).
-/// Throws Error{exhausted} if memory does not suffice.
+/// Builds the world of a resolved scene. It runs on all cores and may be given up
+/// (core/stop_scope.hpp). Throws Error{exhausted} if memory does not suffice.
 World build(const scene::Scene& scene, const BuildOptions& options = {});
 
-/// Whether instances are among what is written out as triangles.
+/// Says whether instances are among what is written out as triangles.
 enum class Placed { left_out, included };
 
-/// The world as triangles, group by group, and if asked for each instance by itself, those of one
-/// kind of object in a mesh of its own. Groups whose shape was given up are left out.
+/// Returns the world as triangles, group by group. Instances, if asked for, are written out one by
+/// one, into one mesh for each object and material. Groups whose shape was given up are left out.
 Objects as_triangles(const World& world, Placed instances = Placed::left_out);
 
-/// Whether two scenes stand on the same land and sea, whatever their meshes count from.
+/// Returns whether two scenes have the same land and sea, whatever their meshes count from.
 bool same_land(const scene::Scene& a, const scene::Scene& b);
 
 /// Fills in what depends on the terrain: positions given above the ground become positions above
