@@ -49,7 +49,7 @@ Light::Light(const scene::Scene& scene, ScatteringCache& cache)
     : Light(scene, *scattering_of(scene, cache)) {}
 
 Light::Light(const scene::Scene& scene, const Scattering& air)
-    : atmosphere(air.atmosphere()), sky(air, scene.camera.position.y) {
+    : atmosphere(air.atmosphere()), sky(air, scene.camera.position->y) {
   const double sun = air.sun().y;
   const double elevation = std::asin(std::clamp(sun, -1.0, 1.0));
   const double height = reference_height(elevation);
@@ -66,7 +66,7 @@ Light::Light(const scene::Scene& scene, const Scattering& air)
   depth_ozone = atmosphere.ozone * way.ozone;
   sun_heights[0] = height_of_sight(elevation + kSunRadius);
   sun_heights[1] = std::max(sun_heights[0] + 1.0, height_of_sight(elevation - kSunRadius));
-  take_around(air, scene.camera.position.y);
+  take_around(air, scene.camera.position->y);
   ambient = ambient_light(sky);
 }
 

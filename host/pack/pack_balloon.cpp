@@ -27,7 +27,7 @@ dvec3 mean_cloth(const scene::Scene& scene, const scene::Balloon& balloon) {
 const scene::Balloon* seen_best(const scene::Scene& scene) {
   const auto balloons = scene::balloons_of(scene);
   const auto distance = [&scene](const scene::Balloon* balloon) {
-    return glm::distance(balloon->position, scene.camera.position);
+    return glm::distance(balloon->position, *scene.camera.position);
   };
   const auto nearest = std::min_element(
       balloons.begin(), balloons.end(),

@@ -66,7 +66,7 @@ double depth_of(const bvh::Bounds& box, const dvec3& eye, const dvec3& forward) 
 
 /// Radius of a thin lens's aperture in metres.
 double aperture_radius(const scene::Camera& camera) {
-  if (camera.aperture_given) return 0.5 * camera.aperture_m;
+  if (camera.aperture_m) return 0.5 * *camera.aperture_m;
   const double tangent = std::tan(camera.fov_y_deg * (std::numbers::pi / 360.0));
   return 0.25 * kSensorHeightM / tangent / camera.f_number;
 }
@@ -80,7 +80,7 @@ AeroCamera pack_camera(const scene::Scene& scene, const bvh::Bounds& world) {
       parallel ? 0.5 * from.view_height_m : std::tan(from.fov_y_deg * (std::numbers::pi / 360.0));
   const double pixel = 2.0 * half_height / height;
   AeroCamera camera{};
-  const dvec3 eye = from.position - scene.origin;
+  const dvec3 eye = *from.position - scene.origin;
   const double depth = parallel ? depth_of(world, eye, forward) : 0.0;
   const bool far = depth >= kFarM && std::isfinite(depth);
   camera.lead = far ? static_cast<float>(depth - kBeforeWorldM) : 0.0f;
@@ -94,7 +94,7 @@ AeroCamera pack_camera(const scene::Scene& scene, const bvh::Bounds& world) {
   copy(camera.forward, forward);
   camera.lens = lens_of(from.lens);
   camera.aperture = static_cast<float>(aperture_radius(from));
-  const double focus = from.focus_given ? from.focus_m : glm::length(from.target - from.position);
+  const double focus = from.focus_m.value_or(glm::length(*from.target - *from.position));
   camera.focus = static_cast<float>(std::max(focus, kNearestFocusM));
   return camera;
 }

@@ -60,7 +60,7 @@ void pack_sky(const scene::Scene& scene, CloudChartCache& cache, AeroSky& sky) {
   sky.ambient_reach =
       scene.sky.ambient_occlusion ? static_cast<float>(scene.sky.occlusion_m) : 0.0f;
   sky.bounced = scene.sky.bounced_light ? 1u : 0u;
-  pack_cumulus(scene.sky.cumulus, scene::place_of(scene, scene.camera.position), cache,
+  pack_cumulus(scene.sky.cumulus, scene::place_of(scene, *scene.camera.position), cache,
                sky.cumulus);
 }
 

@@ -181,7 +181,7 @@ void Session::State::prepare(const scene::Scene& scene, const scene::Scene& show
   const auto packed = packing.get();
   const std::size_t pixels = PassPlan(shown.image, crop, team.lanes()).area_from(0).pixels();
   team.begin_frame(*packed, std::max(pixels, static_cast<std::size_t>(kMeteringPixels)));
-  daylight = vec3(pack::daylight(*packed, scene.camera.position.y));
+  daylight = vec3(pack::daylight(*packed, scene.camera.position->y));
   stats.upload_seconds = upload_watch.seconds();
 }
 
@@ -220,7 +220,7 @@ image::Film Session::State::trace(const scene::Scene& scene, const Crop& crop) {
   const AeroFrame whole = pack::pack_frame(scene, bounds);
   const AeroFrame metering = metering_frame(whole);
   const PassPlan plan(scene.image, crop, team.lanes());
-  const bool is_metered = options.meters && !scene.image.exposure_given;
+  const bool is_metered = options.meters && !scene.image.exposure_ev;
   const bool meters_itself = takes_all_rays_of(metering, whole, crop, plan);
   if (is_metered && !meters_itself) meter(metering);
   const Stopwatch rays_watch;

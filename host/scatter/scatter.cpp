@@ -31,7 +31,7 @@ std::vector<KeepOut> kept_out(const scene::Scene& scene, const Surface& surface,
     const double above = at.y - static_cast<double>(surface.height(at.x, at.z));
     if (above < kClearM) circles.push_back({{at.x, at.z}, radius_m});
   };
-  add(scene::place_of(scene, scene.camera.position), 5.0);
+  add(scene::place_of(scene, *scene.camera.position), 5.0);
   for (const Obstacle& obstacle : obstacles) {
     add(scene::place_of(scene, obstacle.position), 0.6 * obstacle.width_m + 3.0);
   }

@@ -80,7 +80,7 @@ class Survey {
   bool is_seen(int column, int row) const {
     const dvec2 middle = map_.middle(column, row);
     if (holds_obstacle(middle)) return true;
-    const dvec3& eye = scene_.camera.position;
+    const dvec3& eye = *scene_.camera.position;
     const double half = 0.5 * map_.tile_m + extent_.aside_m;
     if (view_ && !view_->touches(middle - dvec2(eye.x, eye.z), half)) return false;
     return !is_hidden(column, row, top_of(column, row));
@@ -104,7 +104,7 @@ class Survey {
   /// Returns whether ground hides a whole tile. The eye is in the middle of the map, so all rays to
   /// tiles lie on the map.
   bool is_hidden(int column, int row, double top) const {
-    const double eye = scene_.camera.position.y;
+    const double eye = scene_.camera.position->y;
     // The place of the eye in tiles. The places below are in tiles as well.
     const double from = 0.5 * map_.side;
     const dvec2 way = dvec2(column + 0.5, row + 0.5) - from;
@@ -209,7 +209,7 @@ std::optional<PlanView> plan_view(const scene::Camera& camera, const scene::Imag
 Sight::Sight(const scene::Scene& scene, const mesh::GridMesh& ground, double reach_m,
              const Extent& extent, std::span<const Obstacle> obstacles) {
   if (knows_no_bounds(scene)) return;
-  const dvec3& eye = scene.camera.position;
+  const dvec3& eye = *scene.camera.position;
   map_.tile_m = std::max({kLeastTile_m, extent.aside_m, reach_m / 256.0});
   map_.side = 2 * static_cast<int>(std::ceil(reach_m / map_.tile_m)) + 1;
   map_.corner = dvec2(eye.x, eye.z) - 0.5 * map_.tile_m * map_.side;

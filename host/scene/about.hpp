@@ -25,24 +25,28 @@ struct About {
   std::array<Edit, 3> edits{};
   std::size_t edit_count = 0;
 
+  /// Excludes the lower end of the range itself.
   constexpr About above() const {
     About result = *this;
     result.is_above = true;
     return result;
   }
 
+  /// Demands that an object has the key.
   constexpr About required() const {
     About result = *this;
     result.is_required = true;
     return result;
   }
 
+  /// Allows only the first `count` words of the enumeration.
   constexpr About words(std::size_t count) const {
     About result = *this;
     result.word_count = count;
     return result;
   }
 
+  /// Sets the unit in the window where the key does not end with it.
   constexpr About unit(const char* unit) const {
     About result = *this;
     result.own_unit = unit;
@@ -68,6 +72,7 @@ struct About {
     return with({group, label, editor});
   }
 
+  /// Adds a box for a whole number, with a button that draws one at random.
   constexpr About dice(EditGroup group, const char* label) const {
     return with({group, label, Editor::seed});
   }
@@ -90,6 +95,7 @@ constexpr About number(double from, double to, const char* text) {
   return {.text = text, .from = from, .to = to};
 }
 
+/// Describes a value that is true or false.
 constexpr About truth(const char* text) {
   return {.text = text, .editor = Editor::toggle};
 }
@@ -99,6 +105,7 @@ constexpr About word(const char* text) {
   return {.text = text, .editor = Editor::choice};
 }
 
+/// Describes a colour whose components go from 0 to `to`.
 constexpr About color(const char* text, double to = 1.0) {
   return {.text = text,
           .ending = " Linear Rec. 709 [red, green, blue], each {from} to {to}.",

@@ -129,8 +129,8 @@ void make_outside(Scene& scene, const dvec3& stand, const dvec3& look) {
 
 void make_basket(Scene& scene) {
   scene.camera.height_above = HeightReference::balloon;
-  scene.camera.position_given = false;
-  scene.camera.target_given = false;
+  scene.camera.position.reset();
+  scene.camera.target.reset();
   scene.camera.fov_y_deg = 62.0;
 }
 

@@ -13,8 +13,6 @@ struct Field {
   const char* key;
   T S::*member;
   About about;
-  /// The member that tells whether the value is given, or null if it always is.
-  bool S::*given;
 };
 
 /// A key that scene files may have and that is read apart from the table.
@@ -32,9 +30,8 @@ struct Table {
 };
 
 template <class S, class T>
-constexpr Field<S, T> field(const char* key, T S::*member, const About& about = {},
-                            bool S::*given = nullptr) {
-  return {key, member, about, given};
+constexpr Field<S, T> field(const char* key, T S::*member, const About& about = {}) {
+  return {key, member, about};
 }
 
 template <class T>

@@ -42,10 +42,8 @@ class Collector {
     }
     for (std::size_t i = 0; i < field.about.edit_count; ++i) {
       FieldEdit edit{field.about.edits[i], pointer};
-      if (edit.editor == Editor::number) {
-        if (std::is_integral_v<T>) edit.editor = Editor::integer;
-        if (!std::is_arithmetic_v<T>) edit.pointer.append("/").append(std::to_string(i));
-      }
+      if (edit.editor == Editor::number && std::is_integral_v<T>) edit.editor = Editor::integer;
+      if (field.about.edit_count > 1) edit.pointer.append("/").append(std::to_string(i));
       edit.unit = field.about.own_unit != nullptr ? field.about.own_unit : unit_of(field.key);
       edits_.push_back(edit);
     }

@@ -46,8 +46,8 @@ Scene counted_from_origin(Scene scene) {
   scene.terrain.base_m -= origin.y;
   scene.biome.water.level_m -= origin.y;
   for (Balloon* balloon : all_balloons(scene)) balloon->position -= origin;
-  scene.camera.position -= origin;
-  scene.camera.target -= origin;
+  *scene.camera.position -= origin;
+  *scene.camera.target -= origin;
   for (PointLight& light : scene.lights) light.position -= origin;
   return scene;
 }

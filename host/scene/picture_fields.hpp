@@ -18,14 +18,12 @@ inline constexpr auto kTable<Camera> = table(
     field("position", &Camera::position,
           place("Where the eye is. In the basket view, left out, it stands inside at eye height.",
                 kEyeReach)
-              .boxes(EditGroup::camera, "Eye", 1),
-          &Camera::position_given),
+              .boxes(EditGroup::camera, "Eye", 1)),
     field("target", &Camera::target,
           place("A point in the middle of the picture. In the basket view, left out, the eye looks "
                 "straight ahead.",
                 kEyeReach)
-              .boxes(EditGroup::camera, "Looks at", 1),
-          &Camera::target_given),
+              .boxes(EditGroup::camera, "Looks at", 1)),
     field("height_above", &Camera::height_above,
           word("What the y of position and target counts from: the sea (absolute), the ground "
                "below each, or the floor of the balloon's basket (the default).")
@@ -55,14 +53,12 @@ inline constexpr auto kTable<Camera> = table(
           number(0, 1000,
                  "Of thin_lens: diameter of the aperture in metres, {from} to {to}; left out, "
                  "f_number says it.")
-              .slider(EditGroup::camera, "Aperture", 0.001, 1, 3, Scale::logarithmic),
-          &Camera::aperture_given),
+              .slider(EditGroup::camera, "Aperture", 0.001, 1, 3, Scale::logarithmic)),
     field("focus_m", &Camera::focus_m,
           number(0.01, 1000000,
                  "Of thin_lens: distance of the plane that is sharp, in metres along the axis, "
                  "{from} to {to}; left out, the target is sharp.")
-              .slider(EditGroup::lens, "Sharp at", 1, 5000, 1, Scale::logarithmic),
-          &Camera::focus_given),
+              .slider(EditGroup::lens, "Sharp at", 1, 5000, 1, Scale::logarithmic)),
     field("view_height_m", &Camera::view_height_m,
           number(0.001, 1000000,
                  "Of orthographic: metres from the foot to the top of the picture, {from} to {to}.")
@@ -99,16 +95,14 @@ inline constexpr auto kTable<Image> = table(
           number(-30, 30,
                  "Exposure in stops: each doubles the brightness, {from} to {to}. Left out, it "
                  "follows from the picture, and dusk and night stay dark.")
-              .slider(EditGroup::development, "Exposure", -6, 6, 2),
-          &Image::exposure_given),
+              .slider(EditGroup::development, "Exposure", -6, 6, 2)),
     field(
         "white_balance_k", &Image::white_balance_k,
         number(
             1700, 25000,
             "Colour temperature in kelvins of the light that comes out white, {from} to {to}; 6504 "
             "changes nothing. Left out, it goes half of the way to the daylight of the scene.")
-            .slider(EditGroup::development, "White balance", 2500, 12000, 0, Scale::logarithmic),
-        &Image::white_balance_given),
+            .slider(EditGroup::development, "White balance", 2500, 12000, 0, Scale::logarithmic)),
     field("vignette", &Image::vignette,
           number(0, 0.9,
                  "Share of the light that is lost in the corners of the picture, by the fourth "

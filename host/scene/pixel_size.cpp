@@ -20,7 +20,7 @@ PixelSize pixel_size(const Scene& scene) {
 }
 
 dvec3 point_of_view(const Camera& camera) {
-  return camera.lens == Lens::orthographic ? camera.target : camera.position;
+  return camera.lens == Lens::orthographic ? *camera.target : *camera.position;
 }
 
 }  // namespace aerostat::scene

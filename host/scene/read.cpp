@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstring>
 #include <fstream>
+#include <optional>
 #include <system_error>
 #include <type_traits>
 #include <utility>
@@ -54,6 +55,11 @@ void read(const Json& node, double (&v)[2]) {
 }
 
 template <class T>
+void read(const Json& node, std::optional<T>& value) {
+  read(node, value.emplace());
+}
+
+template <class T>
 void read(const Json& node, std::vector<T>& values) {
   values.clear();
   for (const Json& element : node) read(element, values.emplace_back());
@@ -78,9 +84,7 @@ void read(const Json& node, T& value) {
   } else {
     detail::for_each_member<T>([&](const auto& field) {
       const auto found = node.find(field.key);
-      if (found == node.end()) return;
-      read(*found, value.*field.member);
-      if (field.given != nullptr) value.*field.given = true;
+      if (found != node.end()) read(*found, value.*field.member);
     });
   }
 }

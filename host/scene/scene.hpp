@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -146,19 +147,18 @@ struct Balloon {
 
 struct Camera {
   View view = View::outside;
-  dvec3 position{0.0, 0.0, 0.0};
-  dvec3 target{0.0, 0.0, -1.0};
-  bool position_given = true;  // false: world::resolve puts the eye into the basket
-  bool target_given = true;    // false: world::resolve looks straight ahead
+  /// The eye, and a point in the middle of the picture. Without them, world::resolve puts the eye
+  /// into the basket and lets it look straight ahead, so that a resolved scene has both.
+  std::optional<dvec3> position, target;
   HeightReference height_above = HeightReference::sea;  // holds for position and target
   dvec3 up{0.0, 1.0, 0.0};
   Lens lens = Lens::pinhole;
-  double fov_y_deg = 45.0;      // vertical field of view of pinhole and thin lens
-  double f_number = 2.8;        // f-number of a thin lens before a sensor 24 mm high
-  double aperture_m = 0.0;      // diameter of a thin lens; replaces f_number if it is given
-  bool aperture_given = false;  // false: the aperture follows from f_number and fov_y_deg
-  double focus_m = 0.0;      // depth of the plane that a thin lens shows sharp; used if it is given
-  bool focus_given = false;  // false: the target is sharp
+  double fov_y_deg = 45.0;  // vertical field of view of pinhole and thin lens
+  double f_number = 2.8;    // f-number of a thin lens before a sensor 24 mm high
+  /// The diameter of a thin lens. Without it, the aperture follows from f_number and fov_y_deg.
+  std::optional<double> aperture_m;
+  /// The depth of the plane that a thin lens shows sharp. Without it, the target is sharp.
+  std::optional<double> focus_m;
   double view_height_m = 60.0;  // height that an orthographic picture shows
 };
 
@@ -288,11 +288,12 @@ struct Image {
   std::uint32_t seed = 1;
   double adaptive_threshold = 0.0;  // noise at which a pixel has enough samples; 0: all get spp
   Filter filter = Filter::gaussian;
-  double exposure_ev = 0.0;          // exposure in stops; used if it is given
-  bool exposure_given = false;       // false: the exposure follows from the picture
-  double white_balance_k = 6504.0;   // colour temperature shown as white; used if it is given
-  bool white_balance_given = false;  // false: half of the way to the daylight's colour
-  double vignette = 0.0;             // share of the light that is lost in the corners
+  /// The exposure in stops. Without it, the exposure follows from the picture.
+  std::optional<double> exposure_ev;
+  /// The colour temperature that is shown as white. Without it, the white goes half of the way to
+  /// the daylight's colour.
+  std::optional<double> white_balance_k;
+  double vignette = 0.0;  // share of the light that is lost in the corners
 };
 
 struct Scene {

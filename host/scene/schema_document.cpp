@@ -1,6 +1,7 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <type_traits>
 #include <vector>
@@ -114,6 +115,11 @@ class Rules {
       return structured(about, std::type_identity<T>());
     }
     return rule;
+  }
+
+  template <class T>
+  OrderedJson structured(const About& about, std::type_identity<std::optional<T>>) {
+    return rule<T>(about);
   }
 
   template <class T>

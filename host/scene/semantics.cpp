@@ -64,8 +64,7 @@ void check_camera(const Camera& camera, const std::string& name) {
   if (is_null(camera.up)) {
     fail(name, {"camera", "up"}, "[0, 0, 0]", "a vector that is not null");
   }
-  const bool given = camera.position_given && camera.target_given;
-  if (given && camera.target == camera.position) {
+  if (camera.target && camera.target == camera.position) {
     fail(name, {"camera", "target"}, "the camera's own position", "another point");
   }
 }

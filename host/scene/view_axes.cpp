@@ -23,7 +23,7 @@ dvec3 up_of(const Camera& camera, const dvec3& view) {
 }  // namespace
 
 ViewAxes view_axes(const Camera& camera) {
-  const dvec3 view = camera.target - camera.position;
+  const dvec3 view = *camera.target - *camera.position;
   if (view == dvec3(0.0)) {
     throw Error(ErrorKind::bad_data,
                 "/camera/target: found the camera's own position, expected another point");

@@ -1,6 +1,7 @@
 #include "scene/write.hpp"
 
 #include <array>
+#include <optional>
 #include <type_traits>
 #include <vector>
 
@@ -13,6 +14,16 @@ namespace aerostat::scene {
 namespace detail {
 
 namespace {
+
+template <class T>
+bool is_given(const T&) {
+  return true;
+}
+
+template <class T>
+bool is_given(const std::optional<T>& value) {
+  return value.has_value();
+}
 
 template <class T>
 OrderedJson written(const T& value);
@@ -31,6 +42,11 @@ OrderedJson written(const dvec3& v) {
 
 OrderedJson written(const double (&v)[2]) {
   return OrderedJson::array({v[0], v[1]});
+}
+
+template <class T>
+OrderedJson written(const std::optional<T>& value) {
+  return written(*value);
 }
 
 template <class T>
@@ -57,8 +73,7 @@ OrderedJson written(const T& value) {
   } else {
     OrderedJson result = OrderedJson::object();
     for_each_member<T>([&](const auto& field) {
-      if (field.given != nullptr && !(value.*field.given)) return;
-      result[field.key] = written(value.*field.member);
+      if (is_given(value.*field.member)) result[field.key] = written(value.*field.member);
     });
     return result;
   }

@@ -57,8 +57,7 @@ CameraControl::CameraControl(Document& document, QObject* parent)
 
 bool CameraControl::is_absolute() const {
   const scene::Camera& camera = document_.scene().camera;
-  return camera.height_above == HeightReference::sea && camera.position_given &&
-         camera.target_given;
+  return camera.height_above == HeightReference::sea && camera.position && camera.target;
 }
 
 ViewKind CameraControl::kind() const {
@@ -85,15 +84,15 @@ void CameraControl::set_kind(ViewKind kind) {
 
 std::optional<Pose> CameraControl::pose() const {
   const scene::Camera& camera = document_.scene().camera;
-  if (is_absolute()) return Pose{camera.position, camera.target};
+  if (is_absolute()) return Pose{*camera.position, *camera.target};
   if (!shown_) return std::nullopt;
   const scene::Camera& seen = shown_->preview.scene.camera;
-  Pose pose{seen.position, seen.target};
+  Pose pose{*seen.position, *seen.target};
   // The passenger was turned in the meantime. In the view from the basket, heights count from the
   // basket's floor.
-  if (camera.view == scene::View::basket && camera.target_given &&
+  if (camera.view == scene::View::basket && camera.target &&
       camera.height_above == HeightReference::balloon) {
-    pose.target = camera.target;
+    pose.target = *camera.target;
     pose.target.y += shown_->preview.scene.balloon.position.y;
   }
   return pose;
@@ -109,7 +108,7 @@ std::optional<double> CameraControl::height_above_ground() const {
 /// the passenger turns; otherwise the camera becomes a free one.
 void CameraControl::move_to(const QString& what, Pose pose, bool keep_basket) {
   const scene::Camera& camera = document_.scene().camera;
-  if (keep_basket && camera.view == scene::View::basket && !camera.position_given && shown_) {
+  if (keep_basket && camera.view == scene::View::basket && !camera.position && shown_) {
     pose.target.y -= shown_->preview.scene.balloon.position.y;
     document_.change(what,
                      {{"/camera/height_above", "balloon"}, {"/camera/target", point(pose.target)}});

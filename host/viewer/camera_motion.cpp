@@ -86,14 +86,14 @@ Sight sight_at(const scene::Camera& camera, double aspect, double x, double y) {
   if (camera.lens == scene::Lens::panorama) {
     const double turn = across * std::numbers::pi, rise = above * 0.5 * std::numbers::pi;
     const dvec3 level = forward * std::cos(turn) + right * std::sin(turn);
-    return {camera.position, level * std::cos(rise) + up * std::sin(rise)};
+    return {*camera.position, level * std::cos(rise) + up * std::sin(rise)};
   }
   if (camera.lens == scene::Lens::orthographic) {
     const double half = 0.5 * camera.view_height_m;
-    return {camera.position + right * (across * half * aspect) + up * (above * half), forward};
+    return {*camera.position + right * (across * half * aspect) + up * (above * half), forward};
   }
   const double half = std::tan(camera.fov_y_deg * (std::numbers::pi / 360.0));
-  return {camera.position,
+  return {*camera.position,
           glm::normalize(forward + right * (across * half * aspect) + up * (above * half))};
 }
 

@@ -20,7 +20,7 @@ constexpr double kCoarseEnvelope_m = 0x1p-5, kCoarseBasket_m = 0x1p-8;
 model::Detail detail_of(const scene::Balloon& balloon, const scene::Scene& scene,
                         terrain::Carving carving) {
   model::Detail detail =
-      model::detail_for(balloon, scene.camera.position, scene::pixel_size(scene));
+      model::detail_for(balloon, *scene.camera.position, scene::pixel_size(scene));
   if (carving == terrain::Carving::coarse) {
     detail.envelope_m = std::max(detail.envelope_m, kCoarseEnvelope_m);
     detail.basket_m = std::max(detail.basket_m, kCoarseBasket_m);

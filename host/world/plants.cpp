@@ -27,7 +27,7 @@ Object object_of(plant::Species species) {
 void choose_details(const scene::Scene& scene, const std::vector<plant::ModelKey>& models,
                     std::vector<scatter::Instance>& instances) {
   const scene::PixelSize pixel = scene::pixel_size(scene);
-  const dvec3 eye = scene.camera.position - scene.origin;
+  const dvec3 eye = *scene.camera.position - scene.origin;
   tbb::parallel_for(std::size_t{0}, instances.size(), [&](std::size_t i) {
     scatter::Instance& instance = instances[i];
     const plant::Detail detail = scatter::detail_of(instance, models[instance.model], eye, pixel);

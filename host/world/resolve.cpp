@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 #include <string>
 #include <utility>
 
@@ -9,6 +10,7 @@
 #include "core/error.hpp"
 #include "model/balloon.hpp"
 #include "scene/balloons.hpp"
+#include "scene/field_rule.hpp"
 #include "scene/local_frame.hpp"
 #include "scene/view_axes.hpp"
 #include "terrain/terrain_mesh.hpp"
@@ -53,13 +55,9 @@ double reference_height(const scene::Scene& scene, const Surface& surface,
   return 0.0;
 }
 
-// Of the schema. A camera may be a little farther away than a balloon, so that the view from a
-// basket at the limit is a scene, too.
-constexpr double kMostBalloonM = 1e6;
-constexpr double kMostCameraM = 1.1e6;
-
-/// Throws Error{bad_data} for a place above the sea that no scene file could give.
-void check_place(const std::string& pointer, const dvec3& place, double most_m) {
+/// Throws Error{bad_data} for a place above the sea that no scene file could give at `pointer`.
+void check_place(const std::string& pointer, const dvec3& place) {
+  const double most_m = scene::field_rule(pointer).maximum;
   for (int axis = 0; axis < 3; ++axis) {
     if (std::abs(place[axis]) <= most_m) continue;
     throw Error(ErrorKind::bad_data,
@@ -69,12 +67,12 @@ void check_place(const std::string& pointer, const dvec3& place, double most_m) 
 }
 
 void check_places(const scene::Scene& scene) {
-  check_place("/balloon/position", scene.balloon.position, kMostBalloonM);
+  check_place("/balloon/position", scene.balloon.position);
   for (std::size_t i = 0; i < scene.balloons.size(); ++i) {
-    check_place(fmt::format("/balloons/{}/position", i), scene.balloons[i].position, kMostBalloonM);
+    check_place(fmt::format("/balloons/{}/position", i), scene.balloons[i].position);
   }
-  check_place("/camera/position", scene.camera.position, kMostCameraM);
-  check_place("/camera/target", scene.camera.target, kMostCameraM);
+  check_place("/camera/position", *scene.camera.position);
+  check_place("/camera/target", *scene.camera.target);
 }
 
 void settle_height(const Surface& surface, scene::Balloon& balloon) {
@@ -83,15 +81,15 @@ void settle_height(const Surface& surface, scene::Balloon& balloon) {
   balloon.height_above = scene::HeightReference::sea;
 }
 
+/// Puts the eye into the basket, and the target straight ahead, where the scene gives none.
 void look_from_basket(scene::Scene& scene) {
   scene::Camera& camera = scene.camera;
-  const dvec3 eye = model::basket_eye(scene.balloon);
-  if (!camera.position_given) camera.position = eye;
-  if (!camera.target_given) {
+  if (!camera.position) camera.position = model::basket_eye(scene.balloon);
+  if (!camera.target) {
     const double heading = glm::radians(scene.balloon.heading_deg);
     const double dip = std::tan(glm::radians(kBasketDip_deg));
     camera.target =
-        camera.position + kBasketLookAhead_m * dvec3(std::sin(heading), -dip, -std::cos(heading));
+        *camera.position + kBasketLookAhead_m * dvec3(std::sin(heading), -dip, -std::cos(heading));
   }
 }
 
@@ -108,15 +106,11 @@ void resolve(scene::Scene& scene, ReliefCache& reliefs) {
 void resolve(scene::Scene& scene, const Surface& surface) {
   for (scene::Balloon* balloon : scene::all_balloons(scene)) settle_height(surface, *balloon);
   scene::Camera& camera = scene.camera;
-  if (camera.position_given) {
-    camera.position.y += reference_height(scene, surface, camera.height_above, camera.position);
-  }
-  if (camera.target_given) {
-    camera.target.y += reference_height(scene, surface, camera.height_above, camera.target);
+  for (std::optional<dvec3>* point : {&camera.position, &camera.target}) {
+    if (*point) (*point)->y += reference_height(scene, surface, camera.height_above, **point);
   }
   camera.height_above = scene::HeightReference::sea;
-  if (camera.view == scene::View::basket) look_from_basket(scene);
-  camera.position_given = camera.target_given = true;
+  look_from_basket(scene);
   check_places(scene);
   scene::view_axes(camera);  // or their error
   scene.origin = scene::origin_for(scene);
@@ -127,7 +121,7 @@ void unbury_eye(scene::Scene& scene, const Surface& surface, int cells) {
   scene::Camera& camera = scene.camera;
   const auto axis =
       terrain::graded_axis(std::min(terrain.cells, cells), terrain.size_m, terrain.grading);
-  const dvec2 place(camera.position.x - terrain.center.x, camera.position.z - terrain.center.y);
+  const dvec2 place(camera.position->x - terrain.center.x, camera.position->z - terrain.center.y);
   const auto [x0, x1] = cell_at(axis, place.x);
   const auto [z0, z1] = cell_at(axis, place.y);
   const auto corner = [&, spacing = std::max(x1 - x0, z1 - z0)](double x, double z) {
@@ -138,10 +132,10 @@ void unbury_eye(scene::Scene& scene, const Surface& surface, int cells) {
                   std::clamp((place.x - x0) / (x1 - x0), 0.0, 1.0),
                   std::clamp((place.y - z0) / (z1 - z0), 0.0, 1.0));
   const double least =
-      kEyeClearance_m + std::max(ground, surface.height(camera.position.x, camera.position.z));
-  const double lift = std::max(0.0, least - camera.position.y);
-  camera.position.y += lift;
-  camera.target.y += lift;
+      kEyeClearance_m + std::max(ground, surface.height(camera.position->x, camera.position->z));
+  const double lift = std::max(0.0, least - camera.position->y);
+  camera.position->y += lift;
+  camera.target->y += lift;
   scene.origin = scene::origin_for(scene);
 }
 

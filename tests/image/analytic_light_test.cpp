@@ -27,7 +27,7 @@ TEST(Specular, HasItsPeakAndShapeWhereTheyMustBe) {
   dvec3 brightest_point(0.0);
   double brightest = 0.0;
   for_pixels(scene, [&](const dvec3& point, const dvec3& radiance) {
-    const dvec3 to_eye = glm::normalize(scene.camera.position - point);
+    const dvec3 to_eye = glm::normalize(*scene.camera.position - point);
     const double lobe = std::pow(std::max(glm::dot(mirrored, to_eye), 0.0), 80.0);
     expect_radiance(kAlbedo * sun.y + 0.7 * lobe, radiance, 1e-4);
     if (radiance.x > brightest) {
@@ -113,7 +113,7 @@ void expect_transmittance(double visibility_m, double scale_height_m) {
     for (int x = 0; x < 64; ++x) {
       const auto i = static_cast<std::size_t>(y * 64 + x);
       const dvec3 point = point_under(scene, x, y);
-      const double distance = glm::distance(point, scene.camera.position);
+      const double distance = glm::distance(point, *scene.camera.position);
       const double to_lamp = glm::distance(point, lamp);
       const double lit = 100.0 * lamp.y / (to_lamp * to_lamp * to_lamp) / kPi64;
       // This is Koschmieder's extinction, integrated along the ray over exp(-height / scale

@@ -16,7 +16,7 @@ TEST(FlatLand, LiesWhereItLies) {
   for (int y = 0; y < film.height; ++y) {
     for (int x = 0; x < film.width; ++x) {
       const auto i = static_cast<std::size_t>(y) * 64 + static_cast<std::size_t>(x);
-      const double distance = glm::distance(point_under(scene, x, y), scene.camera.position);
+      const double distance = glm::distance(point_under(scene, x, y), *scene.camera.position);
       ASSERT_NEAR(film.distance_m[i], distance, 1e-5 * distance) << x << ", " << y;
       ASSERT_LT(glm::distance(film.normal_ws[i], vec3(0.0f, 1.0f, 0.0f)), 1e-6f);
       ASSERT_EQ(film.object_id[i], static_cast<std::uint32_t>(scene::ObjectId::terrain));

@@ -131,7 +131,7 @@ TEST(Metering, IsNearThatByAllPixels) {
 
 TEST(Metering, IsLeftOutWhereTheExposureIsGiven) {
   scene::Scene scene = scene_of(scene::Quality::draft);
-  scene.image.exposure_given = true;
+  scene.image.exposure_ev = 0.0;
   EXPECT_EQ(shared_session().render(scene).metered_ev, 0.0);
   EXPECT_EQ(shared_session().stats().metering_seconds, 0.0);
 }

@@ -96,7 +96,7 @@ TEST(Devices, GiveTheBitsOfOneInACrop) {
 TEST(Devices, KeepWhatTheNextSceneCanUse) {
   auto scene = small_scene("snow");
   halves().render(scene);
-  scene.camera.position += dvec3(-3.0, -1.0, 5.0);
+  *scene.camera.position += dvec3(-3.0, -1.0, 5.0);
   EXPECT_TRUE(same_bits(whole().render(scene), halves().render(scene)));
   EXPECT_EQ(halves().stats().worlds_built, 0);
   EXPECT_EQ(halves().stats().programs_built, 0);

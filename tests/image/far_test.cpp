@@ -34,8 +34,8 @@ scene::Scene unresolved(const std::string& name) {
 scene::Scene moved(scene::Scene scene, const dvec3& by) {
   scene.terrain.center += dvec2(by.x, by.z);
   scene.balloon.position += by;
-  scene.camera.position += by;
-  scene.camera.target += by;
+  *scene.camera.position += by;
+  *scene.camera.target += by;
   for (scene::PointLight& light : scene.lights) light.position += by;
   return scene;
 }
@@ -149,7 +149,7 @@ scene::Scene by_parallel_rays(double distance_m) {
   scene.camera.lens = scene::Lens::orthographic;
   scene.camera.view_height_m = 5.0;
   scene.camera.target = {0.0, 101.5, 0.0};
-  scene.camera.position = scene.camera.target + distance_m * dvec3(0.6, 0.28, 0.75);
+  scene.camera.position = *scene.camera.target + distance_m * dvec3(0.6, 0.28, 0.75);
   return scene;
 }
 

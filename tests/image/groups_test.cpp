@@ -38,8 +38,8 @@ mesh::TriangleMesh cube(const vec3& centre, float half) {
 /// Places around the point that the camera looks at.
 std::vector<vec3> places_in(const scene::Scene& local) {
   const scene::Camera& camera = local.camera;
-  const dvec3 ahead = glm::normalize(camera.target - camera.position);
-  const vec3 middle(camera.position + 12.0 * ahead);
+  const dvec3 ahead = glm::normalize(*camera.target - *camera.position);
+  const vec3 middle(*camera.position + 12.0 * ahead);
   return {middle, middle + vec3(0.0f, 3.0f, 0.0f), middle + vec3(0.0f, -3.0f, 0.0f)};
 }
 
@@ -96,7 +96,7 @@ TEST(Groups, AFifthKindIsRenderedAndKept) {
   scene.sun.irradiance *= 0.5;
   session.render(scene);
   EXPECT_EQ(session.stats().worlds_built, 0);
-  scene.camera.target.y += 0.5;
+  scene.camera.target->y += 0.5;
   const image::Film turned = session.render(scene);
   EXPECT_EQ(session.stats().worlds_built, 1);
   EXPECT_TRUE(same_bits(turned, render::Session(with(kCubes)).render(scene)));

@@ -63,7 +63,6 @@ scene::Scene scene_through(scene::Lens lens) {
   scene::Scene scene = planted_scene("sand-empty");
   scene.camera.lens = lens;
   scene.camera.aperture_m = 0.8;
-  scene.camera.aperture_given = true;
   return scene;
 }
 

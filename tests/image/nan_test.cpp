@@ -42,7 +42,6 @@ TEST_P(CleanFilm, AtTheFinalQuality) {
 TEST_P(CleanFilm, ThroughEveryLens) {
   scene::Scene scene = planted_scene(GetParam(), kGoldenSize);
   scene.camera.aperture_m = 2.0;
-  scene.camera.aperture_given = true;
   for (const auto lens :
        {scene::Lens::thin_lens, scene::Lens::panorama, scene::Lens::orthographic}) {
     SCOPED_TRACE("lens " + std::to_string(static_cast<int>(lens)));
@@ -64,7 +63,7 @@ TEST(CleanFilm, SurvivesALandOfNoHeight) {
                           {"/terrain/height_m", "0"},
                           {"/terrain/dunes/height_m", "0"}});
     world::resolve(scene);
-    ASSERT_TRUE(std::isfinite(scene.camera.position.y)) << name;
+    ASSERT_TRUE(std::isfinite(scene.camera.position->y)) << name;
     const image::Film film = shared_session().render(scene);
     EXPECT_EQ(film.nan_pixels, 0u) << name;
     EXPECT_EQ(shared_session().stats().tree.dropped_non_finite, 0u) << name;
@@ -81,7 +80,7 @@ TEST(CleanFilm, LooksStraightDownAndUpThroughEveryLens) {
   for (const double above : {150.0, -20.0}) {
     // The balloon stands north of the point that the camera sees in the middle.
     scene.camera.position = balloon + dvec3(0.0, above, 30.0);
-    scene.camera.target = scene.camera.position - dvec3(0.0, above, 0.0);
+    scene.camera.target = *scene.camera.position - dvec3(0.0, above, 0.0);
     for (const auto lens : {scene::Lens::pinhole, scene::Lens::thin_lens, scene::Lens::panorama,
                             scene::Lens::orthographic}) {
       SCOPED_TRACE(std::to_string(above) + " m, lens " + std::to_string(static_cast<int>(lens)));
@@ -111,9 +110,9 @@ TEST(CleanFilm, SurvivesExtremeLight) {
   EXPECT_EQ(count_bad(scene), 0u) << "sun on the horizon";
   scene.sun.direction = {0.0, -1.0, 0.0};
   EXPECT_EQ(count_bad(scene), 0u) << "sun below the ground";
-  scene.lights = {{scene.camera.position, vec3(1.0f), 1e6, true}};
+  scene.lights = {{*scene.camera.position, vec3(1.0f), 1e6, true}};
   EXPECT_EQ(count_bad(scene), 0u) << "a lamp in the eye";
-  scene.fog = {true, 10.0, scene.camera.position.y, 1.0, 0.0, 10.0};
+  scene.fog = {true, 10.0, scene.camera.position->y, 1.0, 0.0, 10.0};
   EXPECT_EQ(count_bad(scene), 0u) << "the eye in the fog's sharp top";
   scene.haze.visibility_m = 10.0;
   EXPECT_EQ(count_bad(scene), 0u) << "dense haze";

@@ -78,7 +78,7 @@ TEST(Oracle, WithParallelRays) {
   scene.camera.lens = scene::Lens::orthographic;
   for (const double height_m : {40.0, 900.0}) {
     scene.camera.view_height_m = height_m;
-    scene.camera.position.y += height_m;
+    scene.camera.position->y += height_m;
     const Count count = compare(scene, shared_session().render(scene));
     EXPECT_GE(count.share(count.distances), kAgree) << height_m;
     EXPECT_GE(count.share(count.objects), kAgree) << height_m;

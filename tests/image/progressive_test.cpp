@@ -94,7 +94,7 @@ TEST(Progressive, AnotherOriginNeedsNoRoughLook) {
   scene.camera.position = {8100.0, 300.0, 0.0};
   scene.camera.target = {8000.0, 300.0, 0.0};
   seen_of(progressive, scene, last, stats);
-  scene.camera.position.x = 8200.0;
+  scene.camera.position->x = 8200.0;
   for (const Seen& preview : seen_of(progressive, scene, last, stats)) EXPECT_FALSE(preview.rough);
   world::resolve(scene);
   EXPECT_EQ(scene.origin, dvec3(8192.0, 0.0, 0.0));
@@ -135,12 +135,12 @@ TEST(Progressive, ACoarseLandDoesNotBuryTheEye) {
   scene.camera.target = {2500.0, -400.0, 1100.0};
   int rough = 0;
   progressive.render(scene, {}, [&](const Preview& preview) {
-    const dvec3 eye = preview.scene.camera.position;
+    const dvec3 eye = *preview.scene.camera.position;
     rough += preview.rough ? 1 : 0;
     if (preview.rough) {
       EXPECT_GE(eye.y, preview.surface->height(eye.x, eye.z) + 1.99);
       EXPECT_LT(std::abs(preview.film.distance_m.back()), 1e9f) << "it sees the ground";
-      EXPECT_EQ(preview.scene.camera.target.y, eye.y) << "it looks where it did";
+      EXPECT_EQ(preview.scene.camera.target->y, eye.y) << "it looks where it did";
     } else {
       EXPECT_EQ(eye.y, -400.0) << "as the scene says";
     }

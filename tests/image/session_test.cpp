@@ -112,14 +112,14 @@ TEST_F(Reuse, TheSameSceneIsBuiltOnceAndLooksTheSame) {
 }
 
 TEST_F(Reuse, AMovedCameraBuildsNothing) {
-  scene_.camera.position += dvec3(0.3, 0.1, -0.5);
+  *scene_.camera.position += dvec3(0.3, 0.1, -0.5);
   EXPECT_EQ(built_by(scene_), kNothing);
   EXPECT_FALSE(same_bits(before_, after_));
   EXPECT_TRUE(as_if_new(scene_));
 }
 
 TEST_F(Reuse, ACameraThatComesNearBuildsAFinerBalloonAlone) {
-  scene_.camera.position = glm::mix(scene_.camera.position, scene_.balloon.position, 0.6);
+  scene_.camera.position = glm::mix(*scene_.camera.position, scene_.balloon.position, 0.6);
   EXPECT_EQ(built_by(scene_), (std::array<int, 3>{1, 1, 0}));
   EXPECT_TRUE(as_if_new(scene_));
 }
@@ -132,7 +132,7 @@ TEST(Plants, FollowTheCameraAlone) {
   scene.sun.direction = glm::normalize(dvec3(-0.6, 0.5, 0.3));
   session.render(scene);
   EXPECT_EQ(session.stats().worlds_built, 0);
-  scene.camera.position += dvec3(0.3, 0.1, -0.5);
+  *scene.camera.position += dvec3(0.3, 0.1, -0.5);
   const auto moved = session.render(scene);
   EXPECT_EQ(session.stats().worlds_built, 1);
   EXPECT_TRUE(same_bits(moved, Session(options()).render(scene)));
@@ -142,8 +142,8 @@ TEST(Plants, MayStayAsTheyStand) {
   Session session(options());
   auto scene = planted_scene("snow");
   session.render(scene);
-  const auto first_eye = scene.camera.position;
-  scene.camera.position += dvec3(-3.0, -1.0, 5.0);
+  const auto first_eye = *scene.camera.position;
+  *scene.camera.position += dvec3(-3.0, -1.0, 5.0);
   const auto as_they_stand = [&] {
     return session.render(scene, {}, {}, {}, render::Plants::as_they_stand);
   };
@@ -153,7 +153,7 @@ TEST(Plants, MayStayAsTheyStand) {
   as_they_stand();
   session.render(scene);
   EXPECT_EQ(session.stats().worlds_built, 0) << "they are the first eye's";
-  scene.camera.position += dvec3(-3.0, -1.0, 5.0);
+  *scene.camera.position += dvec3(-3.0, -1.0, 5.0);
   const auto exact = session.render(scene);
   EXPECT_EQ(session.stats().worlds_built, 1);
   EXPECT_FALSE(same_bits(moved, exact));
@@ -168,7 +168,7 @@ scene::Scene seen_from_aside(const std::string& name, int k) {
   scene::Camera& camera = scene.camera;
   const double angle = 1.7 * k;
   const dvec3 ahead(std::cos(angle), k == 3 ? -2.0 : -0.15, std::sin(angle));
-  camera.target = camera.position + 100.0 * ahead;
+  camera.target = *camera.position + 100.0 * ahead;
   camera.up = {0.3 * k, 1.0, 0.2};
   scene.sun.direction = glm::normalize(dvec3(std::sin(angle), 0.25, -std::cos(angle)));
   return scene;
@@ -230,7 +230,7 @@ TEST_F(Reuse, AnotherLandBuildsTheLandAlone) {
 
 TEST_F(Reuse, SurvivesASceneThatCannotBeRendered) {
   scene::Scene broken = scene_;
-  broken.camera.target = broken.camera.position;
+  broken.camera.target = *broken.camera.position;
   EXPECT_THROW(session().render(broken), Error);
   EXPECT_EQ(built_by(scene_), kNothing);
   EXPECT_TRUE(same_bits(before_, after_));

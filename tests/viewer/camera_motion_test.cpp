@@ -112,6 +112,8 @@ void CameraMotionTest::ground_lifts_the_eye() {
 
 void CameraMotionTest::directions_of_a_picture() {
   scene::Camera camera;
+  camera.position = dvec3(0.0);
+  camera.target = {0.0, 0.0, -1.0};
   camera.fov_y_deg = 90.0;
   const auto direction = [&](double x, double y) { return sight_at(camera, 2.0, x, y).direction; };
   QVERIFY(near(direction(0.5, 0.5), {0.0, 0.0, -1.0}));

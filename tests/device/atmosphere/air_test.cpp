@@ -127,7 +127,7 @@ TEST_P(Air, OfThickHazeIsSeenAsTheHostFollowsIt) {
       scene.haze.visibility_m = visibility_m;
       scene.haze.scale_height_m = scale_height_m;
       scene::set_haze_droplets(scene.haze, visibility_m);
-      scene.camera.position.y = std::min(0.3 * scale_height_m, 400.0);
+      scene.camera.position->y = std::min(0.3 * scale_height_m, 400.0);
       const air::Scattering air(air::atmosphere_of(scene), glm::normalize(scene.sun.direction));
       Paths paths;
       for (const float azimuth_deg : {20.0f, 130.0f}) {
@@ -135,7 +135,7 @@ TEST_P(Air, OfThickHazeIsSeenAsTheHostFollowsIt) {
           for (const float elevation_deg : {-0.5f, 4.0f, 40.0f}) {
             if (elevation_deg < 0.0f && distance > 1000.0f) continue;
             paths.add(towards(azimuth_deg, elevation_deg),
-                      static_cast<float>(scene.camera.position.y), distance);
+                      static_cast<float>(scene.camera.position->y), distance);
           }
         }
       }

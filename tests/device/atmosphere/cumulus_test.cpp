@@ -240,9 +240,9 @@ TEST(CloudChart, TellsMostClearAirFromClouds) {
 TEST(CloudChart, LiesTheSameWhateverTheEye) {
   scene::Scene scene = scene::defaults(scene::BiomeKind::tropical, scene::View::outside);
   const AeroCloudChart here = pack::pack_scene(scene)->sky.cumulus.chart;
-  scene.camera.position.x += 3.0;
+  scene.camera.position->x += 3.0;
   EXPECT_EQ(pack::pack_scene(scene)->sky.cumulus.chart.x0, here.x0);
-  scene.camera.position.x += 40.0 * static_cast<double>(here.cell);
+  scene.camera.position->x += 40.0 * static_cast<double>(here.cell);
   const AeroCloudChart there = pack::pack_scene(scene)->sky.cumulus.chart;
   const auto moved = static_cast<int>(std::lround((there.x0 - here.x0) / here.cell));
   ASSERT_TRUE(moved == 32 || moved == 64) << moved;

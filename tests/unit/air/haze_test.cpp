@@ -174,7 +174,7 @@ TEST(AnyAir, GivesLightAndNothingBelowIt) {
                  vec3(dvec3(between(0.0, 1.0)))};
     if (i % 3 == 0) scene.haze.albedo.x = scene.haze.albedo.z = 0.0f;
     scene.sun.direction = sun_at(i % 3 == 0 ? between(-12.0, 4.0) : between(-90.0, 90.0));
-    scene.camera.position.y = magnitude(1.0, 2e5);
+    scene.camera.position->y = magnitude(1.0, 2e5);
     scene.fog.enabled = i % 4 == 0;
     SCOPED_TRACE(scene::write_text(scene));
     const Light light(scene);

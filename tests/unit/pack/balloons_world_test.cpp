@@ -73,7 +73,7 @@ TEST(Balloons, AreKeptUntilOneOfThemChanges) {
   next.balloons[1].pattern = scene::Pattern::spiral;
   EXPECT_FALSE(keeps(world::kBalloons, next, built));
   next = first;
-  next.camera.position += 3.0 * (next.balloon.position - next.camera.position) / 4.0;
+  *next.camera.position += 3.0 * (next.balloon.position - *next.camera.position) / 4.0;
   EXPECT_FALSE(keeps(world::kBalloons, next, built)) << "nearer, finer";
   next = first;
   next.balloon.enabled = false;

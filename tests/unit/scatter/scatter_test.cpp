@@ -132,8 +132,8 @@ TEST_P(Biome, PutsEverythingOnTheGround) {
     ASSERT_GT(instance.scale, 0.0f);
     ASSERT_LT(glm::length(instance.lean), 0.75f);
     ASSERT_GT(std::min({instance.tint.x, instance.tint.y, instance.tint.z}), 0.0f);
-    const dvec2 away(static_cast<double>(p.x) - scene.camera.position.x,
-                     static_cast<double>(p.z) - scene.camera.position.z);
+    const dvec2 away(static_cast<double>(p.x) - scene.camera.position->x,
+                     static_cast<double>(p.z) - scene.camera.position->z);
     ASSERT_LE(glm::length(away), scene.vegetation.reach_m + 1.0);
   }
 }
@@ -192,7 +192,7 @@ TEST_P(Biome, IsTheSameForAnyNumberOfThreads) {
 
 TEST_P(Biome, GrowsTheSamePlantsWhereverTheCameraIs) {
   scene::Scene moved = scene;
-  moved.camera.position += dvec3(8.0, 0.0, -6.0);
+  *moved.camera.position += dvec3(8.0, 0.0, -6.0);
   const Growth other = scatter(moved, ground);
   const auto before = [](const Instance& a, const Instance& b) {
     return std::tie(a.position.x, a.position.z, a.yaw_rad) <

@@ -25,7 +25,7 @@ mesh::GridMesh walled_plain() {
 scene::Camera looking(const dvec3& ahead) {
   scene::Camera camera;
   camera.position = {10.0, 20.0, 30.0};
-  camera.target = camera.position + ahead;
+  camera.target = *camera.position + ahead;
   camera.fov_y_deg = 90.0;
   return camera;
 }

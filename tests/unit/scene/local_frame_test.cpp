@@ -75,8 +75,8 @@ TEST(Origin, MovesNoPlaceOverTheTerrain) {
   moved(scene.balloon.position, local.balloon.position);
   moved(scene.balloons[0].position, local.balloons[0].position);
   moved(scene.lights[0].position, local.lights[0].position);
-  moved(scene.camera.position, local.camera.position);
-  moved(scene.camera.target, local.camera.target);
+  moved(*scene.camera.position, *local.camera.position);
+  moved(*scene.camera.target, *local.camera.target);
   EXPECT_EQ(local.terrain.base_m, 89000.0 - scene.origin.y);
   EXPECT_EQ(local.biome.water.level_m, 89100.0 - scene.origin.y);
 }

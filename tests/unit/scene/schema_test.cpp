@@ -45,8 +45,9 @@ Scene full_scene() {
   Scene scene = defaults(BiomeKind::snow, View::outside);
   scene.lights.emplace_back();
   scene.balloons.push_back(scene.balloon);
-  scene.image.exposure_given = scene.image.white_balance_given = true;
-  scene.camera.aperture_given = scene.camera.focus_given = true;
+  scene.image.exposure_ev = 0.0;
+  scene.image.white_balance_k = 6504.0;
+  scene.camera.aperture_m = 0.0;
   scene.camera.focus_m = 10.0;
   return scene;
 }

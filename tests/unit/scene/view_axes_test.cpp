@@ -14,7 +14,7 @@ constexpr Lens kLenses[] = {Lens::pinhole, Lens::thin_lens, Lens::panorama, Lens
 Camera looking(const dvec3& sight, const dvec3& up = {0.0, 1.0, 0.0}, Lens lens = Lens::pinhole) {
   Camera camera;
   camera.position = {100.0, 20.0, -7.0};
-  camera.target = camera.position + sight;
+  camera.target = *camera.position + sight;
   camera.up = up;
   camera.lens = lens;
   return camera;

@@ -41,18 +41,18 @@ TEST_F(BuriedEye, IsLiftedAboveTheMesh) {
                                  ground.height(i + 1, j) + ground.height(i, j + 1)};
       const double mesh = 0.5 * std::max(diagonals[0], diagonals[1]);
       // The mesh leaves out shapes that are finer than its cells.
-      EXPECT_GT(seen.camera.position.y, mesh - 25.0) << x << ' ' << z;
-      EXPECT_NEAR(seen.camera.target.y - seen.camera.position.y, 10.0, 1e-6);
+      EXPECT_GT(seen.camera.position->y, mesh - 25.0) << x << ' ' << z;
+      EXPECT_NEAR(seen.camera.target->y - seen.camera.position->y, 10.0, 1e-6);
     }
   }
 }
 
 TEST_F(BuriedEye, OneInTheOpenStays) {
   const world::Surface surface(scene_, world::Carving::coarse);
-  scene_.camera.position.y = surface.height(0.0, 0.0) + 4000.0;
-  const dvec3 before = scene_.camera.position;
+  scene_.camera.position->y = surface.height(0.0, 0.0) + 4000.0;
+  const dvec3 before = *scene_.camera.position;
   world::unbury_eye(scene_, surface, kCells);
-  EXPECT_EQ(scene_.camera.position, before);
+  EXPECT_EQ(*scene_.camera.position, before);
 }
 
 }  // namespace
