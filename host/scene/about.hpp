@@ -67,8 +67,10 @@ struct About {
     return result;
   }
 
-  /// Adds the control that suits the type: a switch, a list of words or colours.
+  /// Adds the control that suits the type: a switch, a list of words or colours. A table in which a
+  /// number has this control does not compile.
   constexpr About control(EditGroup group, const char* label) const {
+    if (editor == Editor::number) throw "a number has a slider or boxes";
     return with({group, label, editor});
   }
 
@@ -105,12 +107,11 @@ constexpr About word(const char* text) {
   return {.text = text, .editor = Editor::choice};
 }
 
-/// Describes a colour whose components go from 0 to `to`.
-constexpr About color(const char* text, double to = 1.0) {
-  return {.text = text,
-          .ending = " Linear Rec. 709 [red, green, blue], each {from} to {to}.",
-          .to = to,
-          .editor = Editor::color};
+/// Describes a colour whose components go from 0 to `to`. `ending` ends the text.
+constexpr About color(
+    const char* text, double to = 1.0,
+    const char* ending = " Linear Rec. 709 [red, green, blue], each {from} to {to}.") {
+  return {.text = text, .ending = ending, .to = to, .editor = Editor::color};
 }
 
 /// Describes a list of colours. `part_text` is the text of one colour.

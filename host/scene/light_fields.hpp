@@ -136,13 +136,11 @@ inline constexpr auto kTable<Haze> = table(
                  "Mean cosine of the angle by which light is deflected, {from} (evenly) to {to} "
                  "(forwards).")
               .slider(EditGroup::air_in_detail, "Forward scattering", 0, 0.95, 2)),
-    field(
-        "albedo", &Haze::albedo,
-        number(
-            0, 1,
-            "Share of the extinction that is scattering, the rest is absorbed. [red, green, blue], "
-            "each {from} to {to}. Left out, it grows towards 1 as the visibility falls below 6 km.")
-            .control(EditGroup::air_in_detail, "Haze scatters")));
+    field("albedo", &Haze::albedo,
+          color("Share of the extinction that is scattering, the rest is absorbed.", 1.0,
+                " [red, green, blue], each {from} to {to}. Left out, it grows towards 1 as the "
+                "visibility falls below 6 km.")
+              .control(EditGroup::air_in_detail, "Haze scatters")));
 
 template <>
 inline constexpr auto kTable<Fog> = table(
