@@ -67,10 +67,10 @@ DeviceBench::DeviceBench(const opencl::Device& device, int lanes, const scene::S
   scene_ = {context_, budget_, std::span(packed.get(), 1), "the scene"};
   const std::vector<AeroFilmPixel> film(std::size_t{launch_.frame.width} * launch_.frame.height);
   film_ = {context_, budget_, std::span(film), "the film"};
-  const std::uint64_t rays = std::uint64_t{launch_.tile.block_count} * lanes_;
-  hits_ = {context_, budget_, rays * 20, "the hits", opencl::Access::read_write};
-  visible_ = {context_, budget_, rays * 4, "the shadows", opencl::Access::read_write};
-  rays_ = {context_, budget_, static_cast<std::size_t>(rays * 8), "the rays"};
+  const std::size_t rays = std::size_t{launch_.tile.block_count} * static_cast<std::size_t>(lanes_);
+  hits_ = {context_, budget_, rays, "the hits"};
+  visible_ = {context_, budget_, rays, "the shadows"};
+  rays_ = {context_, budget_, rays * 8, "the rays"};
 }
 
 opencl::LaunchSize DeviceBench::size() const {

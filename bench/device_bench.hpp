@@ -64,11 +64,12 @@ class DeviceBench {
   opencl::MemoryBudget budget_;
   render::DeviceGeometry device_;
   AeroLaunch launch_{};
-  opencl::Buffer<AeroScene> scene_;
-  opencl::Buffer<AeroFilmPixel> film_;  // none of its pixels is converged
+  render::SceneBuffer scene_;
+  render::FilmBuffer film_;  // none of its pixels is converged
   opencl::Buffer<float> rays_;
   const RaySet* rays_on_device_ = nullptr;
-  opencl::RawBuffer hits_, visible_;
+  render::HitBuffer hits_;
+  render::VisibleBuffer visible_;
   opencl::Kernel trace_camera_, trace_shadow_, write_camera_, write_shadow_, write_bounce_;
   opencl::Kernel trace_rays_, count_rays_;
 };

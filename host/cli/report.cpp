@@ -7,7 +7,29 @@ namespace aerostat::cli {
 
 namespace {
 
-std::string rays_line(const char* name, std::uint64_t rays, double device_seconds) {
+using render::KernelStage;
+
+std::string name_of(KernelStage stage) {
+  switch (stage) {
+    case KernelStage::primary:
+      return "  primary";
+    case KernelStage::shadow:
+      return "  shadow";
+    case KernelStage::ambient:
+      return "  ambient";
+    case KernelStage::shading:
+      break;
+  }
+  return "  shading";
+}
+
+/// Returns a line about the work of a kernel, or nothing for rays that were not asked for.
+std::string stage_line(KernelStage stage, std::uint64_t rays, double device_seconds) {
+  const std::string name = name_of(stage);
+  if (stage == KernelStage::shading) {
+    return fmt::format("{:<10}{:.2f} s on the device\n", name, device_seconds);
+  }
+  if (stage == KernelStage::ambient && rays == 0) return {};
   std::string line = fmt::format("{:<10}{} rays", name, grouped(rays));
   if (device_seconds > 0.0) {
     line += fmt::format(", {:.2f} s on the device, {:.2f} Mrays/s", device_seconds,
@@ -24,12 +46,11 @@ double mebibytes(std::uint64_t bytes) {
 std::string devices_text(const render::Stats& stats) {
   std::string text;
   for (const render::DeviceStats& one : stats.devices) {
-    const double busy =
-        one.primary_seconds + one.shadow_seconds + one.ambient_seconds + one.shade_seconds;
-    const double share =
-        static_cast<double>(one.primary_rays) / static_cast<double>(stats.primary_rays);
-    const double rate =
-        one.primary_seconds > 0.0 ? static_cast<double>(one.primary_rays) / one.primary_seconds : 0;
+    const double seconds = one.seconds[KernelStage::primary];
+    const double busy = one.seconds.sum();
+    const double share = static_cast<double>(one.primary_rays) /
+                         static_cast<double>(stats.rays[KernelStage::primary]);
+    const double rate = seconds > 0.0 ? static_cast<double>(one.primary_rays) / seconds : 0.0;
     text += fmt::format(
         "  on {}: {} primary rays, {:.1f} % of them, {:.2f} Mrays/s; busy for {:.2f} s, {:.1f} "
         "MiB\n",
@@ -62,7 +83,7 @@ std::uint64_t peak_memory_bytes() {
 }
 
 std::string stats_text(const render::Stats& stats, std::uint64_t peak_bytes) {
-  const std::uint64_t rays = stats.primary_rays + stats.shadow_rays + stats.ambient_rays;
+  const std::uint64_t rays = stats.rays.sum();
   const double rate =
       stats.rays_seconds > 0.0 ? static_cast<double>(rays) * 1e-6 / stats.rays_seconds : 0.0;
   std::string text;
@@ -77,12 +98,9 @@ std::string stats_text(const render::Stats& stats, std::uint64_t peak_bytes) {
   text += fmt::format("{:<10}{:.2f} s\n", "metering", stats.metering_seconds);
   text += fmt::format("{:<10}{:.2f} s, {} rays, {:.2f} Mrays/s with shading\n", "tracing",
                       stats.rays_seconds, grouped(rays), rate);
-  text += rays_line("  primary", stats.primary_rays, stats.primary_device_seconds);
-  text += rays_line("  shadow", stats.shadow_rays, stats.shadow_device_seconds);
-  if (stats.ambient_rays > 0) {
-    text += rays_line("  ambient", stats.ambient_rays, stats.ambient_device_seconds);
+  for (const KernelStage stage : render::kKernelStages) {
+    text += stage_line(stage, stats.rays[stage], stats.device_seconds[stage]);
   }
-  text += fmt::format("{:<10}{:.2f} s on the device\n", "  shading", stats.shade_device_seconds);
   if (stats.devices.size() > 1) text += devices_text(stats);
   text += fmt::format("{:<10}{:.1f} MiB at most in the process, {:.1f} MiB of device buffers\n",
                       "memory", mebibytes(peak_bytes), mebibytes(stats.device_bytes));

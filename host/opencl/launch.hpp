@@ -59,6 +59,13 @@ void set_argument(const Kernel& kernel, unsigned index, const T& value) {
   set_argument(kernel, index, &value, sizeof(T));
 }
 
+/// A kernel whose arguments have these types, in this order: `Buffer<T>`, 32-bit scalars and shared
+/// structs. A launch with other types does not compile, so two buffers cannot be swapped.
+template <typename... Args>
+struct TypedKernel {
+  Kernel kernel;
+};
+
 /// Sets all arguments of `kernel` (buffers, 32-bit scalars, shared structs) in their order. Then
 /// enqueues it over `size` work-items on the context's in-order queue, without waiting. Throws
 /// Error{exhausted} or Error{internal} with the kernel's name.
@@ -68,6 +75,13 @@ Event launch(const Context& context, const Kernel& kernel, const LaunchSize& siz
   unsigned index = 0;
   (set_argument(kernel, index++, args), ...);
   return enqueue(context, kernel, size);
+}
+
+/// Does the same for a kernel that knows the types of its arguments.
+template <typename... Args>
+Event launch(const Context& context, const TypedKernel<Args...>& kernel, const LaunchSize& size,
+             const std::type_identity_t<Args>&... args) {
+  return launch(context, kernel.kernel, size, args...);
 }
 
 }  // namespace aerostat::opencl

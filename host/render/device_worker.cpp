@@ -127,12 +127,10 @@ void DeviceWorker::reserve(std::uint64_t packets) {
   visible_ = {};
   found_ = {};
   packets_capacity_ = 0;
-  const std::uint64_t rays = packets * static_cast<std::uint64_t>(lanes_);
-  // Each lane has five words for a hit, one for the lights that reach it and two for what hides the
-  // sky.
-  hits_ = {context_, budget_, rays * 20, "the hits", opencl::Access::read_write};
-  visible_ = {context_, budget_, rays * 4, "the shadows", opencl::Access::read_write};
-  found_ = {context_, budget_, rays * 8, "what is around the hits", opencl::Access::read_write};
+  const std::size_t rays = packets * static_cast<std::size_t>(lanes_);
+  hits_ = {context_, budget_, rays, "the hits"};
+  visible_ = {context_, budget_, rays, "the shadows"};
+  found_ = {context_, budget_, rays, "what is around the hits"};
   packets_capacity_ = packets;
 }
 
@@ -143,22 +141,22 @@ void DeviceWorker::launch_tile(const AeroLaunch& launch) {
   const opencl::LaunchSize size = packet_range(packets, lanes_);
   Launch work;
   work.rays = pixels_of(launch.tile) << launch.tile.log2_samples;
-  work.camera =
+  work.events[KernelStage::primary] =
       opencl::launch(context_, programs_->trace_camera_rays, size, launch, geometry_.nodes,
                      geometry_.triangles, geometry_.instances, geometry_.grid, film_, hits_);
-  work.shadow =
+  work.events[KernelStage::shadow] =
       opencl::launch(context_, programs_->trace_shadow_rays, size, launch, scene_, geometry_.nodes,
                      geometry_.triangles, geometry_.instances, geometry_.grid, geometry_.faces,
                      geometry_.vertices, hits_, visible_);
   if (occlusion_) {
-    work.ambient =
+    work.events[KernelStage::ambient] =
         opencl::launch(context_, programs_->trace_ambient_rays, size, launch, scene_,
                        geometry_.nodes, geometry_.triangles, geometry_.instances, geometry_.grid,
                        geometry_.faces, geometry_.vertices, hits_, found_);
   }
-  work.shade = opencl::launch(context_, programs_->shade_hits, size, launch, scene_,
-                              geometry_.instances, geometry_.grid, geometry_.faces,
-                              geometry_.vertices, hits_, visible_, found_, film_);
+  work.events[KernelStage::shading] = opencl::launch(
+      context_, programs_->shade_hits, size, launch, scene_, geometry_.instances, geometry_.grid,
+      geometry_.faces, geometry_.vertices, hits_, visible_, found_, film_);
   in_flight_.push_back(work);
 }
 
@@ -167,18 +165,15 @@ void DeviceWorker::retire(std::size_t most_in_flight) {
   while (in_flight_.size() > most_in_flight) {
     const Launch work = in_flight_.front();
     in_flight_.pop_front();
-    const double shade = opencl::device_seconds(work.shade);
-    const double camera = opencl::device_seconds(work.camera);
-    const double shadow = opencl::device_seconds(work.shadow);
-    const double ambient = opencl::device_seconds(work.ambient);
-    stats_.shade_seconds += shade;
-    stats_.ambient_seconds += ambient;
-    stats_.primary_seconds += camera;
-    stats_.shadow_seconds += shadow;
-    rays_done_ += work.rays;
+    double spent = 0.0;
     // The time is taken from the clock of the device, because the clock of the host tells nothing
     // when several launches end while the host sleeps.
-    const double spent = camera + shadow + ambient + shade;
+    for (const KernelStage stage : kKernelStages) {
+      const double seconds = opencl::device_seconds(work.events[stage]);
+      stats_.seconds[stage] += seconds;
+      spent += seconds;
+    }
+    rays_done_ += work.rays;
     // Converged pixels take no time, so a rate with them would be wrong for the others.
     if (spent > 0.0 && !some_converged_) {
       const double now_rate = static_cast<double>(work.rays) / spent;

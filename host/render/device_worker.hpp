@@ -90,7 +90,7 @@ class DeviceWorker {
 
  private:
   struct Launch {
-    opencl::Event camera, shadow, ambient, shade;
+    PerStage<opencl::Event> events;
     std::uint64_t rays = 0;
   };
 
@@ -108,7 +108,7 @@ class DeviceWorker {
   /// The programs that are being built. They outlive a render that is given up.
   std::future<Programs> programs_to_come_;
   DeviceGeometry geometry_;
-  opencl::Buffer<AeroScene> scene_;
+  SceneBuffer scene_;
   FilmBuffer film_;
   /// The pixels of the image that the film holds.
   Crop window_;
@@ -116,7 +116,9 @@ class DeviceWorker {
   bool occlusion_ = false;
   /// Tells whether pixels of the frame may be converged.
   bool some_converged_ = false;
-  opencl::RawBuffer hits_, visible_, found_;
+  HitBuffer hits_;
+  VisibleBuffer visible_;
+  FoundBuffer found_;
   std::uint64_t packets_capacity_ = 0;
 
   std::deque<Launch> in_flight_;

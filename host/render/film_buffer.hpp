@@ -2,14 +2,11 @@
 
 #include <span>
 
-#include "film_pixel.h"
 #include "image/film.hpp"
-#include "opencl/buffer.hpp"
+#include "render/buffers.hpp"
 #include "render/session.hpp"
 
 namespace aerostat::render {
-
-using FilmBuffer = opencl::Buffer<AeroFilmPixel>;
 
 /// Rows of the image, y0 <= y < y1, and the film that holds them.
 struct FilmRows {

@@ -6,8 +6,8 @@
 #include <memory>
 #include <vector>
 
-#include "opencl/buffer.hpp"
 #include "pack/pack_geometry.hpp"
+#include "render/buffers.hpp"
 #include "render/session.hpp"
 #include "world/world.hpp"
 
@@ -107,12 +107,12 @@ Frame only_frame(BuiltGeometry built);
 
 /// A frame's geometry on the device; a CPU reads it where it is.
 struct DeviceGeometry {
-  opencl::Buffer<AeroBvhNode> nodes;
-  opencl::Buffer<AeroTriangle> triangles;
-  opencl::Buffer<AeroFace> faces;
-  opencl::Buffer<AeroVertex> vertices;
-  opencl::Buffer<AeroInstance> instances;
-  opencl::Buffer<float> grid;  // the ground
+  NodeBuffer nodes;
+  TriangleBuffer triangles;
+  FaceBuffer faces;
+  VertexBuffer vertices;
+  InstanceBuffer instances;
+  GridBuffer grid;
   bvh::BuildStats tree;
 
   std::uint64_t triangle_count() const;

@@ -18,28 +18,35 @@ struct Shares {
   double text = 0.26, camera = 0.19, shadow = 0.20, ambient = 0.18, shade = 0.15, film = 0.01;
 };
 
+/// Returns what stands for an argument of type T in a launch without work.
+template <typename T>
+struct StandIn {
+  static T of(const opencl::RawBuffer&) { return T{}; }
+};
+template <typename T>
+struct StandIn<opencl::Buffer<T>> {
+  static const opencl::RawBuffer& of(const opencl::RawBuffer& none) { return none; }
+};
+
 /// Launches every kernel once without work.
-void warm_up(const opencl::Context& context, Programs& programs, int lanes,
+void warm_up(const opencl::Context& context, const Programs& programs, int lanes,
              KernelProgress& progress) {
   const opencl::MemoryBudget budget;
   const opencl::RawBuffer none(context, budget, 16, "a first launch", opencl::Access::read_write);
-  const AeroLaunch launch{};
-  const auto range = packet_range(1, lanes);
-  const auto step = [&](double share, const opencl::Kernel& kernel, const auto&... arguments) {
+  const auto step = [&]<typename... Args>(double share, const opencl::TypedKernel<Args...>& typed,
+                                          const opencl::LaunchSize& range) {
     progress.begin(share);
-    opencl::launch(context, kernel, arguments...);
+    opencl::launch(context, typed.kernel, range, StandIn<Args>::of(none)...);
     opencl::finish(context);
   };
   const Shares share;
-  step(share.camera, programs.trace_camera_rays, range, launch, none, none, none, none, none, none);
-  step(share.shadow, programs.trace_shadow_rays, range, launch, none, none, none, none, none, none,
-       none, none, none);
-  step(share.ambient, programs.trace_ambient_rays, range, launch, none, none, none, none, none,
-       none, none, none, none);
-  step(share.shade, programs.shade_hits, range, launch, none, none, none, none, none, none, none,
-       none, none);
-  step(share.film, programs.clear_film, packet_range(1, 1), none, std::uint32_t{0});
-  step(share.film, programs.mark_converged, packet_range(1, 1), none, AeroConvergence{});
+  const auto packets = packet_range(1, lanes), pixels = packet_range(1, 1);
+  step(share.camera, programs.trace_camera_rays, packets);
+  step(share.shadow, programs.trace_shadow_rays, packets);
+  step(share.ambient, programs.trace_ambient_rays, packets);
+  step(share.shade, programs.shade_hits, packets);
+  step(share.film, programs.clear_film, pixels);
+  step(share.film, programs.mark_converged, pixels);
 }
 
 }  // namespace
@@ -55,12 +62,12 @@ Programs build_programs(const opencl::Context& context, int lanes, KernelProgres
   progress.begin(Shares{}.text);
   const opencl::Program rendering(context, opencl::kernel_sources(), "render.cl", lanes);
   Programs programs;
-  programs.trace_camera_rays = rendering.kernel("trace_camera_rays");
-  programs.trace_shadow_rays = rendering.kernel("trace_shadow_rays");
-  programs.trace_ambient_rays = rendering.kernel("trace_ambient_rays");
-  programs.shade_hits = rendering.kernel("shade_hits");
-  programs.clear_film = rendering.kernel("clear_film");
-  programs.mark_converged = rendering.kernel("mark_converged");
+  programs.trace_camera_rays = {rendering.kernel("trace_camera_rays")};
+  programs.trace_shadow_rays = {rendering.kernel("trace_shadow_rays")};
+  programs.trace_ambient_rays = {rendering.kernel("trace_ambient_rays")};
+  programs.shade_hits = {rendering.kernel("shade_hits")};
+  programs.clear_film = {rendering.kernel("clear_film")};
+  programs.mark_converged = {rendering.kernel("mark_converged")};
   warm_up(context, programs, lanes, progress);
   opencl::keep_compiled_kernels();
   progress.finish();

@@ -2,8 +2,10 @@
 
 #include <cstdint>
 
+#include "camera.h"
 #include "opencl/launch.hpp"
 #include "opencl/program.hpp"
+#include "render/buffers.hpp"
 #include "render/kernel_progress.hpp"
 
 namespace aerostat::render {
@@ -13,12 +15,20 @@ inline constexpr int kProgramCount = 1;
 
 /// The kernels that make a picture, built for one device and one width of packets.
 struct Programs {
-  opencl::Kernel trace_camera_rays;
-  opencl::Kernel trace_shadow_rays;
-  opencl::Kernel trace_ambient_rays;
-  opencl::Kernel shade_hits;
-  opencl::Kernel clear_film;
-  opencl::Kernel mark_converged;
+  opencl::TypedKernel<AeroLaunch, NodeBuffer, TriangleBuffer, InstanceBuffer, GridBuffer,
+                      FilmBuffer, HitBuffer>
+      trace_camera_rays;
+  opencl::TypedKernel<AeroLaunch, SceneBuffer, NodeBuffer, TriangleBuffer, InstanceBuffer,
+                      GridBuffer, FaceBuffer, VertexBuffer, HitBuffer, VisibleBuffer>
+      trace_shadow_rays;
+  opencl::TypedKernel<AeroLaunch, SceneBuffer, NodeBuffer, TriangleBuffer, InstanceBuffer,
+                      GridBuffer, FaceBuffer, VertexBuffer, HitBuffer, FoundBuffer>
+      trace_ambient_rays;
+  opencl::TypedKernel<AeroLaunch, SceneBuffer, InstanceBuffer, GridBuffer, FaceBuffer, VertexBuffer,
+                      HitBuffer, VisibleBuffer, FoundBuffer, FilmBuffer>
+      shade_hits;
+  opencl::TypedKernel<FilmBuffer, std::uint32_t> clear_film;
+  opencl::TypedKernel<FilmBuffer, AeroConvergence> mark_converged;
   /// The time that building took.
   double seconds = 0.0;
 };

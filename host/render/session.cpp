@@ -102,7 +102,7 @@ void Session::State::stop_if_asked() const {
 
 void Session::State::report(Stage stage, double fraction) {
   if (!progress) return;
-  const std::uint64_t rays = stats.primary_rays + stats.shadow_rays + stats.ambient_rays;
+  const std::uint64_t rays = stats.rays.sum();
   progress({stage, fraction, rays, watch.seconds(), passes_done});
 }
 
@@ -188,11 +188,12 @@ void Session::State::prepare(const scene::Scene& scene, const scene::Scene& show
 void Session::State::trace_pass(const Pass& pass, RowQueue& queue, const PassPlan& plan) {
   const auto rays_in_all = static_cast<double>(plan.rays());
   team.trace(pass, queue, stop, [&] {
-    stats.primary_rays = team.rays_done();
-    report(Stage::rays, std::min(1.0, static_cast<double>(stats.primary_rays) / rays_in_all));
+    stats.rays[KernelStage::primary] = team.rays_done();
+    report(Stage::rays,
+           std::min(1.0, static_cast<double>(stats.rays[KernelStage::primary]) / rays_in_all));
   });
   stop_if_asked();
-  stats.primary_rays = team.rays_done();
+  stats.rays[KernelStage::primary] = team.rays_done();
 }
 
 /// Finds the exposure of all that the frame `metering` shows.
@@ -252,9 +253,9 @@ image::Film Session::State::read_passes(const scene::Scene& scene, const FilmAre
   ReadFilm read = read_film(team.film_rows(queue), area, options.layers);
   read.film.daylight = daylight;
   read.film.metered_ev = metered_ev;
-  stats.primary_rays = read.samples;
-  stats.shadow_rays = shadow_rays_of(read.hits, scene);
-  stats.ambient_rays = scene.sky.ambient_occlusion ? read.hits : 0;
+  stats.rays[KernelStage::primary] = read.samples;
+  stats.rays[KernelStage::shadow] = shadow_rays_of(read.hits, scene);
+  stats.rays[KernelStage::ambient] = scene.sky.ambient_occlusion ? read.hits : 0;
   return std::move(read.film);
 }
 
@@ -282,10 +283,9 @@ void Session::State::collect_stats() {
   stats.tree = team.geometry().tree;
   stats.devices = team.stats();
   for (const DeviceStats& one : stats.devices) {
-    stats.primary_device_seconds += one.primary_seconds;
-    stats.shadow_device_seconds += one.shadow_seconds;
-    stats.ambient_device_seconds += one.ambient_seconds;
-    stats.shade_device_seconds += one.shade_seconds;
+    for (const KernelStage stage : kKernelStages) {
+      stats.device_seconds[stage] += one.seconds[stage];
+    }
     stats.device_bytes += one.bytes;
   }
 }

@@ -12,6 +12,7 @@
 #include "bvh/bvh.hpp"
 #include "image/film.hpp"
 #include "opencl/device.hpp"
+#include "render/kernel_stage.hpp"
 #include "scene/scene.hpp"
 #include "world/surface.hpp"
 
@@ -83,7 +84,7 @@ using ProgressCallback = std::function<void(const Progress&)>;
 struct DeviceStats {
   std::string selector, name;
   std::uint64_t primary_rays = 0;
-  double primary_seconds = 0.0, shadow_seconds = 0.0, ambient_seconds = 0.0, shade_seconds = 0.0;
+  PerStage<double> seconds;
   std::uint64_t bytes = 0;
 };
 
@@ -95,13 +96,10 @@ struct Stats {
   double upload_seconds = 0.0;
   double metering_seconds = 0.0;
   double rays_seconds = 0.0;
-  double primary_device_seconds = 0.0;  // of all devices together
-  double shadow_device_seconds = 0.0;
-  double ambient_device_seconds = 0.0;
-  double shade_device_seconds = 0.0;
-  std::uint64_t primary_rays = 0;
-  std::uint64_t shadow_rays = 0;
-  std::uint64_t ambient_rays = 0;
+  /// The seconds of each kernel on all devices together, by their own clocks.
+  PerStage<double> device_seconds;
+  /// The rays that each kernel traced. Shading traces none.
+  PerStage<std::uint64_t> rays;
   std::uint64_t triangles = 0;
   std::uint64_t device_bytes = 0;
   int worlds_built = 0;  // groups built by this render: 0 if all was kept

@@ -29,7 +29,7 @@ QString stage_text(const render::Progress& progress) {
 }
 
 double rays_per_second(const render::Stats& stats) {
-  const auto rays = stats.primary_rays + stats.shadow_rays + stats.ambient_rays;
+  const auto rays = stats.rays.sum();
   return stats.rays_seconds > 0.0 ? static_cast<double>(rays) / stats.rays_seconds : 0.0;
 }
 

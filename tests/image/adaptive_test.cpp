@@ -36,7 +36,7 @@ TEST(Adaptive, MarksPixelsInWholeRounds) {
   }
   EXPECT_GT(least, film.samples.size() / 4);
   EXPECT_GT(most, film.samples.size() / 50);
-  EXPECT_EQ(shared_session().stats().primary_rays, samples_of(film));
+  EXPECT_EQ(shared_session().stats().rays[render::KernelStage::primary], samples_of(film));
 }
 
 TEST(Adaptive, TakesFewerSamplesForMoreNoise) {

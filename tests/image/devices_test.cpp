@@ -66,7 +66,8 @@ TEST(Devices, GiveTheBitsOfOneInPassesOfAnyShape) {
     EXPECT_TRUE(same_bits(expected, halves().render(scene))) << spp << " spp";
     EXPECT_TRUE(same_bits(expected, halves().snapshot())) << spp << " spp";
     EXPECT_EQ(rays_and_workers(halves()).first, 97u * 61u * static_cast<unsigned>(spp));
-    EXPECT_EQ(halves().stats().shadow_rays, whole().stats().shadow_rays);
+    EXPECT_EQ(halves().stats().rays[render::KernelStage::shadow],
+              whole().stats().rays[render::KernelStage::shadow]);
   }
 }
 

@@ -45,8 +45,9 @@ TEST(Progress, NeverGoesBackAndEndsWithDone) {
   EXPECT_EQ(seen.back().stage, Stage::done);
   EXPECT_EQ(seen.back().fraction, 1.0);
   EXPECT_EQ(seen.back().samples_done, 9);
-  EXPECT_EQ(seen.back().rays, session.stats().primary_rays + session.stats().shadow_rays +
-                                  session.stats().ambient_rays);
+  EXPECT_EQ(seen.back().rays, session.stats().rays[render::KernelStage::primary] +
+                                  session.stats().rays[render::KernelStage::shadow] +
+                                  session.stats().rays[render::KernelStage::ambient]);
 }
 
 TEST(Progress, ReportsEveryStageOfAFirstRender) {
@@ -69,11 +70,13 @@ TEST(Layers, LeftOutLeaveTheLightAndTheCountsAsTheyAre) {
   EXPECT_EQ(lean.snapshot().radiance, expected.radiance);
   EXPECT_TRUE(film.alpha.empty() && film.distance_m.empty() && film.normal_ws.empty() &&
               film.object_id.empty() && film.samples.empty());
-  EXPECT_EQ(lean.stats().primary_rays, whole.stats().primary_rays);
-  EXPECT_EQ(lean.stats().shadow_rays, whole.stats().shadow_rays);
+  EXPECT_EQ(lean.stats().rays[render::KernelStage::primary],
+            whole.stats().rays[render::KernelStage::primary]);
+  EXPECT_EQ(lean.stats().rays[render::KernelStage::shadow],
+            whole.stats().rays[render::KernelStage::shadow]);
   const auto samples =
       std::accumulate(expected.samples.begin(), expected.samples.end(), std::uint64_t{0});
-  EXPECT_EQ(whole.stats().primary_rays, samples);
+  EXPECT_EQ(whole.stats().rays[render::KernelStage::primary], samples);
 }
 
 /// One session for the tests of re-use. Each test begins with a render of the same scene.
@@ -371,17 +374,18 @@ TEST(Stats, CountWhatWasTraced) {
   std::uint64_t hits = 0;
   for (const float alpha : film.alpha)
     hits += static_cast<std::uint64_t>(std::lround(alpha * 4.0f));
-  EXPECT_EQ(stats.primary_rays, 96u * 64u * 4u);
-  EXPECT_EQ(stats.shadow_rays, 2 * hits) << "the sun and the one lamp that casts shadows";
-  EXPECT_EQ(stats.ambient_rays, hits);
-  EXPECT_GT(stats.ambient_device_seconds, 0.0);
+  EXPECT_EQ(stats.rays[render::KernelStage::primary], 96u * 64u * 4u);
+  EXPECT_EQ(stats.rays[render::KernelStage::shadow], 2 * hits)
+      << "the sun and the one lamp that casts shadows";
+  EXPECT_EQ(stats.rays[render::KernelStage::ambient], hits);
+  EXPECT_GT(stats.device_seconds[render::KernelStage::ambient], 0.0);
   EXPECT_GT(stats.triangles, 2u * 128u * 128u);
   EXPECT_EQ(stats.tree.input_triangles,
             stats.triangles + stats.tree.dropped_degenerate + stats.tree.dropped_non_finite);
   EXPECT_GT(stats.device_bytes, stats.triangles * 36);
-  EXPECT_GT(stats.primary_device_seconds, 0.0);
-  EXPECT_GT(stats.shadow_device_seconds, 0.0);
-  EXPECT_GT(stats.shade_device_seconds, 0.0);
+  EXPECT_GT(stats.device_seconds[render::KernelStage::primary], 0.0);
+  EXPECT_GT(stats.device_seconds[render::KernelStage::shadow], 0.0);
+  EXPECT_GT(stats.device_seconds[render::KernelStage::shading], 0.0);
   EXPECT_GE(stats.rays_seconds, 0.0);
   EXPECT_GT(stats.world_seconds, 0.0);
   EXPECT_GT(stats.tree_seconds, 0.0);

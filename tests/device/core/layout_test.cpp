@@ -5,6 +5,7 @@
 #include "camera.h"
 #include "film_pixel.h"
 #include "instance.h"
+#include "packet_words.h"
 #include "probe.hpp"
 #include "scene_params.h"
 #include "trace_triangle.h"

@@ -3,6 +3,7 @@
 #include "film_pixel.h"
 #include "geometry/ray.clh"
 #include "instance.h"
+#include "packet_words.h"
 #include "scene_params.h"
 #include "trace_triangle.h"
 

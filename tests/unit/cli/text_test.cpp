@@ -239,8 +239,8 @@ TEST(Interrupt, TurnsASignalIntoAStop) {
 
 TEST(Stats, SayRatesAndWhatWasKept) {
   render::Stats stats;
-  stats.primary_rays = 3000000;
-  stats.primary_device_seconds = 0.5;
+  stats.rays[render::KernelStage::primary] = 3000000;
+  stats.device_seconds[render::KernelStage::primary] = 0.5;
   stats.worlds_built = 2;
   const std::string text = stats_text(stats, 3u << 20);
   EXPECT_NE(text.find("3,000,000 rays, 0.50 s on the device, 6.00 Mrays/s"), std::string::npos);
@@ -248,9 +248,9 @@ TEST(Stats, SayRatesAndWhatWasKept) {
   EXPECT_NE(text.find("3.0 MiB at most"), std::string::npos);
   EXPECT_GT(peak_memory_bytes(), 1u << 20);
 
-  stats.devices = {{"0:0/2.0", "half", 2000000, 0.25, 0.25, 0.25, 0.25, 5u << 20}};
+  stats.devices = {{"0:0/2.0", "half", 2000000, {0.25, 0.25, 0.25, 0.25}, 5u << 20}};
   EXPECT_EQ(stats_text(stats, 0).find("0:0/2.0"), std::string::npos) << "one device is all";
-  stats.devices.push_back({"0:0/2.1", "half", 1000000, 0.25, 0.25, 0.0, 0.25, 7u << 20});
+  stats.devices.push_back({"0:0/2.1", "half", 1000000, {0.25, 0.25, 0.0, 0.25}, 7u << 20});
   const std::string two = stats_text(stats, 0);
   EXPECT_NE(two.find("on 0:0/2.0: 2,000,000 primary rays, 66.7 % of them, 8.00 Mrays/s; busy for "
                      "1.00 s, 5.0 MiB\n"),

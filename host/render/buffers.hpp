@@ -1,0 +1,30 @@
+#pragma once
+
+#include "bvh_node.h"
+#include "film_pixel.h"
+#include "instance.h"
+#include "opencl/buffer.hpp"
+#include "packet_words.h"
+#include "scene_params.h"
+#include "trace_triangle.h"
+
+/// The buffers of a render on a device. Each has a type of its own, by which kernels tell them
+/// apart.
+namespace aerostat::render {
+
+using SceneBuffer = opencl::Buffer<AeroScene>;
+using NodeBuffer = opencl::Buffer<AeroBvhNode>;
+using TriangleBuffer = opencl::Buffer<AeroTriangle>;
+using FaceBuffer = opencl::Buffer<AeroFace>;
+using VertexBuffer = opencl::Buffer<AeroVertex>;
+using InstanceBuffer = opencl::Buffer<AeroInstance>;
+/// The heights of the ground.
+using GridBuffer = opencl::Buffer<float>;
+using FilmBuffer = opencl::Buffer<AeroFilmPixel>;
+
+/// An element for each lane of each packet of a tile.
+using HitBuffer = opencl::Buffer<AeroHitWords>;
+using VisibleBuffer = opencl::Buffer<AeroVisibleWords>;
+using FoundBuffer = opencl::Buffer<AeroFoundWords>;
+
+}  // namespace aerostat::render
