@@ -13,6 +13,15 @@
 namespace aerostat::opencl {
 namespace {
 
+template <typename TheKernel, typename... Args>
+concept CanLaunch = requires(const Context& context, const TheKernel& kernel, const Args&... args) {
+  launch(context, kernel, LaunchSize(1), args...);
+};
+using OfTwoBuffers = TypedKernel<Buffer<float>, Buffer<std::uint32_t>>;
+static_assert(CanLaunch<OfTwoBuffers, Buffer<float>, Buffer<std::uint32_t>>);
+static_assert(!CanLaunch<OfTwoBuffers, Buffer<std::uint32_t>, Buffer<float>>, "swapped buffers");
+static_assert(!CanLaunch<OfTwoBuffers, Buffer<float>>, "one buffer too few");
+
 using test::error_of;
 
 /// Returns a context that is never destroyed, because OpenCL must not be called after main.
