@@ -112,7 +112,7 @@ TEST_F(Usage, MistakesAreOneClearLineAndCode64) {
       {{"export", scene, "-o", "x.stl"}, ".ply"},
       {{"devices", "--json", "more"}, "more"},
       {{"render", scene, "--device", "cpu,cpu"}, "same compute units"},
-      {{"render", scene, "--device", "cpu,"}, "beside a comma"},
+      {{"render", scene, "--device", "cpu,"}, "before or after a comma"},
       {{"render", scene, "--device", "cpu/2.2"}, "from 0 to N - 1"},
   };
   for (const Mistake& mistake : mistakes) {
