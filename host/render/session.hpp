@@ -20,40 +20,47 @@ namespace aerostat::world {
 struct GroupKind;
 }
 
-/// Rendering as a library: a render can be started, observed, cancelled and read while it refines.
+/// This is rendering as a library. A render can be started, observed, cancelled, and read while it
+/// refines.
 namespace aerostat::render {
 
 struct SceneCache;
 
-/// What a film holds beside the light: all layers, or none, which is less to read back.
+/// The layers that a film holds. `light_alone` means the light without other layers, so that less
+/// is read back from the devices.
 enum class Layers { all, light_alone };
 
 struct Options {
-  std::vector<opencl::Device> devices;   // that share each picture; at least one
-  int lanes = 0;                         // 0: what each device prefers
-  std::uint64_t memory_limit_bytes = 0;  // buffers on each device; 0: what it reports
-  int tile_pixels = 0;                   // 0: chosen so that launches stay short
-  double launch_seconds = 0.03;          // so short; two are in flight, which a stop waits for
-  /// Plants that a picture cannot show, and whose shade it cannot show, are not placed. Less work
-  /// for one picture, more for one who moves the view.
+  /// The devices that share each picture. There must be at least one.
+  std::vector<opencl::Device> devices;
+  /// The rays of a work-item: 1, 4, 8 or 16. 0 leaves the choice to each device.
+  int lanes = 0;
+  /// The most bytes of buffers on each device. 0 means the memory that the device reports.
+  std::uint64_t memory_limit_bytes = 0;
+  /// The pixels of a launch. 0 means that launches take about `launch_seconds`.
+  int tile_pixels = 0;
+  /// The time that a launch aims at, in seconds. A stop waits for up to two launches.
+  double launch_seconds = 0.03;
+  /// Leaves out plants if the picture can show neither them nor their shade. That is less work for
+  /// a single picture, and more work while a view is moved.
   bool plants_in_sight_alone = false;
-  /// How finely land is carved; scenes must be resolved on the same.
+  /// The detail of the land. Scenes must be resolved on land of the same detail.
   world::Carving carving = world::Carving::fine;
   Layers layers = Layers::all;
-  /// Whether films tell the exposure that suits them (image::Film::metered_ev). A film that nobody
-  /// develops needs none.
+  /// Tells whether each film comes with the exposure that suits it (image::Film::metered_ev). A
+  /// film that nobody develops needs none.
   bool meters = true;
-  /// Kinds of groups (world/group.hpp) that scenes have beside those of world::all_kinds.
+  /// The kinds of groups (world/group.hpp) that scenes have beside those of world::all_kinds.
   std::vector<const world::GroupKind*> more_kinds = {};
-  /// What the session keeps of scenes beside their geometry; null: it has its own. A caller that
-  /// resolves the scenes gives the cache with which it does so.
+  /// The cache of what scenes need beside their geometry. Null means that the session makes its
+  /// own. A caller that resolves the scenes gives the cache that it resolves them with.
   std::shared_ptr<SceneCache> cache = nullptr;
-  /// For tests: called before each launch, on the thread that launches, with the device that it is
-  /// for. What it throws comes out as if the launch had failed.
+  /// A hook for tests. It is called with the device before each launch, on the thread that
+  /// launches. An exception that it throws counts as a failure of the launch.
   std::function<void(const opencl::Device&)> before_launch = {};
 };
 
-/// A part of the image: pixels x0 <= x < x1, y0 <= y < y1.
+/// A part of the image. It holds the pixels x0 <= x < x1, y0 <= y < y1.
 struct Crop {
   int x0 = 0, y0 = 0, x1 = 0, y1 = 0;
 
@@ -62,25 +69,28 @@ struct Crop {
   }
 };
 
-/// Which plants a picture shows. They are placed around the eye, in the detail that it sees, which
-/// takes some tenths of a second. While a view is being moved they may stay as they stand for a
-/// former eye: a picture in good time, which depends on what was rendered before.
+/// The plants that a picture shows. `as_seen` places them around the eye in the detail that it
+/// sees, which takes some tenths of a second. `as_they_stand` keeps those of a former eye, for a
+/// quick picture while a view is moved. Such a picture depends on what was rendered before.
 enum class Plants { as_seen, as_they_stand };
 
 enum class Stage { world, tree, kernels, upload, rays, done };
 
 struct Progress {
   Stage stage = Stage::world;
-  double fraction = 0.0;  // of the stage
+  /// The share of the stage that is done, from 0 to 1.
+  double fraction = 0.0;
   std::uint64_t rays = 0;
-  double seconds = 0.0;  // since the render began
-  int samples_done = 0;  // per pixel, whole passes
+  /// The time since the render began.
+  double seconds = 0.0;
+  /// The samples of each pixel that whole passes have taken.
+  int samples_done = 0;
 };
 
-/// Called from the thread that renders, at least every 100 ms of it.
+/// A function that is called from the thread that renders, at least every 100 ms.
 using ProgressCallback = std::function<void(const Progress&)>;
 
-/// What one device did for a render. Seconds are by its own clock.
+/// The work of one device for a render. Seconds are by the device's own clock.
 struct DeviceStats {
   std::string selector, name;
   std::uint64_t primary_rays = 0;
@@ -88,7 +98,7 @@ struct DeviceStats {
   std::uint64_t bytes = 0;
 };
 
-/// What a render did. Counts of what was re-used let a caller see that nothing was built twice.
+/// The work of a render. The counts of what was built show a caller that nothing was built twice.
 struct Stats {
   double world_seconds = 0.0;
   double tree_seconds = 0.0;
@@ -102,18 +112,19 @@ struct Stats {
   PerStage<std::uint64_t> rays;
   std::uint64_t triangles = 0;
   std::uint64_t device_bytes = 0;
-  int worlds_built = 0;  // groups built by this render: 0 if all was kept
+  /// The groups of the world that this render built. 0 means that all were kept.
+  int worlds_built = 0;
   int trees_built = 0;
   int programs_built = 0;
   bvh::BuildStats tree;
   std::vector<DeviceStats> devices;
 };
 
-/// Renders scenes, one after the other, keeping meshes, trees, buffers and programs that the next
-/// scene can use. Several devices share a picture by its rows, each taking the next ones when it is
-/// done with its last; devices of one lane width give the bits that one of them would give alone.
-/// What goes wrong on one of several ends the render with an error that names it. Not for use from
-/// two threads at once, except `snapshot`.
+/// Renders scenes one after the other, and keeps the meshes, trees, buffers and programs that the
+/// next scene can use. Several devices share a picture by its rows: each takes the next rows when
+/// it has finished its last ones. Devices of one lane width give the same bits as one of them
+/// alone. A failure of one device ends the render with an error that names the device. Only
+/// `snapshot` may be called from a second thread.
 class Session {
  public:
   explicit Session(Options options);
@@ -121,26 +132,26 @@ class Session {
   Session(const Session&) = delete;
   Session& operator=(const Session&) = delete;
 
-  /// Begins to build the kernels in the background, if they are not there; a caller that still has
-  /// something else to do before `render` saves the time. Their errors come from `render`.
+  /// Begins to build the kernels in the background if they are not built yet. A caller that has
+  /// other work to do before `render` saves that time. `render` throws the errors of the build.
   void begin_kernels();
 
-  /// Renders all samples of `scene` (resolved) and returns the film of `crop` (default: all of it).
-  /// If `stop` is requested, throws Error{interrupted} within 100 ms of device work; what was done
-  /// until then stays readable by `snapshot`. Throws Error of other kinds as the parts do.
-  /// With `shrink` > 1 the film has that many times fewer pixels a side, rounded up, and so have
-  /// crops; the world is that of the whole picture, so that going on with a larger one builds
-  /// nothing.
-  /// Unless the scene gives an exposure, the picture is metered before, at some pixels all over it,
-  /// so that its parts agree.
+  /// Renders all samples of `scene`, which must be resolved, and returns the film of `crop`, which
+  /// is the whole picture by default. If `stop` is requested, throws Error{interrupted} within 100
+  /// ms of device work, and `snapshot` returns what was done until then. Throws the errors of its
+  /// parts. With `shrink` > 1, the sides of the film have that many times fewer pixels, rounded up,
+  /// and crops count in these pixels. The world is that of the whole picture, so that a larger
+  /// picture afterwards builds nothing. If the scene gives no exposure, the picture is metered
+  /// first at pixels all over it, so that its parts agree.
   image::Film render(const scene::Scene& scene, std::stop_token stop = {},
                      const ProgressCallback& progress = {}, std::optional<Crop> crop = {},
                      Plants plants = Plants::as_seen, int shrink = 1);
 
-  /// The film of the whole passes finished so far, from any thread; empty before the first.
+  /// Returns the film of the passes that are finished, which is empty before the first one. It may
+  /// be called from any thread.
   image::Film snapshot() const;
 
-  /// Of the last render.
+  /// Returns the work of the last render.
   const Stats& stats() const;
 
  private:
