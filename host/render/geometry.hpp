@@ -13,13 +13,16 @@
 
 namespace aerostat::render {
 
-/// The world and its trees on the host. What an edit of the scene leaves alone is shared with the
-/// former state.
+/// The world and its trees on the host. Groups that an edit of the scene leaves alone are shared
+/// with the former state.
 struct HostGeometry {
-  world::World world;  // without the shapes that were given up
-  std::vector<std::shared_ptr<const pack::PackedGroup>> groups;  // those of the world, packed
+  /// The world, without the shapes that were given up.
+  world::World world;
+  /// The packed groups of the world.
+  std::vector<std::shared_ptr<const pack::PackedGroup>> groups;
   double world_seconds = 0.0, tree_seconds = 0.0;
-  int worlds_built = 0, trees_built = 0;  // groups that were not shared
+  /// The numbers of groups that were not shared.
+  int worlds_built = 0, trees_built = 0;
 };
 
 /// The arrays of groups, by the revision of the group. They exist once: whoever makes them moves
@@ -32,18 +35,19 @@ struct BuiltGeometry {
   GroupArrays arrays;
 };
 
-/// Says whether the meshes stay when the trees are built, for callers that look at them.
+/// Tells whether the meshes stay when the trees are built, for callers that look at them.
 enum class Meshes { keep, release };
 
 struct GeometryOptions {
   Meshes meshes = Meshes::keep;
-  /// Where plants stay as they stand, the geometry is that of the scene seen by the previous one's
-  /// camera.
+  /// If plants stay as they stand, the geometry is that of the scene seen by the camera of the
+  /// previous scene.
   Plants plants = Plants::as_seen;
   scatter::Where where = scatter::Where::everywhere;
   world::Carving carving = world::Carving::fine;
   world::GroupKinds kinds = world::all_kinds();
-  world::ReliefCache* reliefs = nullptr;  // null: the land is carved for this geometry alone
+  /// The cache of reliefs. Null means that the land is carved for this geometry alone.
+  world::ReliefCache* reliefs = nullptr;
 };
 
 /// Builds the geometry of a resolved scene. Groups that `previous` (may be null) has already are
@@ -66,8 +70,8 @@ bool same_groups(const HostGeometry& a, const HostGeometry& b);
 /// the other. The arrays of a group are moved or copied here and stay as long as the group does.
 class FrameArrays {
  public:
-  /// Makes them those of `geometry`, whose common tree is `tree`. Groups that are not here already
-  /// must be in `fresh`. Throws Error{exhausted}; all arrays are lost then.
+  /// Makes the arrays those of `geometry`, whose common tree is `tree`. Groups that are not here
+  /// already must be in `fresh`. Throws Error{exhausted}; all arrays are lost then.
   void assemble(const HostGeometry& geometry, const bvh::JoinedBvh& tree, GroupArrays fresh);
 
   const pack::PackedArrays& arrays() const { return arrays_; }

@@ -24,15 +24,16 @@
 namespace aerostat::render {
 namespace {
 
-/// Every hit has sent one ray to each light that casts shadows.
+/// Returns the number of shadow rays: each hit sends one to each light that casts shadows.
 std::uint64_t shadow_rays_of(std::uint64_t hits, const scene::Scene& scene) {
   const auto lamps = std::count_if(scene.lights.begin(), scene.lights.end(),
                                    [](const scene::PointLight& light) { return light.shadows; });
   return hits * (static_cast<std::uint64_t>(lamps) + (scene.sun.shadows ? 1 : 0));
 }
 
-/// A display shows about the square root of the light: noise counts by what it is there, where a
-/// white card in the sun is white and the darkest shades, a fiftieth as bright, stay in the dark.
+/// Returns the noise at which pixels count as converged. A display shows about the square root of
+/// the light, so noise is measured there. A white card in the sun is white, and shades below a
+/// fiftieth of it count as dark.
 AeroConvergence convergence_of(const scene::Image& image, const dvec3& daylight,
                                const AeroWindow& film) {
   const double white = image::luminance(daylight);
@@ -76,23 +77,29 @@ struct Session::State {
 
   Options options;
   DeviceTeam team;
-  std::shared_ptr<const HostGeometry> geometry;   // the newest that was built
-  GroupArrays fresh;                              // of its groups, on their way into the frame
-  std::shared_ptr<const HostGeometry> on_device;  // what the team holds
-  bvh::Bounds bounds;                             // of all of it
+  /// The newest geometry that was built.
+  std::shared_ptr<const HostGeometry> geometry;
+  /// The arrays of its groups, until the frame takes them.
+  GroupArrays fresh;
+  /// The geometry that the devices hold.
+  std::shared_ptr<const HostGeometry> on_device;
+  /// The bounds of all of it.
+  bvh::Bounds bounds;
   std::shared_ptr<FrameArrays> frame = std::make_shared<FrameArrays>();
 
   std::stop_token stop;
   ProgressCallback progress;
   Stopwatch watch;
   Stats stats;
-  int passes_done = 0;  // samples per pixel
+  /// The samples per pixel that whole passes have taken.
+  int passes_done = 0;
 
   mutable std::mutex snapshot_mutex;
   image::Film latest;
   vec3 daylight{1.0f};
   double metered_ev = 0.0;
-  std::function<image::Film()> finished;  // reads the film of a render that came to its end
+  /// Reads the film of a render that came to its end.
+  std::function<image::Film()> finished;
   AbandonableWork background;
 };
 
@@ -106,8 +113,8 @@ void Session::State::report(Stage stage, double fraction) {
   progress({stage, fraction, rays, watch.seconds(), passes_done});
 }
 
-/// A driver's compiler knows no interruption: a render that is stopped leaves it at work for the
-/// next one.
+/// Waits for the kernels. A driver's compiler cannot be interrupted, so a render that is stopped
+/// leaves it at work for the next one.
 void Session::State::await_programs() {
   const auto waiting = [this](double fraction) {
     stop_if_asked();
@@ -155,20 +162,21 @@ void Session::State::assemble(const bvh::JoinedBvh& tree) {
   try {
     frame->assemble(*geometry, tree, std::exchange(fresh, {}));
   } catch (const Error&) {
-    // The arrays are lost: whatever comes next is built anew.
+    // The arrays are lost, so the next render builds everything again.
     geometry = nullptr;
     throw;
   }
 }
 
-/// Everything before the first ray: world, trees, kernels, buffers, as far as they are not there.
-/// `shown` is the scene at the size of the film.
+/// Prepares the first ray: builds the world, trees, kernels and buffers that are missing. `shown`
+/// is the scene at the size of the film.
 void Session::State::prepare(const scene::Scene& scene, const scene::Scene& shown, const Crop& crop,
                              Plants plants) {
   report(Stage::world, 0.0);
   team.begin_programs();
-  // Air and clouds fill what the world of a single picture leaves idle. Looks follow each other:
-  // their worlds are small, and a stop would wait for what runs beside.
+  // For a single picture, air and clouds are computed on the cores that building the world leaves
+  // idle. Previews follow each other: their worlds are small, and a stop would have to wait for
+  // work that runs beside.
   const auto when = options.plants_in_sight_alone ? std::launch::async : std::launch::deferred;
   auto packing =
       std::async(when, [this, &shown] { return pack::pack_scene(shown, options.cache->packing); });
@@ -264,8 +272,8 @@ void Session::State::publish(image::Film read) {
   latest = std::move(read);
 }
 
-/// The whole film goes to the caller; for a snapshot it is read again from the devices, where it
-/// stays until the next render.
+/// Keeps a way to read the film again for snapshots. It stays on the devices until the next
+/// render.
 void Session::State::finish(const FilmArea& area, const RowQueue& queue) {
   const std::lock_guard lock(snapshot_mutex);
   latest = {};

@@ -15,8 +15,8 @@ namespace {
 
 constexpr double kCoarseEnvelope_m = 0x1p-5, kCoarseBasket_m = 0x1p-8;
 
-/// How fine a balloon is built. On a coarse land it is coarse, too, even around an eye in its
-/// basket.
+/// Returns the detail of a balloon. On a coarse land the balloon is coarse as well, even around an
+/// eye in its basket.
 model::Detail detail_of(const scene::Balloon& balloon, const scene::Scene& scene,
                         terrain::Carving carving) {
   model::Detail detail =

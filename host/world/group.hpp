@@ -12,10 +12,10 @@
 #include "terrain/carving.hpp"
 #include "terrain/relief_cache.hpp"
 
-/// What a world is made of: groups, each of which is built, kept and thrown away as a whole.
+/// A world consists of groups, each of which is built, kept and thrown away as a whole.
 namespace aerostat::world {
 
-/// A mesh, what it is and what it is made of.
+/// A mesh with the object that it is and the material that it is made of.
 struct Object {
   scene::ObjectId id = scene::ObjectId::terrain;
   scene::MaterialId material = scene::MaterialId::terrain;
@@ -33,7 +33,8 @@ struct HeightGrid {
 /// Models that stand in the world many times.
 struct Instances {
   Objects models;
-  std::vector<scatter::Instance> places;  // `model` counts in `models`
+  /// The instances. Their `model` is an index into `models`.
+  std::vector<scatter::Instance> places;
 };
 
 /// The shapes that packing and exporting know. A group of nothing is an empty list of objects.
@@ -42,32 +43,37 @@ using Shape = std::variant<Objects, HeightGrid, Instances>;
 /// Returns whether a shape has nothing to show.
 bool is_empty(const Shape& shape);
 
-/// What a group is built for.
+/// The scene and the detail that groups are built for.
 struct GroupRequest {
-  const scene::Scene& scene;  // resolved
+  /// The resolved scene.
+  const scene::Scene& scene;
   scatter::Where where = scatter::Where::everywhere;
   terrain::Carving carving = terrain::Carving::fine;
-  std::vector<scatter::Obstacle> obstacles = {};  // of all kinds
+  /// The obstacles of all kinds of groups.
+  std::vector<scatter::Obstacle> obstacles = {};
 };
 
-/// What a group is built from.
+/// The input from which a group is built.
 struct GroupInput {
   const GroupRequest& request;
-  const scene::Scene& local;     // the request's scene, counted from its origin
-  const mesh::GridMesh* ground;  // for groups on the ground, else null
+  /// The scene of the request. Its positions count from its origin.
+  const scene::Scene& local;
+  /// The ground for groups that stand on it, else null.
+  const mesh::GridMesh* ground;
   terrain::ReliefCache& reliefs;
 };
 
-/// What a group has to do with the ground.
+/// The relation of a group to the ground.
 enum class Footing {
-  ground,     // it is the ground, a HeightGrid
-  on_ground,  // it is built after the ground, and anew whenever the ground is
-  none        // it is built beside the ground
+  ground,     // The group is the ground, a HeightGrid.
+  on_ground,  // The group is built after the ground, and again whenever the ground is.
+  none        // The group is built beside the ground.
 };
 
 /// A kind of group. To add one, write its file beside land.cpp and list it in kinds.cpp.
 struct GroupKind {
-  const char* name = "";  // for messages
+  /// The name for messages.
+  const char* name = "";
   Footing footing = Footing::none;
   /// Builds the group. Positions count from Scene::origin. Runs on all cores; throws
   /// Error{interrupted} if core/stop_scope.hpp asks to stop.
@@ -84,7 +90,8 @@ struct GroupKind {
 struct Group {
   const GroupKind* kind = nullptr;
   std::uint64_t revision = 0;
-  std::shared_ptr<const Shape> shape;  // null: given up, to save memory
+  /// The shape, or null if it was given up to save memory.
+  std::shared_ptr<const Shape> shape;
 };
 
 /// Makes a group with a new revision.

@@ -20,18 +20,19 @@
 namespace aerostat::world {
 namespace {
 
-/// How far ahead the passenger looks, and how much the view dips below the horizon.
+/// The distance at which the passenger looks, and how far the view dips below the horizon.
 constexpr double kBasketLookAhead_m = 100.0;
 constexpr double kBasketDip_deg = 7.0;
 constexpr double kEyeClearance_m = 2.0;
 
-/// The cell of a graded axis that holds a place, or the nearest one: its two ends.
+/// Returns the two ends of the cell of a graded axis that holds a place, or of the nearest cell.
 std::pair<double, double> cell_at(const std::vector<double>& axis, double place) {
   const auto next = std::upper_bound(axis.begin() + 1, axis.end() - 1, place);
   return {*(next - 1), *next};
 }
 
-/// The height of a cell's mesh at shares u and v of its sides, whichever way it is cut.
+/// Returns the height of a cell's mesh at shares u and v of its sides. It holds for both ways of
+/// cutting the cell into triangles.
 double mesh_height(const std::array<double, 4>& corners, double u, double v) {
   const auto [h00, h10, h01, h11] = corners;
   const double one =
@@ -41,7 +42,7 @@ double mesh_height(const std::array<double, 4>& corners, double u, double v) {
   return std::max(one, other);
 }
 
-/// What heights at a point count from. The balloon's height must be known already.
+/// Returns the height from which heights at a point count. The balloon's height must be known.
 double reference_height(const scene::Scene& scene, const Surface& surface,
                         scene::HeightReference reference, const dvec3& at) {
   switch (reference) {
@@ -112,7 +113,7 @@ void resolve(scene::Scene& scene, const Surface& surface) {
   camera.height_above = scene::HeightReference::sea;
   look_from_basket(scene);
   check_places(scene);
-  scene::view_axes(camera);  // or their error
+  scene::view_axes(camera);  // Throws if the camera has no view.
   scene.origin = scene::origin_for(scene);
 }
 

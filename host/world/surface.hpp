@@ -11,8 +11,8 @@ namespace aerostat::world {
 using terrain::Carving;
 using terrain::ReliefCache;
 
-/// Heights of what one stands on: the ground, or the sea where it is higher. Copies share their
-/// data; safe from any thread.
+/// The heights on which one stands: the ground, or the sea where it is higher. Copies share their
+/// data. It may be used from any thread.
 class Surface {
  public:
   /// Prepares the relief, which takes some tenths of a second.
@@ -21,7 +21,7 @@ class Surface {
   /// Takes the relief from a cache, or prepares it and leaves it there.
   Surface(const scene::Scene& scene, Carving carving, ReliefCache& reliefs);
 
-  /// Metres above sea level, without the ground's detail below `spacing`.
+  /// Returns the height in metres above sea level, without detail of the ground below `spacing`.
   double height(double x, double z, double spacing = 0.0) const;
 
  private:

@@ -6,7 +6,7 @@
 namespace aerostat::world {
 namespace {
 
-/// Appends a model's triangles where an instance of it stands.
+/// Appends the triangles of a model at the place of an instance.
 void place(const mesh::TriangleMesh& model, const scatter::Instance& instance,
            mesh::TriangleMesh& mesh) {
   const scatter::Axes axes = scatter::axes_of(instance);
@@ -21,7 +21,7 @@ void place(const mesh::TriangleMesh& model, const scatter::Instance& instance,
   for (const uvec3& triangle : model.triangles) mesh.triangles.push_back(triangle + base);
 }
 
-/// Appends what a shape is in triangles.
+/// Appends the triangles of a shape.
 class Appender {
  public:
   Appender(Objects& objects, Placed instances) : objects_(objects), placed_(instances) {}

@@ -62,7 +62,7 @@ class Builder {
     }
   }
 
-  /// The previous group of a kind if it still is what the scene asks for, else null.
+  /// Returns the previous group of a kind if it is still what the scene asks for, else null.
   const Group* kept_group(const GroupKind& kind) const {
     const World* previous = options_.previous;
     if (previous == nullptr || previous->scene.origin != request_.scene.origin) return nullptr;

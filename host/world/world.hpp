@@ -8,13 +8,15 @@
 #include "world/kinds.hpp"
 #include "world/surface.hpp"
 
-/// From a scene to the triangles that are rendered and exported.
+/// Builds the triangles of a scene, which are rendered and exported.
 namespace aerostat::world {
 
-/// What a scene shows. Positions count from Scene::origin.
+/// The groups of objects that a scene shows. Positions count from Scene::origin.
 struct World {
-  scene::Scene scene;         // that it was built for, resolved
-  std::vector<Group> groups;  // one of each kind, in the kinds' order
+  /// The resolved scene that the world was built for.
+  scene::Scene scene;
+  /// One group of each kind, in the order of the kinds.
+  std::vector<Group> groups;
 };
 
 /// Returns the shape of a group, or null if the world has no group of the kind, its shape was given
@@ -28,12 +30,15 @@ const T* shape_of(const World& world, const GroupKind& kind) {
 }
 
 struct BuildOptions {
-  scatter::Where where = scatter::Where::everywhere;  // plants are placed
-  Carving carving = Carving::fine;                    // of the land
+  /// Tells where plants are placed.
+  scatter::Where where = scatter::Where::everywhere;
+  /// The detail of the land.
+  Carving carving = Carving::fine;
   GroupKinds kinds = all_kinds();
-  ReliefCache* reliefs = nullptr;  // null: the land is carved for this build alone
-  /// Groups of it are kept if they are what the scene asks for and were built with the same
-  /// options.
+  /// The cache of reliefs. Null means that the land is carved for this build alone.
+  ReliefCache* reliefs = nullptr;
+  /// A world of which groups are kept if they are what the scene asks for and were built with the
+  /// same options.
   const World* previous = nullptr;
 };
 
@@ -63,9 +68,9 @@ void resolve(scene::Scene& scene, ReliefCache& reliefs);
 /// Resolves a scene on a surface that is already there, which must be that of its terrain.
 void resolve(scene::Scene& scene, const Surface& surface);
 
-/// Lifts the eye of a resolved scene, and what it looks at, to 2 m above the land's mesh of at most
-/// `cells` a side where it would be lower: on another land than that which it was set up for, or on
-/// a coarser mesh, it can be inside a mountain.
+/// Lifts the eye of a resolved scene and its target to at least 2 m above the land's mesh of at
+/// most `cells` cells a side. On another land than the one it was set up for, or on a coarser mesh,
+/// the eye can be inside a mountain.
 void unbury_eye(scene::Scene& scene, const Surface& surface, int cells);
 
 }  // namespace aerostat::world
