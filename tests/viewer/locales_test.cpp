@@ -290,7 +290,7 @@ void LocalesTest::sun_by_date_and_place() {
   type(*time, QString::fromUtf8("١٨:٤٥"));
   QCOMPARE(desk.document.value("/sun/time"), QString("\"18:45+02:00\""));
   QCOMPARE(time->text(), QString("18:45"));
-  for (auto* box : desk.panels.findChildren<NumberBox*>()) {
+  for (auto* box : desk.panels.findChildren<QDoubleSpinBox*>()) {
     if (!box->prefix().startsWith("UTC")) continue;
     type(*box, "-3,5");
     QCOMPARE(desk.document.value("/sun/time"), QString("\"18:45-03:30\""));
