@@ -54,7 +54,9 @@ class Builder {
       const GroupKind& kind = *options_.kinds[i];
       if (kind.footing != footing) continue;
       const Group* kept = kept_group(kind);
-      const GroupInput input{request_, local_, ground_, reliefs_};
+      // Groups beside the ground are built while the ground is, so they must not look at it.
+      const mesh::GridMesh* ground = footing == Footing::on_ground ? ground_ : nullptr;
+      const GroupInput input{request_, local_, ground, reliefs_};
       groups_[i] = kept != nullptr ? *kept : make_group(kind, kind.build(input));
       if (footing != Footing::ground) continue;
       ground_is_kept_ = kept != nullptr;
