@@ -22,7 +22,7 @@ using Adapter = valijson::adapters::NlohmannJsonAdapter;
 
 /// The schema as a document, which messages use, and as the constraints of valijson.
 struct SceneSchema {
-  SceneSchema() : document(parse_json(schema_text(), "the schema of scenes")) {
+  SceneSchema() : document(make_schema()) {
     valijson::SchemaParser(valijson::SchemaParser::kDraft7)
         .populateSchema(Adapter(document), constraints);
   }

@@ -4,12 +4,16 @@
 #include <vector>
 
 #include "scene/faults.hpp"
+#include "scene/json_print.hpp"
 #include "scene/json_text.hpp"
 
 namespace aerostat::scene::detail {
 
-/// Returns the text of the JSON Schema of scenes, made from the tables of fields.
-/// scenes/aerostat-scene.schema.json is a copy of it for text editors.
+/// Makes the JSON Schema of scenes from the tables of fields.
+OrderedJson make_schema();
+
+/// Returns the text of the JSON Schema. scenes/aerostat-scene.schema.json is a copy of it for text
+/// editors.
 std::string schema_text();
 
 /// Returns the schema of scenes as a document.

@@ -167,6 +167,8 @@ class Rules {
   OrderedJson definitions_ = OrderedJson::object();
 };
 
+}  // namespace
+
 OrderedJson make_schema() {
   Rules rules;
   const OrderedJson scene = rules.object_rule<Scene>();
@@ -184,8 +186,6 @@ OrderedJson make_schema() {
   schema["definitions"] = rules.definitions();
   return schema;
 }
-
-}  // namespace
 
 std::string schema_text() {
   return print_json(make_schema());
