@@ -66,7 +66,7 @@ const HostGeometry& or_nothing(const HostGeometry* geometry) {
   return geometry != nullptr ? *geometry : nothing;
 }
 
-/// How many groups of a world hold something and are not in the old one.
+/// Returns the number of groups of a world that hold something and are not in the old world.
 int count_built(const world::World& world, const world::World& old) {
   return static_cast<int>(
       std::count_if(world.groups.begin(), world.groups.end(), [&](const world::Group& group) {
@@ -79,7 +79,7 @@ int count_built(const world::World& world, const world::World& old) {
               "not enough memory to upload the world; a smaller /terrain/cells needs less");
 }
 
-/// A copy of `room` elements of arrays, which come after `before` others.
+/// Returns a copy of `room` elements of arrays, which come after `before` others.
 pack::PackedArrays copy_of(const pack::PackedArrays& arrays, const pack::Room& before,
                            const pack::Room& room) {
   const auto part = [](const auto& all, std::size_t first, std::size_t count) {
@@ -119,7 +119,7 @@ BuiltGeometry build_geometry(const scene::Scene& scene, const HostGeometry* prev
                              const GeometryOptions& options) {
   scene::Scene seen = scene;
   if (options.plants == Plants::as_they_stand && previous != nullptr) {
-    // Nothing but plants and the balloons' detail goes by the eye.
+    // Only plants and the detail of balloons depend on the eye.
     seen.camera = previous->world.scene.camera;
     seen.image = previous->world.scene.image;
   }
@@ -161,8 +161,8 @@ void FrameArrays::assemble(const HostGeometry& geometry, const bvh::JoinedBvh& t
   }
 }
 
-/// The groups at the beginning that are the same as before stay where they are; what comes behind
-/// them is put together anew, from arrays that were here and fresh ones.
+/// Leaves the first groups where they are as long as they are the same as before. The arrays behind
+/// them are put together again from arrays that were here and fresh ones.
 void FrameArrays::assemble_arrays(const HostGeometry& geometry, GroupArrays fresh) {
   const std::size_t kept = count_kept(geometry);
   cut_from(kept, geometry, fresh);
@@ -183,7 +183,7 @@ std::size_t FrameArrays::count_kept(const HostGeometry& geometry) const {
   return kept;
 }
 
-/// Drops the sections from `first` on; those that the geometry still has are copied to `arrays`.
+/// Drops the sections from `first` on. Sections that the geometry still has are copied to `arrays`.
 void FrameArrays::cut_from(std::size_t first, const HostGeometry& geometry, GroupArrays& arrays) {
   pack::Room before, end;
   for (std::size_t i = 0; i < sections_.size(); ++i) {
@@ -200,7 +200,7 @@ void FrameArrays::cut_from(std::size_t first, const HostGeometry& geometry, Grou
   arrays_.vertices.resize(end.vertices);
 }
 
-/// Adds the arrays of a group, which are taken out of `fresh`; all groups together have `whole`.
+/// Moves the arrays of a group from `fresh` to the end. `whole` is the room of all groups together.
 void FrameArrays::add(const Section& section, GroupArrays& fresh, const pack::Room& whole) {
   const auto found = fresh.find(section.revision);
   if (found == fresh.end()) {

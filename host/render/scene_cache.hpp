@@ -5,9 +5,9 @@
 
 namespace aerostat::render {
 
-/// What is kept of the last scene because the next one may need it again: its relief, its air and
-/// its chart of clouds. A session owns one; who resolves scenes before they are rendered shares one
-/// with the session. It may be used from any thread.
+/// Keeps the relief, the air and the chart of clouds of the last scene, because the next scene may
+/// need them again. A session owns one. A caller that resolves scenes before they are rendered
+/// shares its cache with the session. It may be used from any thread.
 struct SceneCache {
   world::ReliefCache reliefs;
   pack::PackCache packing;

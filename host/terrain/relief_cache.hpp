@@ -8,10 +8,10 @@ namespace aerostat::terrain {
 
 class Relief;
 
-/// Keeps the relief that was made last for each carving: placing the objects of a scene and
-/// building its meshes ask for the same one in turn, and carving it takes longer than anything else
-/// about it. A session or a command owns one. It may be used from any thread, and who asks for a
-/// coarse relief waits for no fine one.
+/// Keeps the relief that was made last for each carving. Placing the objects of a scene and
+/// building its meshes need the same relief, and carving it takes longer than either of them. A
+/// session or a command owns one. It may be used from any thread. A coarse relief can be had while
+/// a fine one is made.
 struct ReliefCache {
   LastMade<scene::Terrain, Relief> fine, coarse;
 
