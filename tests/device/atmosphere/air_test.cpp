@@ -69,6 +69,18 @@ class Air : public LaneTest {
   }
 };
 
+/// Returns the light of path `i` from a surface of this radiance, as the host follows it in
+/// `steps`.
+dvec3 arriving_light(const scene::Scene& scene, const air::Scattering& air, const Paths& paths,
+                     std::size_t i, int steps, const vec3& surface) {
+  const dvec3 direction(paths.directions[i]);
+  const auto path = air.follow({paths.origins[i].y, direction, paths.distances[i]}, steps);
+  const double phase =
+      air::haze_phase(glm::dot(direction, air.sun()), air.atmosphere().haze_asymmetry);
+  return scene.sun.irradiance * (path.add + phase * path.haze) +
+         path.transmittance * dvec3(surface);
+}
+
 TEST_P(Air, ShowsTheHostsSky) {
   const scene::Scene scene = morning();
   const air::Light light(scene);
@@ -105,12 +117,7 @@ TEST_P(Air, IsSeenOverADistanceAsTheHostFollowsIt) {
     const vec3 surface(0.3f, 0.2f, 0.1f);
     const auto arriving = follow(*pack::pack_scene(scene), paths, surface);
     for (std::size_t i = 0; i < arriving.size(); ++i) {
-      const dvec3 direction(paths.directions[i]);
-      const auto path = air.follow({paths.origins[i].y, direction, paths.distances[i]}, 300);
-      const double phase =
-          air::haze_phase(glm::dot(direction, air.sun()), air.atmosphere().haze_asymmetry);
-      const dvec3 expected = scene.sun.irradiance * (path.add + phase * path.haze) +
-                             path.transmittance * dvec3(surface);
+      const dvec3 expected = arriving_light(scene, air, paths, i, 300, surface);
       // The device's land is flat and its four steps are long, so there is an error of 2 % at 25 km
       // under a low sun.
       EXPECT_LT(glm::distance(dvec3(arriving[i]), expected), 0.03 * glm::length(expected)) << i;
@@ -142,16 +149,11 @@ TEST_P(Air, OfThickHazeIsSeenAsTheHostFollowsIt) {
       const vec3 surface(0.03f, 0.02f, 0.01f);
       const auto arriving = follow(*pack::pack_scene(scene), paths, surface);
       for (std::size_t i = 0; i < arriving.size(); ++i) {
-        const dvec3 direction(paths.directions[i]);
-        const auto path = air.follow({paths.origins[i].y, direction, paths.distances[i]}, 400);
-        const double phase =
-            air::haze_phase(glm::dot(direction, air.sun()), air.atmosphere().haze_asymmetry);
-        const dvec3 expected = scene.sun.irradiance * (path.add + phase * path.haze) +
-                               path.transmittance * dvec3(surface);
+        const dvec3 expected = arriving_light(scene, air, paths, i, 400, surface);
         // There are four steps. The first may hide the others and reach beyond the haze, so the
         // tolerance is wide.
         EXPECT_LT(glm::distance(dvec3(arriving[i]), expected), 0.2 * glm::length(expected) + 1e-6)
-            << direction.y << " over " << paths.distances[i];
+            << paths.directions[i].y << " over " << paths.distances[i];
       }
     }
   }
