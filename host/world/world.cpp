@@ -1,6 +1,7 @@
 #include "world/world.hpp"
 
 #include <new>
+#include <optional>
 
 #include <oneapi/tbb/parallel_invoke.h>
 
@@ -24,11 +25,17 @@ GroupRequest request_for(const scene::Scene& scene, const BuildOptions& options)
   return {scene, options.where, options.carving, obstacles_of(scene, options.kinds)};
 }
 
+std::optional<GroupRequest> previous_request(const BuildOptions& options) {
+  if (options.previous == nullptr) return std::nullopt;
+  return request_for(options.previous->scene, options);
+}
+
 /// Builds groups, or takes them from the previous world.
 class Builder {
  public:
   Builder(const scene::Scene& scene, const BuildOptions& options)
       : request_(request_for(scene, options)),
+        before_(previous_request(options)),
         options_(options),
         local_(scene::counted_from_origin(scene)),
         reliefs_(options.reliefs != nullptr ? *options.reliefs : own_reliefs_) {}
@@ -66,17 +73,17 @@ class Builder {
 
   /// Returns the previous group of a kind if it is still what the scene asks for, else null.
   const Group* kept_group(const GroupKind& kind) const {
-    const World* previous = options_.previous;
-    if (previous == nullptr || previous->scene.origin != request_.scene.origin) return nullptr;
+    if (!before_ || before_->scene.origin != request_.scene.origin) return nullptr;
     if (kind.footing == Footing::on_ground && !ground_is_kept_) return nullptr;
-    const GroupRequest before = request_for(previous->scene, options_);
-    for (const Group& group : previous->groups) {
-      if (group.kind == &kind) return kind.same(request_, before) ? &group : nullptr;
+    for (const Group& group : options_.previous->groups) {
+      if (group.kind == &kind) return kind.same(request_, *before_) ? &group : nullptr;
     }
     return nullptr;
   }
 
   GroupRequest request_;
+  /// The request that the previous world was built for, if there is one.
+  std::optional<GroupRequest> before_;
   const BuildOptions& options_;
   scene::Scene local_;
   ReliefCache own_reliefs_;
