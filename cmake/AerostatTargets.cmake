@@ -1,5 +1,5 @@
 # This file holds what all targets of the project share: the language level, warnings, sanitizers
-# and the two functions by which folders declare themselves.
+# and the function by which each host folder declares its library.
 
 set(CMAKE_CXX_STANDARD 20)
 set(CMAKE_CXX_STANDARD_REQUIRED ON)
@@ -11,7 +11,8 @@ if(PROJECT_IS_TOP_LEVEL AND NOT CMAKE_BUILD_TYPE AND NOT CMAKE_CONFIGURATION_TYP
 endif()
 
 option(AEROSTAT_WERROR "Treat warnings as errors" OFF)
-# Precompiled headers are for those who ask for them: ccache keeps nothing that reads one.
+# Precompiled headers are off unless they are asked for, because ccache does not cache a file that
+# reads one.
 if(NOT DEFINED CMAKE_DISABLE_PRECOMPILE_HEADERS)
   set(CMAKE_DISABLE_PRECOMPILE_HEADERS ON)
 endif()
@@ -27,7 +28,7 @@ target_compile_options(aerostat_options INTERFACE -Wall -Wextra -Wpedantic -Wsha
                        -Wno-sign-conversion -Wno-psabi -ffp-contract=off
                        $<$<BOOL:${AEROSTAT_WERROR}>:-Werror>)
 # These options are for folders that spend their time in loops over arrays. Compilers vectorise
-# square roots and selections only if nobody asks for errno or for exceptions of floating point.
+# square roots and selections only if the code needs neither errno nor floating-point exceptions.
 # The options do not change values.
 set(AEROSTAT_LOOP_OPTIONS -fno-math-errno -fno-trapping-math)
 if(AEROSTAT_SANITIZE)
@@ -38,10 +39,11 @@ if(AEROSTAT_SANITIZE)
   target_link_options(aerostat_options INTERFACE -fsanitize=address,undefined)
 endif()
 
-# aerostat_library(bvh SOURCES a.cpp b.cpp LINKS aerostat::core TBB::tbb PRIVATE_LINKS ...)
-# makes one library for each host folder. A folder may include only what its library links.
-# LOOPS gives it the options for loops. PRECOMPILED names a precompiled header of its own. Libraries
-# with neither share that of core, because all options must be the same for that.
+# This function declares the library of one host folder:
+#   aerostat_library(bvh SOURCES a.cpp b.cpp LINKS aerostat::core TBB::tbb PRIVATE_LINKS ...)
+# The folder may include only headers of the libraries that it links. LOOPS adds the options for
+# loops. PRECOMPILED names a precompiled header for this library alone. A library with neither shares
+# the precompiled header of core, because a shared one requires the same compile options.
 function(aerostat_library name)
   cmake_parse_arguments(ARG "LOOPS" "PRECOMPILED" "SOURCES;LINKS;PRIVATE_LINKS" ${ARGN})
   add_library(aerostat_${name} STATIC ${ARG_SOURCES})

@@ -1,5 +1,4 @@
-# `cmake --build BUILD --target demo` builds aerostat and renders one scene, to show that it
-# works.
+# The target `demo` builds aerostat and renders one scene, to show that the program works.
 add_custom_target(demo
   COMMAND "${CMAKE_COMMAND}" -E make_directory out
   COMMAND aerostat render scenes/snow.json -o out/snow.png

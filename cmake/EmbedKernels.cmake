@@ -1,15 +1,15 @@
-# aerostat_embed_kernels(target) makes a library of every kernel file below the current folder.
-# Programs read it through host/opencl/embedded.hpp. It is generated anew when a file changes,
-# appears or disappears.
+# The function aerostat_embed_kernels(target) makes a library that contains every kernel file below
+# the current folder. Programs read it through host/opencl/embedded.hpp. The library is generated
+# again when a kernel file changes, appears or disappears.
 #
-# This file is also the generator, when it is run as a script (cmake -P).
+# When CMake runs this file as a script (cmake -P), it is the generator of the library's source.
 
 function(aerostat_embed_kernels target)
   set(root "${CMAKE_CURRENT_SOURCE_DIR}")
   file(GLOB_RECURSE files CONFIGURE_DEPENDS RELATIVE "${root}" "${root}/shared/*.h" "${root}/device/*.clh"
        "${root}/*.cl")
   list(SORT files)
-  # The list is a file of its own, so that a removed kernel is noticed too.
+  # The list of files is written to a file, so that a removed kernel changes a dependency too.
   set(list_file "${CMAKE_CURRENT_BINARY_DIR}/kernel_files.txt")
   file(CONFIGURE OUTPUT "${list_file}" CONTENT "${files}" @ONLY)
   set(generated "${CMAKE_CURRENT_BINARY_DIR}/embedded_kernels.cpp")
@@ -25,9 +25,8 @@ function(aerostat_embed_kernels target)
   target_link_libraries(${target} PRIVATE aerostat_options)
 endfunction()
 
-# Sets `array` to a definition of the file's bytes and `entry` to its line of the table. Bytes
-# have no limit on their length, unlike string literals, and keep every file exactly as it is on
-# the disk.
+# Sets `array` to the definition of an array of the file's bytes, and `entry` to the file's line of
+# the table. Arrays of bytes are used because compilers limit the length of string literals.
 function(_aerostat_embed_file index path)
   file(READ "${ROOT}/${path}" hex HEX)
   string(LENGTH "${hex}" digits)

@@ -1,5 +1,5 @@
-# Embree 3 or 4 is another ray tracer that the bench and the tests compare with. It is never part
-# of the product. The target aerostat::embree exists only if Embree was found.
+# The bench and the tests compare aerostat with Embree 3 or 4, another ray tracer. Embree is never
+# part of the product. The target aerostat::embree exists only if Embree was found.
 if(NOT AEROSTAT_TESTS AND NOT AEROSTAT_BENCH)
   return()
 endif()
@@ -14,7 +14,7 @@ if(TARGET embree)
   target_link_libraries(aerostat_embree INTERFACE embree)
   target_include_directories(aerostat_embree INTERFACE "${PROJECT_SOURCE_DIR}/bench/embree")
   target_compile_definitions(aerostat_embree INTERFACE AEROSTAT_EMBREE=${embree_major})
-  message(STATUS "Embree ${embree_VERSION}: tests and bench compare with it")
+  message(STATUS "Found Embree ${embree_VERSION}; tests and bench compare with it")
 else()
-  message(STATUS "No Embree 3 or 4: tests compare with brute force, the bench with nothing")
+  message(STATUS "Did not find Embree 3 or 4; tests compare with brute force, and the bench runs without a comparison")
 endif()

@@ -1,6 +1,6 @@
-# `cmake --install` installs three components: `programs` with all that they need, `library`
-# (libaerostat) and `dev` (headers and the files that find_package and pkg-config read). This file
-# must be included after the folders of host.
+# `cmake --install` installs three components: `programs` with everything that they need, `library`
+# (libaerostat) and `dev` (the headers and the files that find_package and pkg-config read). This file
+# must be included after the folders of host/, which define the targets.
 include(CMakePackageConfigHelpers)
 
 if(BUILD_SHARED_LIBS OR NOT DEFINED BUILD_SHARED_LIBS)
@@ -28,11 +28,12 @@ if(NOT AEROSTAT_PROGRAMS)
   return()
 endif()
 
-# The zsh of Debian looks in share/zsh/vendor-completions.
+# Zsh reads completions of programs from this folder. The zsh of Debian reads them from
+# share/zsh/vendor-completions.
 set(AEROSTAT_ZSH_COMPLETIONS "${CMAKE_INSTALL_DATADIR}/zsh/site-functions" CACHE STRING
-    "Where zsh finds completions")
+    "Folder from which zsh reads completions")
 
-# Scenes go beside the folder of the programs, where host/scene/installed.cpp looks for them.
+# host/scene/installed.cpp looks for the scenes in this folder, relative to that of the programs.
 install(DIRECTORY scenes/ DESTINATION "${CMAKE_INSTALL_DATADIR}/aerostat/scenes"
         FILES_MATCHING PATTERN "*.json")
 install(DIRECTORY docs/manual DESTINATION "${CMAKE_INSTALL_DOCDIR}")

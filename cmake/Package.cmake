@@ -1,6 +1,6 @@
-# `cmake --workflow --preset package` makes three packages in build/package: aerostat (the
-# programs), libaerostat0 (the library) and libaerostat-dev (headers, CMake and pkg-config files,
-# examples).
+# `cmake --workflow --preset package` makes three Debian packages in build/package: aerostat (the
+# programs), libaerostat0 (the library) and libaerostat-dev (the headers, the files for CMake and
+# pkg-config, and the examples).
 set(CPACK_PACKAGE_NAME aerostat)
 set(CPACK_PACKAGE_VENDOR "aerostat")
 set(CPACK_PACKAGE_CONTACT "The maintainers of aerostat <maintainers@aerostat.example>")
@@ -8,7 +8,7 @@ set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "ray-traced pictures of a hot-air balloon 
 set(CPACK_PACKAGE_DESCRIPTION "Aerostat renders mountain landscapes in a snowy, a tropical or a sandy
 biome, with a hot-air balloon seen from outside or from its basket. It traces
 rays on OpenCL devices: on the cores of any CPU by PoCL, or on a GPU by its
-driver. A few lines of JSON describe a scene; a window sets it up by eye.")
+driver. A few lines of JSON describe a scene, and a window helps to edit it.")
 set(CPACK_PACKAGE_CHECKSUM SHA256)
 set(CPACK_RESOURCE_FILE_LICENSE "${PROJECT_SOURCE_DIR}/LICENSE")
 set(CPACK_STRIP_FILES ON)
@@ -17,7 +17,7 @@ set(CPACK_PRE_BUILD_SCRIPTS "${PROJECT_SOURCE_DIR}/cmake/PackageStage.cmake")
 
 set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
 set(CPACK_DEBIAN_PACKAGE_RELEASE 1)
-set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)  # adds the libraries, among them the loader of OpenCL
+set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)  # adds the packages of the linked libraries, such as the OpenCL loader
 
 set(CPACK_DEB_COMPONENT_INSTALL ON)
 set(CPACK_COMPONENTS_ALL programs library dev)
@@ -36,7 +36,7 @@ set(CPACK_DEBIAN_DEV_PACKAGE_SECTION libdevel)
 set(CPACK_DEBIAN_DEV_PACKAGE_DEPENDS
     "${library_package} (= ${PROJECT_VERSION}-${CPACK_DEBIAN_PACKAGE_RELEASE})")
 set(CPACK_COMPONENT_DEV_DESCRIPTION "headers of the library of aerostat
-What a program needs to be built against libaerostat.")
+This package contains what programs need to build against libaerostat.")
 set(CPACK_DEBIAN_PACKAGE_CONTROL_STRICT_PERMISSION ON)
 
 # PackageStage.cmake reads these values.

@@ -1,5 +1,5 @@
-# CPack runs this script on the folders that the packages are made from. It adds what Debian wants
-# beyond `cmake --install`.
+# CPack runs this script on the folders from which it makes the packages. The script adds the files
+# that Debian requires beyond those of `cmake --install`.
 file(READ "${CPACK_AEROSTAT_SOURCE_DIR}/LICENSE" licence)
 string(TIMESTAMP date "%a, %d %b %Y %H:%M:%S +0000" UTC)
 
@@ -13,7 +13,7 @@ function(stage_package component package)
   configure_file("${CPACK_AEROSTAT_SOURCE_DIR}/CHANGELOG.md" "${docs}/changelog" COPYONLY)
   file(WRITE "${docs}/changelog.Debian"
        "aerostat (${CPACK_PACKAGE_VERSION}-${CPACK_DEBIAN_PACKAGE_RELEASE}) unstable; urgency=low\n\n"
-       "  * What is new is told in changelog.gz.\n\n"
+       "  * See changelog.gz for the changes.\n\n"
        " -- ${CPACK_PACKAGE_CONTACT}  ${date}\n")
   file(GLOB pages "${root}/${CPACK_AEROSTAT_MAN_DIR}/man1/*.1")
   foreach(file ${pages} "${docs}/changelog" "${docs}/changelog.Debian")

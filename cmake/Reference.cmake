@@ -1,5 +1,5 @@
-# The target `reference` writes the API reference to <build>/reference/html with Doxygen, where it is
-# installed: the public headers first, then all of host/ and the device code.
+# If Doxygen is installed, the target `reference` writes the API reference to <build>/reference/html.
+# It covers the public headers, all of host/ and the device code.
 find_package(Doxygen QUIET)
 if(NOT DOXYGEN_FOUND)
   return()

@@ -1,4 +1,4 @@
-"""Holds what the checks of this folder share: the project's root and the reports of findings."""
+"""Contains what the checks of this folder share: the root of the project and the reports."""
 
 import re
 import sys
@@ -10,7 +10,7 @@ _findings = []
 
 
 def report(path, line, found, expected):
-    """Notes one finding: the place, what was found there and what was expected."""
+    """Records one finding: the place, what was found there and what was expected."""
     _findings.append(f"{path.relative_to(ROOT)}:{line}: {found}; expected: {expected}")
 
 

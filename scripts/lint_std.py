@@ -1,17 +1,17 @@
-"""Tells which header of the standard library declares a name, and which names a text uses.
+"""Knows which header of the standard library declares a name, and which names a text uses.
 
-Standard headers bring other headers along, and each version of each library brings others. A file
-that compiles by such luck with one compiler does not compile with the next. Therefore a file includes
-the headers of the names that it uses, itself or through headers of this project.
+Standard headers include other standard headers, and which ones differs between libraries and versions.
+A file that relies on this may not compile with another compiler. Therefore a file includes the headers
+of the names that it uses, directly or through headers of this project.
 """
 
 import re
 
 from lint_report import blanked
 
-# The headers with the names that they declare, without std:: in front. A name that several
-# headers declare is listed with each of them, and any of them will do. Names that nearly every
-# header brings (std::size_t) are left out, because they cannot be missing.
+# The headers with the names that they declare, without std::. A name that several headers declare is
+# listed with each of them, and any of them suffices. Names that nearly every header declares, such as
+# std::size_t, are left out.
 HEADERS = {
     "algorithm": """
         adjacent_find all_of any_of binary_search clamp copy copy_backward copy_if copy_n count
@@ -142,7 +142,7 @@ HEADERS = {
     "variant": "get_if holds_alternative monostate variant visit",
     "vector": "vector",
 }
-# Names that several headers declare according to the standard.
+# Further names that several headers declare according to the standard.
 ALSO = {
     "erase_if": "vector string map set deque list unordered_map unordered_set",
     "erase": "vector string deque list",
@@ -174,9 +174,9 @@ def _declaring():
 
 
 DECLARING = _declaring()
-# Headers that declare only functions. No interface needs them, so that a file that calls the
-# functions includes them itself or in its own header. All other headers may come through a header
-# of this project whose types need them.
+# These headers declare only functions. A file that calls such a function must include its header
+# itself or in the header of the same name. All other headers may also come through another header of
+# this project.
 OF_FUNCTIONS = {"algorithm", "bit", "cctype", "charconv", "cmath", "cstring", "numeric"}
 _TEXT = re.compile(r'//[^\n]*|/\*.*?\*/|R"\(.*?\)"|"(?:\\.|[^"\\\n])*"', re.S)
 _NAME = re.compile(r"\bstd::((?:ranges::)?\w+)")

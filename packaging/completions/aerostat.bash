@@ -16,7 +16,7 @@ _aerostat_options() {
   esac
 }
 
-# Files whose names end in one of "$2 $3 ..." and folders.
+# Prints the folders, and the files whose names end with one of the arguments from $2 on.
 _aerostat_files() {
   local word=$1 ending
   shift
@@ -61,7 +61,8 @@ _aerostat_values() {
 
 _aerostat() {
   local line=${COMP_LINE:0:COMP_POINT} program=${COMP_WORDS[0]} command='' word previous i
-  # Words by spaces alone: bash itself also cuts at ':' and '=', of which devices and --set consist.
+  # The line is split at spaces only. Bash also splits words at ':' and '=', which selectors of devices
+  # and values of --set contain.
   local -a words
   read -r -a words <<<"$line"
   [[ $line == *[[:space:]] ]] && words+=('')
@@ -84,7 +85,7 @@ _aerostat() {
       COMPREPLY=($(_aerostat_scenes "$program" "$word"))
     fi
   fi
-  # What bash takes for an earlier word must not be repeated.
+  # Bash regards the text before the last ':' as an earlier word, which must not be repeated.
   if [[ $word == *:* && $COMP_WORDBREAKS == *:* ]]; then
     COMPREPLY=("${COMPREPLY[@]#"${word%:*}:"}")
   fi

@@ -26,10 +26,10 @@ complete -c aerostat -n "__fish_seen_subcommand_from $scene" -a '(__aerostat_sce
 complete -c aerostat -n "__fish_seen_subcommand_from $scene" -x -l set -d 'Change the scene: pointer=value'
 
 set -l rendering 'render contact-sheet'
-complete -c aerostat -n "__fish_seen_subcommand_from $rendering" -x -l quality -a 'draft standard final' -d 'Samples, soft shadows and ambient occlusion'
-complete -c aerostat -n "__fish_seen_subcommand_from $rendering" -x -l device -a '(__aerostat_devices)' -d 'What computes'
+complete -c aerostat -n "__fish_seen_subcommand_from $rendering" -x -l quality -a 'draft standard final' -d 'Quality of samples, soft shadows and ambient occlusion'
+complete -c aerostat -n "__fish_seen_subcommand_from $rendering" -x -l device -a '(__aerostat_devices)' -d 'OpenCL devices that render'
 complete -c aerostat -n "__fish_seen_subcommand_from $rendering" -x -l lanes -a '1 4 8 16' -d 'Rays per work-item'
-complete -c aerostat -n "__fish_seen_subcommand_from $rendering" -x -l memory-limit -d 'Most memory to take on the device'
+complete -c aerostat -n "__fish_seen_subcommand_from $rendering" -x -l memory-limit -d 'Largest amount of memory to use on each device'
 complete -c aerostat -n "__fish_seen_subcommand_from $rendering" -s q -l quiet -d 'Print only errors'
 
 set -l output 'render contact-sheet export'
@@ -48,6 +48,6 @@ complete -c aerostat -n '__fish_seen_subcommand_from contact-sheet' -x -l seeds 
 complete -c aerostat -n '__fish_seen_subcommand_from contact-sheet' -x -l columns -d 'Tiles across'
 complete -c aerostat -n '__fish_seen_subcommand_from contact-sheet' -x -l tile-width -d 'Pixels across a tile'
 
-complete -c aerostat -n '__fish_seen_subcommand_from scenes' -l folder -d 'Print only the folder that they are in'
+complete -c aerostat -n '__fish_seen_subcommand_from scenes' -l folder -d 'Print only the folder of the scenes'
 complete -c aerostat -n '__fish_seen_subcommand_from devices' -l json -d 'Print JSON'
 complete -c aerostat -n '__fish_seen_subcommand_from export' -l plants -d 'Also write every plant'
