@@ -64,7 +64,7 @@ DeviceBench::DeviceBench(const opencl::Device& device, int lanes, const scene::S
   launch_.tile = render::tile_of(all, render::packet_shape(lanes_, 1), 0);
   launch_.film = render::window_of(all);
   const auto packed = pack::pack_scene(scene);
-  scene_ = {context_, budget_, std::span(packed.get(), 1), "the scene"};
+  scene_ = {context_, budget_, std::span(&packed.numbers, 1), "the scene"};
   const std::vector<AeroFilmPixel> film(std::size_t{launch_.frame.width} * launch_.frame.height);
   film_ = {context_, budget_, std::span(film), "the film"};
   const std::size_t rays = std::size_t{launch_.tile.block_count} * static_cast<std::size_t>(lanes_);

@@ -5,6 +5,8 @@
 
 /* Adds the radiance of a tile's eye rays to the film. */
 __kernel void shade_hits(const AeroLaunch launch, __global const AeroScene* scene,
+                         __global const AeroSkyCell* sky_table,
+                         __global const AeroChartWord* cloud_chart,
                          __global const AeroInstance* instances, __global const float* grid,
                          __global const AeroFace* faces, __global const AeroVertex* vertices,
                          __global const Hit* hits, __global const lane_uint* visible,
@@ -12,6 +14,7 @@ __kernel void shade_hits(const AeroLaunch launch, __global const AeroScene* scen
   const uint block = (uint)get_global_id(0);
   if (block >= launch.tile.block_count) return;
   const AeroLaunch task = launch;
+  const SceneView view = scene_view(scene, sky_table, cloud_chart);
   PixelPacket packet = pixel_packet(&task.tile, block);
   skip_converged(film, &task.film, task.tile.first_sample, &packet);
   if (!lane_any(packet.active)) return;
@@ -27,7 +30,7 @@ __kernel void shade_hits(const AeroLaunch launch, __global const AeroScene* scen
   Lane3 radiance = lane3(zero, zero, zero);
   Lane3 normal = lane3(zero, zero, zero);
   lane_uint object = (lane_uint)AERO_OBJECT_SKY;
-  if (!lane_all(met)) radiance = sky_radiance(scene, &way);
+  if (!lane_all(met)) radiance = sky_radiance(&view, &way);
   if (lane_any(met)) {
     const HeightGrid ground = height_grid(grid);
     const MeshArrays meshes = mesh_arrays(faces, vertices, instances);
@@ -38,7 +41,7 @@ __kernel void shade_hits(const AeroLaunch launch, __global const AeroScene* scen
     const RayCone cone = eye_cone(&task.frame);
     const SurfacePoint point =
         surface_point(scene, &triangle, &ray, &hit, cone_across(&cone, distance));
-    const Lane3 surface = shade_hit(scene, &point, &triangle, &ray, &hit, visible[block], &around);
+    const Lane3 surface = shade_hit(&view, &point, &triangle, &ray, &hit, visible[block], &around);
     radiance = select3(met, through_air(scene, surface, &way, distance), radiance);
     normal = select3(met, point.normal, normal);
     object = lane_select(met, triangle.object, object);
@@ -47,7 +50,7 @@ __kernel void shade_hits(const AeroLaunch launch, __global const AeroScene* scen
     const SampleNumbers at = sample_numbers(&task.frame, &packet);
     /* The width of a pixel of parallel rays counts as if it were a kilometre away. */
     const float angle = task.frame.pixel_angle + 1e-3f * task.frame.pixel_width;
-    radiance = behind_clouds(scene, radiance, &way, distance, angle, at.w);
+    radiance = behind_clouds(&view, radiance, &way, distance, angle, at.w);
   }
 
   Samples samples;

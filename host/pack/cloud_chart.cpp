@@ -190,13 +190,14 @@ void spread(Distances& distances) {
   pass(kSide - 1, -1, -1);
 }
 
-void mark_cells(const AeroCumulus& clouds, AeroCloudChart& chart) {
+void mark_cells(const AeroCumulus& clouds, CloudChart& chart) {
   Distances distances(static_cast<std::size_t>(kSide) * kSide, 255);
   tbb::parallel_for(0, kSide / kTile,
-                    [&](int tile_z) { survey(clouds, chart, tile_z, distances); });
+                    [&](int tile_z) { survey(clouds, chart.place, tile_z, distances); });
   spread(distances);
+  chart.words.resize(AERO_CHART_WORDS);
   for (std::size_t i = 0; i < distances.size(); ++i) {
-    chart.cells[i / 4] |= std::uint32_t{distances[i]} << (8 * (i % 4));
+    chart.words[i / 4].cells |= std::uint32_t{distances[i]} << (8 * (i % 4));
   }
 }
 
@@ -206,19 +207,16 @@ float corner_by(float eye, float tile) {
 
 }  // namespace
 
-std::shared_ptr<const AeroCloudChart> cloud_chart(const AeroCumulus& clouds, const vec3& eye,
-                                                  CloudChartCache& cache) {
+std::shared_ptr<const CloudChart> cloud_chart(const AeroCumulus& clouds, const vec3& eye,
+                                              CloudChartCache& cache) {
   const bool some_clear = clouds.threshold + kLeastOver - kNumericalMargin > 0.0f;
   if (!(clouds.extinction > 0.0f) || !some_clear) return nullptr;
   const float cell = clouds.size / kCellsPerSize;
   const float tile = static_cast<float>(kTile) * cell;
   const float x0 = corner_by(eye.x, tile), z0 = corner_by(eye.z, tile);
   return cache.get({clouds.size, clouds.threshold, clouds.seed, x0, z0}, [&] {
-    const auto chart = std::make_shared<AeroCloudChart>();
-    chart->x0 = x0;
-    chart->z0 = z0;
-    chart->cell = cell;
-    chart->side = kSide;
+    const auto chart = std::make_shared<CloudChart>();
+    chart->place = {x0, z0, cell, kSide};
     mark_cells(clouds, *chart);
     return chart;
   });

@@ -19,23 +19,26 @@ AeroFog pack_fog(const scene::Fog& from, const air::FogLayer& layer, double sun_
   return fog;
 }
 
-void pack_sky_cells(const air::SkyTable& table, AeroAir& air) {
+std::vector<AeroSkyCell> pack_sky_table(const air::SkyTable& table) {
   static_assert(AERO_SKY_COLUMNS == air::SkyTable::kColumns);
   static_assert(AERO_SKY_ROWS_ABOVE == air::SkyTable::kRowsAbove);
   static_assert(AERO_SKY_ROWS_BELOW == air::SkyTable::kRowsBelow);
   static_assert(AERO_SKY_CELLS == AERO_SKY_COLUMNS * (AERO_SKY_ROWS_ABOVE + AERO_SKY_ROWS_BELOW));
-  air.horizon_sine = static_cast<float>(table.horizon_sine());
-  for (std::size_t i = 0; i < AERO_SKY_CELLS; ++i) {
-    copy(air.sky[i].add, table.cells()[i].add);
-    copy(air.sky[i].haze, table.cells()[i].haze);
+  std::vector<AeroSkyCell> cells(AERO_SKY_CELLS);
+  for (std::size_t i = 0; i < cells.size(); ++i) {
+    copy(cells[i].add, table.cells()[i].add);
+    copy(cells[i].haze, table.cells()[i].haze);
   }
+  return cells;
 }
 
 }  // namespace
 
-void pack_air(const scene::Scene& scene, air::ScatteringCache& cache, AeroAir& air) {
+PackedAir pack_air(const scene::Scene& scene, air::ScatteringCache& cache) {
   const air::Light light(scene, cache);
   const air::Atmosphere& from = light.atmosphere;
+  PackedAir packed;
+  AeroAir& air = packed.numbers;
   copy(air.molecules, from.molecules);
   copy(air.haze_scattering, from.haze_scattering);
   copy(air.haze_extinction, from.haze_extinction);
@@ -58,7 +61,9 @@ void pack_air(const scene::Scene& scene, air::ScatteringCache& cache, AeroAir& a
   air.thick_haze = light.thick_haze ? 1.0f : 0.0f;
   for (std::size_t i = 0; i < 9; ++i) copy(air.ambient[i], light.ambient[i]);
   air.fog = pack_fog(scene.fog, from.fog, glm::normalize(scene.sun.direction).y);
-  pack_sky_cells(light.sky, air);
+  air.horizon_sine = static_cast<float>(light.sky.horizon_sine());
+  packed.sky_table = pack_sky_table(light.sky);
+  return packed;
 }
 
 }  // namespace aerostat::pack

@@ -37,19 +37,19 @@ float cumulus_threshold(double cover) {
   return static_cast<float>(0.155 * std::log((1.0 - share) / share));
 }
 
-/// `eye` is the place of the eye over the terrain.
-void pack_cumulus(const scene::Cumulus& from, const dvec3& eye, CloudChartCache& cache,
-                  AeroCumulus& cumulus) {
+AeroCumulus pack_cumulus(const scene::Cumulus& from) {
+  AeroCumulus cumulus{};
   cumulus.base = static_cast<float>(from.base_m);
   cumulus.thickness = static_cast<float>(std::min(from.thickness_m, kTallest * from.size_m));
   cumulus.size = static_cast<float>(from.size_m);
   cumulus.threshold = cumulus_threshold(from.cover);
   cumulus.extinction = from.cover > 0.0 ? kCumulusExtinction : 0.0f;
   cumulus.seed = from.seed * 2654435761u;
-  if (const auto chart = cloud_chart(cumulus, vec3(eye), cache)) cumulus.chart = *chart;
+  return cumulus;
 }
 
-void pack_sky(const scene::Scene& scene, CloudChartCache& cache, AeroSky& sky) {
+AeroSky pack_sky(const scene::Scene& scene) {
+  AeroSky sky{};
   copy(sky.sun_direction, glm::normalize(scene.sun.direction));
   copy(sky.sun_irradiance, dvec3(scene.sun.color) * scene.sun.irradiance);
   sky.sun_cos = static_cast<float>(std::cos(air::kSunRadius));
@@ -60,8 +60,8 @@ void pack_sky(const scene::Scene& scene, CloudChartCache& cache, AeroSky& sky) {
   sky.ambient_reach =
       scene.sky.ambient_occlusion ? static_cast<float>(scene.sky.occlusion_m) : 0.0f;
   sky.bounced = scene.sky.bounced_light ? 1u : 0u;
-  pack_cumulus(scene.sky.cumulus, scene::place_of(scene, *scene.camera.position), cache,
-               sky.cumulus);
+  sky.cumulus = pack_cumulus(scene.sky.cumulus);
+  return sky;
 }
 
 /// Waves shorter than a millimetre are finer than any picture shows, and their number over a land
@@ -139,29 +139,35 @@ std::uint32_t shading_of(scene::Shading shading) {
 
 }  // namespace
 
-std::unique_ptr<AeroScene> pack_scene(const scene::Scene& scene) {
+PackedScene pack_scene(const scene::Scene& scene) {
   PackCache cache;
   return pack_scene(scene, cache);
 }
 
-std::unique_ptr<AeroScene> pack_scene(const scene::Scene& scene, PackCache& cache) {
+PackedScene pack_scene(const scene::Scene& scene, PackCache& cache) {
   if (scene.lights.size() > AERO_MAX_POINT_LIGHTS) {
     throw Error(ErrorKind::bad_data, fmt::format("/lights: found {} lights, expected at most {}",
                                                  scene.lights.size(), AERO_MAX_POINT_LIGHTS));
   }
-  auto packed = std::make_unique<AeroScene>();
-  pack_sky(scene, cache.clouds, packed->sky);
-  packed->ground = pack_ground(scene);
-  packed->water = pack_water(scene.biome.water);
-  packed->balloon = pack_balloon(scene);
-  pack_materials(scene, packed->materials);
+  PackedScene packed;
+  AeroScene& numbers = packed.numbers;
+  numbers.sky = pack_sky(scene);
+  const vec3 eye(scene::place_of(scene, *scene.camera.position));
+  packed.cloud_chart = cloud_chart(numbers.sky.cumulus, eye, cache.clouds);
+  if (packed.cloud_chart) numbers.sky.cumulus.chart = packed.cloud_chart->place;
+  numbers.ground = pack_ground(scene);
+  numbers.water = pack_water(scene.biome.water);
+  numbers.balloon = pack_balloon(scene);
+  pack_materials(scene, numbers.materials);
   for (std::size_t i = 0; i < scene.lights.size(); ++i) {
-    packed->lights[i] = pack_light(scene.lights[i], scene.origin);
+    numbers.lights[i] = pack_light(scene.lights[i], scene.origin);
   }
-  packed->light_count = static_cast<std::uint32_t>(scene.lights.size());
-  packed->shading = shading_of(scene.shading);
-  pack_air(scene, cache.air, packed->air);
-  copy(packed->place, scene::place_of(scene, scene.origin));
+  numbers.light_count = static_cast<std::uint32_t>(scene.lights.size());
+  numbers.shading = shading_of(scene.shading);
+  PackedAir air = pack_air(scene, cache.air);
+  numbers.air = air.numbers;
+  packed.sky_table = std::move(air.sky_table);
+  copy(numbers.place, scene::place_of(scene, scene.origin));
   return packed;
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <vector>
 
 #include "air/light.hpp"
 #include "bvh/bvh.hpp"
@@ -11,9 +12,17 @@
 
 namespace aerostat::pack {
 
-/// Light, air, materials and ground rules; too much of it for a thread's stack. Throws
-/// Error{bad_data} for more than AERO_MAX_POINT_LIGHTS point lights.
-std::unique_ptr<AeroScene> pack_scene(const scene::Scene& scene);
+/// A scene for the device: its numbers (light, air, materials and ground rules) and its tables.
+struct PackedScene {
+  AeroScene numbers{};
+  /// AERO_SKY_CELLS cells.
+  std::vector<AeroSkyCell> sky_table;
+  /// The chart of clouds, or null if there is none.
+  std::shared_ptr<const CloudChart> cloud_chart;
+};
+
+/// Packs a scene. Throws Error{bad_data} for more than AERO_MAX_POINT_LIGHTS point lights.
+PackedScene pack_scene(const scene::Scene& scene);
 
 /// What packing a scene keeps for the next one.
 struct PackCache {
@@ -22,7 +31,7 @@ struct PackCache {
 };
 
 /// Packs a scene with what a cache has of the air and the clouds, and leaves its own there.
-std::unique_ptr<AeroScene> pack_scene(const scene::Scene& scene, PackCache& cache);
+PackedScene pack_scene(const scene::Scene& scene, PackCache& cache);
 
 /// Camera, image size and sampling. Parallel rays begin shortly before `world`, the bounds of all
 /// that they can meet, if the eye is far away from it: single precision would bend them. Throws

@@ -13,6 +13,8 @@
 namespace aerostat::render {
 
 using SceneBuffer = opencl::Buffer<AeroScene>;
+using SkyTableBuffer = opencl::Buffer<AeroSkyCell>;
+using CloudChartBuffer = opencl::Buffer<AeroChartWord>;
 using NodeBuffer = opencl::Buffer<AeroBvhNode>;
 using TriangleBuffer = opencl::Buffer<AeroTriangle>;
 using FaceBuffer = opencl::Buffer<AeroFace>;

@@ -61,7 +61,7 @@ void DeviceTeam::set_geometry(const std::shared_ptr<const bvh::Bvh>& tree,
   on_each([&](DeviceWorker& worker) { worker.set_geometry(tree, frame, between); });
 }
 
-void DeviceTeam::begin_frame(const AeroScene& scene, std::size_t pixels) {
+void DeviceTeam::begin_frame(const pack::PackedScene& scene, std::size_t pixels) {
   on_each([&](DeviceWorker& worker) { worker.begin_frame(scene, pixels); });
 }
 

@@ -31,7 +31,7 @@ class DeviceTeam {
   void set_geometry(const std::shared_ptr<const bvh::Bvh>& tree,
                     const std::shared_ptr<const FrameArrays>& frame,
                     const std::function<void()>& between);
-  void begin_frame(const AeroScene& scene, std::size_t pixels);
+  void begin_frame(const pack::PackedScene& scene, std::size_t pixels);
   void begin_film(const Crop& window);
 
   /// Waits for programs that are being built, and tells `waiting` the progress of all devices

@@ -44,10 +44,16 @@ void DeviceWorker::set_geometry(const std::shared_ptr<const bvh::Bvh>& tree,
   geometry_ = upload(context_, budget_, tree, frame, between);
 }
 
-void DeviceWorker::begin_frame(const AeroScene& scene, std::size_t pixels) {
+void DeviceWorker::begin_frame(const pack::PackedScene& scene, std::size_t pixels) {
   in_flight_.clear();
-  occlusion_ = scene.sky.ambient_reach > 0.0f;
-  scene_ = {context_, budget_, std::span(&scene, 1), "the scene"};
+  occlusion_ = scene.numbers.sky.ambient_reach > 0.0f;
+  scene_ = {context_, budget_, std::span(&scene.numbers, 1), "the scene"};
+  sky_table_ = {context_, budget_, std::span(scene.sky_table), "the table of the sky"};
+  cloud_chart_ = {};
+  if (scene.cloud_chart) {
+    cloud_chart_ = {context_, budget_, scene.cloud_chart, std::span(scene.cloud_chart->words),
+                    "the chart of clouds"};
+  }
   if (film_.size() != pixels) {
     film_ = {};
     film_ = {
@@ -154,9 +160,10 @@ void DeviceWorker::launch_tile(const AeroLaunch& launch) {
                        geometry_.nodes, geometry_.triangles, geometry_.instances, geometry_.grid,
                        geometry_.faces, geometry_.vertices, hits_, found_);
   }
-  work.events[KernelStage::shading] = opencl::launch(
-      context_, programs_->shade_hits, size, launch, scene_, geometry_.instances, geometry_.grid,
-      geometry_.faces, geometry_.vertices, hits_, visible_, found_, film_);
+  work.events[KernelStage::shading] =
+      opencl::launch(context_, programs_->shade_hits, size, launch, scene_, sky_table_,
+                     cloud_chart_, geometry_.instances, geometry_.grid, geometry_.faces,
+                     geometry_.vertices, hits_, visible_, found_, film_);
   in_flight_.push_back(work);
 }
 

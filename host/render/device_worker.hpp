@@ -9,13 +9,13 @@
 #include <optional>
 #include <stop_token>
 
+#include "pack/pack_scene.hpp"
 #include "render/film_buffer.hpp"
 #include "render/geometry.hpp"
 #include "render/programs.hpp"
 #include "render/row_queue.hpp"
 #include "render/session.hpp"
 #include "render/tiles.hpp"
-#include "scene_params.h"
 
 namespace aerostat::render {
 
@@ -61,7 +61,7 @@ class DeviceWorker {
   const DeviceGeometry& geometry() const { return geometry_; }
 
   /// Gives the scene to the device, and allocates a film of `pixels` pixels.
-  void begin_frame(const AeroScene& scene, std::size_t pixels);
+  void begin_frame(const pack::PackedScene& scene, std::size_t pixels);
 
   /// Begins an empty film of these pixels of the image. They must be at most as many as
   /// `begin_frame` allocated.
@@ -109,6 +109,8 @@ class DeviceWorker {
   std::future<Programs> programs_to_come_;
   DeviceGeometry geometry_;
   SceneBuffer scene_;
+  SkyTableBuffer sky_table_;
+  CloudChartBuffer cloud_chart_;
   FilmBuffer film_;
   /// The pixels of the image that the film holds.
   Crop window_;

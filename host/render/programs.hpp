@@ -24,8 +24,9 @@ struct Programs {
   opencl::TypedKernel<AeroLaunch, SceneBuffer, NodeBuffer, TriangleBuffer, InstanceBuffer,
                       GridBuffer, FaceBuffer, VertexBuffer, HitBuffer, FoundBuffer>
       trace_ambient_rays;
-  opencl::TypedKernel<AeroLaunch, SceneBuffer, InstanceBuffer, GridBuffer, FaceBuffer, VertexBuffer,
-                      HitBuffer, VisibleBuffer, FoundBuffer, FilmBuffer>
+  opencl::TypedKernel<AeroLaunch, SceneBuffer, SkyTableBuffer, CloudChartBuffer, InstanceBuffer,
+                      GridBuffer, FaceBuffer, VertexBuffer, HitBuffer, VisibleBuffer, FoundBuffer,
+                      FilmBuffer>
       shade_hits;
   opencl::TypedKernel<FilmBuffer, std::uint32_t> clear_film;
   opencl::TypedKernel<FilmBuffer, AeroConvergence> mark_converged;

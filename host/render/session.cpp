@@ -188,8 +188,8 @@ void Session::State::prepare(const scene::Scene& scene, const scene::Scene& show
   upload();
   const auto packed = packing.get();
   const std::size_t pixels = PassPlan(shown.image, crop, team.lanes()).area_from(0).pixels();
-  team.begin_frame(*packed, std::max(pixels, static_cast<std::size_t>(kMeteringPixels)));
-  daylight = vec3(pack::daylight(*packed, scene.camera.position->y));
+  team.begin_frame(packed, std::max(pixels, static_cast<std::size_t>(kMeteringPixels)));
+  daylight = vec3(pack::daylight(packed.numbers, scene.camera.position->y));
   stats.upload_seconds = upload_watch.seconds();
 }
 

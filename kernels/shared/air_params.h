@@ -55,9 +55,8 @@ typedef struct AeroAir {
   aero_float ambient[9][3]; /* irradiance / pi by the normal, in spherical harmonics */
   aero_float horizon_sine;
   AeroFog fog;
-  AeroSkyCell sky[AERO_SKY_CELLS];
 } AeroAir;
 
-AERO_ASSERT_LAYOUT(AeroAir, 32588);
+AERO_ASSERT_LAYOUT(AeroAir, 332);
 
 #endif

@@ -27,17 +27,23 @@ AERO_ASSERT_LAYOUT(AeroPointLight, 28);
 #define AERO_CHART_SIDE 512
 #define AERO_CHART_WORDS 65536
 
+/* The place of the chart of clouds. */
 typedef struct AeroCloudChart {
   aero_float x0, z0; /* lower corner of the chart, metres */
   aero_float cell;   /* side of a cell, metres */
   aero_uint side;    /* cells along a side: AERO_CHART_SIDE, or 0 without a chart */
-  /* Each cell has one byte, in rows along x from the lowest z on, and each word holds four cells
-   * from its lowest byte on. The byte is 0 where there may be clouds. Elsewhere it is the number of
-   * cells along x or z to the next cell with a 0. */
-  aero_uint cells[AERO_CHART_WORDS];
 } AeroCloudChart;
 
-AERO_ASSERT_LAYOUT(AeroCloudChart, 262160);
+AERO_ASSERT_LAYOUT(AeroCloudChart, 16);
+
+/* Four cells of the chart of clouds, from the lowest byte on. Cells lie in rows along x from the
+ * lowest z on. A cell's byte is 0 where there may be clouds. Elsewhere it is the number of cells
+ * along x or z to the next cell with a 0. */
+typedef struct AeroChartWord {
+  aero_uint cells;
+} AeroChartWord;
+
+AERO_ASSERT_LAYOUT(AeroChartWord, 4);
 
 /* Heaped clouds over flat bases. There are none if the extinction is 0. */
 typedef struct AeroCumulus {
@@ -49,7 +55,7 @@ typedef struct AeroCumulus {
   AeroCloudChart chart;
 } AeroCumulus;
 
-AERO_ASSERT_LAYOUT(AeroCumulus, 262184);
+AERO_ASSERT_LAYOUT(AeroCumulus, 40);
 
 /* The sun and the clouds. */
 typedef struct AeroSky {
@@ -65,7 +71,7 @@ typedef struct AeroSky {
   AeroCumulus cumulus;
 } AeroSky;
 
-AERO_ASSERT_LAYOUT(AeroSky, 262236);
+AERO_ASSERT_LAYOUT(AeroSky, 92);
 
 /* Lists the numbers that the host copies from scene::Ground as they are. NUMBER is called with the
  * member of AeroGround and the member of scene::Ground. */
@@ -119,6 +125,8 @@ typedef struct AeroBalloon {
 
 AERO_ASSERT_LAYOUT(AeroBalloon, 60);
 
+/* The numbers of a scene. The table of the sky (AeroSkyCell) and the chart of clouds
+ * (AeroChartWord) are buffers of their own. */
 typedef struct AeroScene {
   AeroSky sky;
   AeroGround ground;
@@ -134,6 +142,6 @@ typedef struct AeroScene {
   aero_float place[3];
 } AeroScene;
 
-AERO_ASSERT_LAYOUT(AeroScene, 297064 + sizeof(AeroGround));
+AERO_ASSERT_LAYOUT(AeroScene, 2664 + sizeof(AeroGround));
 
 #endif

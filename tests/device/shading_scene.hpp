@@ -2,8 +2,8 @@
 
 #include <cmath>
 
+#include "pack/pack_scene.hpp"
 #include "probe.hpp"
-#include "scene_params.h"
 
 /// Provides a scene for the shading probes: a white sun straight above, no air, and no point
 /// lights.
@@ -38,6 +38,26 @@ inline void set_ambient(AeroScene& scene, const vec3& up, const vec3& down) {
 inline opencl::Buffer<AeroScene> uploaded(const AeroScene& scene) {
   return input(std::vector<AeroScene>{scene});
 }
+
+/// Returns a scene whose sky has the same radiance in all directions, without a chart of clouds.
+/// `radiance` is per irradiance of the sun.
+inline pack::PackedScene with_even_sky(const AeroScene& scene, const vec3& radiance = vec3(0.0f)) {
+  AeroSkyCell cell{};
+  set3(cell.add, radiance);
+  return {scene, std::vector<AeroSkyCell>(AERO_SKY_CELLS, cell), nullptr};
+}
+
+/// The buffers of a scene, in the order in which probes with a SceneView take them.
+struct UploadedScene {
+  explicit UploadedScene(const pack::PackedScene& scene)
+      : numbers(uploaded(scene.numbers)), sky_table(input(scene.sky_table)) {
+    if (scene.cloud_chart) cloud_chart = input(scene.cloud_chart->words);
+  }
+
+  opencl::Buffer<AeroScene> numbers;
+  opencl::Buffer<AeroSkyCell> sky_table;
+  opencl::Buffer<AeroChartWord> cloud_chart;
+};
 
 /// Returns the unit vector in the plane of y and x that is `degrees` away from +y.
 inline vec3 tilted(float degrees) {

@@ -52,19 +52,19 @@ scene::Scene furnace() {
 }
 
 /// Returns light of radiance 1 from everywhere, without sun and air.
-AeroScene even_light(const scene::Scene& scene) {
-  AeroScene packed = *pack::pack_scene(scene);
-  AeroAir& air = packed.air;
+pack::PackedScene even_light(const scene::Scene& scene) {
+  pack::PackedScene packed = pack::pack_scene(scene);
+  AeroAir& air = packed.numbers.air;
   const AeroSkyCell one{{1.0f, 1.0f, 1.0f}, {0.0f, 0.0f, 0.0f}};
-  std::fill(std::begin(air.sky), std::end(air.sky), one);
+  std::fill(packed.sky_table.begin(), packed.sky_table.end(), one);
   for (auto& term : air.ambient) std::fill(std::begin(term), std::end(term), 0.0f);
   for (int c = 0; c < 3; ++c) {
-    air.ambient[0][c] = packed.sky.sun_irradiance[c] = 1.0f;
+    air.ambient[0][c] = packed.numbers.sky.sun_irradiance[c] = 1.0f;
     air.molecules[c] = air.haze_scattering[c] = air.haze_extinction[c] = 0.0f;
   }
   air.sun_heights[0] = 1e8f;
   air.sun_heights[1] = 2e8f;
-  packed.sky.sun_cos = 1.0f;
+  packed.numbers.sky.sun_cos = 1.0f;
   return packed;
 }
 

@@ -13,17 +13,17 @@ namespace {
 constexpr float kBase = 1000.0f, kThickness = 800.0f, kExtinction = 1e-3f;
 
 /// Returns a scene with a deck without gaps. A footprint of 20 m does not resolve its bulges.
-AeroScene closed_deck() {
+pack::PackedScene closed_deck() {
   AeroScene scene = bare_scene();
   scene.sky.cumulus = {kBase, kThickness, 10.0f, -1e6f, kExtinction, 7u, {}};
-  return scene;
+  return with_even_sky(scene);
 }
 
-AeroScene broken_clouds(double cover) {
+pack::PackedScene broken_clouds(double cover) {
   scene::Scene scene = scene::defaults(scene::BiomeKind::tropical, scene::View::outside);
   scene.sun.direction = {0.0, 1.0, 0.0};
   scene.sky.cumulus.cover = cover;
-  return *pack::pack_scene(scene);
+  return pack::pack_scene(scene);
 }
 
 double smooth(double lo, double hi, double x) {
@@ -49,33 +49,39 @@ class Cumulus : public LaneTest {
  protected:
   const Probe probe{"shading.cl", GetParam()};
 
-  std::vector<float> shadow(const AeroScene& scene, const std::vector<vec3>& positions,
+  std::vector<float> shadow(const pack::PackedScene& scene, const std::vector<vec3>& positions,
                             float footprint) const {
     const std::size_t count = whole_packets(positions.size());
     const auto share = output<float>(count);
-    probe.run("probe_cloud_shadow", count, uploaded(scene), input(planes(positions)),
+    const UploadedScene on_device(scene);
+    probe.run("probe_cloud_shadow", count, on_device.numbers, on_device.sky_table,
+              on_device.cloud_chart, input(planes(positions)),
               input(std::vector<float>(count, footprint)), share);
     auto values = share.read();
     values.resize(positions.size());
     return values;
   }
 
-  std::vector<float> density(const AeroScene& scene, const std::vector<vec3>& positions,
+  std::vector<float> density(const pack::PackedScene& scene, const std::vector<vec3>& positions,
                              float footprint) const {
     const std::size_t count = whole_packets(positions.size());
     const auto found = output<float>(count);
-    probe.run("probe_cloud_density", count, uploaded(scene), input(planes(positions)),
+    const UploadedScene on_device(scene);
+    probe.run("probe_cloud_density", count, on_device.numbers, on_device.sky_table,
+              on_device.cloud_chart, input(planes(positions)),
               input(std::vector<float>(count, footprint)), found);
     return found.read();
   }
 
   /// Returns the share of white light that is left along rays to the sky, as `left` does, by fine
   /// steps.
-  std::vector<float> left_finely(const AeroScene& scene, const std::vector<vec3>& directions,
-                                 float height) const {
+  std::vector<float> left_finely(const pack::PackedScene& scene,
+                                 const std::vector<vec3>& directions, float height) const {
     const std::size_t count = whole_packets(directions.size());
     const auto arriving = output<float>(3 * count);
-    probe.run("probe_clouds_finely", count, uploaded(scene),
+    const UploadedScene on_device(scene);
+    probe.run("probe_clouds_finely", count, on_device.numbers, on_device.sky_table,
+              on_device.cloud_chart,
               input(planes(std::vector<vec3>(directions.size(), {0.0f, height, 0.0f}))),
               input(planes(directions)), 4.0f, arriving);
     auto values = arriving.read();
@@ -84,11 +90,12 @@ class Cumulus : public LaneTest {
   }
 
   /// Returns the share of white light that is left along rays from (0, height, 0).
-  std::vector<float> left(const AeroScene& scene, const std::vector<vec3>& directions, float height,
-                          float distance) const {
+  std::vector<float> left(const pack::PackedScene& scene, const std::vector<vec3>& directions,
+                          float height, float distance) const {
     const std::size_t count = whole_packets(directions.size());
     const auto arriving = output<float>(3 * count);
-    probe.run("probe_clouds", count, uploaded(scene),
+    const UploadedScene on_device(scene);
+    probe.run("probe_clouds", count, on_device.numbers, on_device.sky_table, on_device.cloud_chart,
               input(planes(std::vector<vec3>(directions.size(), {0.0f, height, 0.0f}))),
               input(planes(directions)), input(std::vector<float>(count, distance)), arriving);
     const auto values = arriving.read();
@@ -103,17 +110,17 @@ class Cumulus : public LaneTest {
 TEST(TallClouds, AreNoColumns) {
   auto scene = scene::defaults(scene::BiomeKind::tropical, scene::View::outside);
   const float usual = static_cast<float>(scene.sky.cumulus.thickness_m);
-  EXPECT_EQ(pack::pack_scene(scene)->sky.cumulus.thickness, usual);
+  EXPECT_EQ(pack::pack_scene(scene).numbers.sky.cumulus.thickness, usual);
   scene.sky.cumulus.thickness_m = 6000.0;
   scene.sky.cumulus.size_m = 50.0;
-  EXPECT_EQ(pack::pack_scene(scene)->sky.cumulus.thickness, 75.0f);
+  EXPECT_EQ(pack::pack_scene(scene).numbers.sky.cumulus.thickness, 75.0f);
 }
 
 TEST_P(Cumulus, DimsTheSunByWhatALayerLetsThrough) {
   for (const float degrees : {0.0f, 40.0f, 60.0f}) {
-    AeroScene scene = closed_deck();
-    set3(scene.sky.sun_direction, tilted(degrees));
-    const double cosine = scene.sky.sun_direction[1];
+    pack::PackedScene scene = closed_deck();
+    set3(scene.numbers.sky.sun_direction, tilted(degrees));
+    const double cosine = scene.numbers.sky.sun_direction[1];
     const double width = std::max(20.0, 2.0 * 0.0093 * kBase / cosine);
     const double step = 0.35 * 1.25 * kThickness / cosine / 6.0;
     const double depth = depth_of_deck(std::max(width, step)) / cosine;
@@ -125,8 +132,8 @@ TEST_P(Cumulus, DimsTheSunByWhatALayerLetsThrough) {
 }
 
 TEST_P(Cumulus, HidesByBeersLaw) {
-  AeroScene scene = closed_deck();
-  set3(scene.sky.sun_irradiance, vec3(0.0f));
+  pack::PackedScene scene = closed_deck();
+  set3(scene.numbers.sky.sun_irradiance, vec3(0.0f));
   const auto through = left(scene, {tilted(0.0f), tilted(30.0f), tilted(55.0f)}, 900.0f, INFINITY);
   for (const auto& [i, degrees] : {std::pair{0, 0.0f}, {1, 30.0f}, {2, 55.0f}}) {
     // A pixel is 0.05 wide. Of all footprints, only those at the soft upper edge matter.
@@ -141,8 +148,8 @@ TEST_P(Cumulus, HidesByBeersLaw) {
 }
 
 TEST_P(Cumulus, CastsTheSameShadowAllAlongTheSunsRay) {
-  AeroScene scene = broken_clouds(0.4);
-  set3(scene.sky.sun_direction, tilted(50.0f));
+  pack::PackedScene scene = broken_clouds(0.4);
+  set3(scene.numbers.sky.sun_direction, tilted(50.0f));
   std::mt19937 random(17);
   std::uniform_real_distribution<float> coordinate(-20000.0f, 20000.0f);
   std::vector<vec3> low(256), high(256);
@@ -179,8 +186,8 @@ TEST_P(Cumulus, CoversTheShareOfTheSkyThatIsAskedFor) {
 }
 
 /// Returns points around the eye at all heights of the layer. Some of them are beyond the chart.
-std::vector<vec3> points_among(const AeroScene& scene, std::size_t count) {
-  const AeroCumulus& clouds = scene.sky.cumulus;
+std::vector<vec3> points_among(const pack::PackedScene& scene, std::size_t count) {
+  const AeroCumulus& clouds = scene.numbers.sky.cumulus;
   const AeroCloudChart& chart = clouds.chart;
   const float side = static_cast<float>(chart.side) * chart.cell;
   std::mt19937 random(31);
@@ -193,16 +200,17 @@ std::vector<vec3> points_among(const AeroScene& scene, std::size_t count) {
   return points;
 }
 
-AeroScene without_chart(AeroScene scene) {
-  scene.sky.cumulus.chart.side = 0u;
+pack::PackedScene without_chart(pack::PackedScene scene) {
+  scene.numbers.sky.cumulus.chart.side = 0u;
+  scene.cloud_chart = nullptr;
   return scene;
 }
 
 // Tests that there is no cloud where the chart says so, because density is not evaluated there.
 TEST_P(Cumulus, ChartHidesNoCloud) {
   for (const double cover : {0.05, 0.3}) {
-    const AeroScene scene = broken_clouds(cover);
-    ASSERT_EQ(scene.sky.cumulus.chart.side, std::uint32_t{AERO_CHART_SIDE});
+    const pack::PackedScene scene = broken_clouds(cover);
+    ASSERT_EQ(scene.numbers.sky.cumulus.chart.side, std::uint32_t{AERO_CHART_SIDE});
     const std::vector<vec3> points = points_among(scene, 60000);
     for (const float footprint : {0.5f, 30.0f, 120.0f}) {
       const auto charted = density(scene, points, footprint);
@@ -220,35 +228,40 @@ TEST_P(Cumulus, ChartHidesNoCloud) {
 }
 
 /// Counts the bytes of the chart that allow clouds.
-std::size_t cloudy_cells(const AeroCloudChart& chart) {
+std::size_t cloudy_cells(const pack::CloudChart& chart) {
   std::size_t count = 0;
-  for (const std::uint32_t word : chart.cells) {
-    for (int byte = 0; byte < 4; ++byte) count += ((word >> (8 * byte)) & 255u) == 0u ? 1 : 0;
+  for (const AeroChartWord& word : chart.words) {
+    for (int byte = 0; byte < 4; ++byte) count += ((word.cells >> (8 * byte)) & 255u) == 0u ? 1 : 0;
   }
   return count;
 }
 
 TEST(CloudChart, TellsMostClearAirFromClouds) {
   constexpr double kCells = double{AERO_CHART_SIDE} * AERO_CHART_SIDE;
-  const double few = static_cast<double>(cloudy_cells(broken_clouds(0.05).sky.cumulus.chart));
+  const double few = static_cast<double>(cloudy_cells(*broken_clouds(0.05).cloud_chart));
   EXPECT_GT(few / kCells, 0.06);
   EXPECT_LT(few / kCells, 0.25);
-  EXPECT_EQ(broken_clouds(0.7).sky.cumulus.chart.side, 0u) << "hardly any air is clear";
-  EXPECT_EQ(broken_clouds(0.0).sky.cumulus.chart.side, 0u);
+  for (const double cover : {0.7, 0.0}) {
+    const pack::PackedScene scene = broken_clouds(cover);
+    EXPECT_EQ(scene.cloud_chart, nullptr) << "hardly any air is clear, or all of it: " << cover;
+    EXPECT_EQ(scene.numbers.sky.cumulus.chart.side, 0u);
+  }
 }
 
 TEST(CloudChart, LiesTheSameWhateverTheEye) {
   scene::Scene scene = scene::defaults(scene::BiomeKind::tropical, scene::View::outside);
-  const AeroCloudChart here = pack::pack_scene(scene)->sky.cumulus.chart;
+  const auto charted = [&scene] { return *pack::pack_scene(scene).cloud_chart; };
+  const pack::CloudChart here = charted();
   scene.camera.position->x += 3.0;
-  EXPECT_EQ(pack::pack_scene(scene)->sky.cumulus.chart.x0, here.x0);
-  scene.camera.position->x += 40.0 * static_cast<double>(here.cell);
-  const AeroCloudChart there = pack::pack_scene(scene)->sky.cumulus.chart;
-  const auto moved = static_cast<int>(std::lround((there.x0 - here.x0) / here.cell));
+  EXPECT_EQ(charted().place.x0, here.place.x0);
+  scene.camera.position->x += 40.0 * static_cast<double>(here.place.cell);
+  const pack::CloudChart there = charted();
+  const auto moved =
+      static_cast<int>(std::lround((there.place.x0 - here.place.x0) / here.place.cell));
   ASSERT_TRUE(moved == 32 || moved == 64) << moved;
-  const auto is_cloudy = [](const AeroCloudChart& chart, int x, int z) {
-    const int cell = z * AERO_CHART_SIDE + x;
-    return ((chart.cells[cell / 4] >> (8 * (cell % 4))) & 255u) == 0u;
+  const auto is_cloudy = [](const pack::CloudChart& chart, int x, int z) {
+    const auto cell = static_cast<std::size_t>(z * AERO_CHART_SIDE + x);
+    return ((chart.words[cell / 4].cells >> (8 * (cell % 4))) & 255u) == 0u;
   };
   for (int z = 0; z < AERO_CHART_SIDE; ++z) {
     for (int x = 0; x < AERO_CHART_SIDE - moved; ++x) {
@@ -260,8 +273,8 @@ TEST(CloudChart, LiesTheSameWhateverTheEye) {
 // Tests the march, which leaps, steps and lights in three places, against small even steps, which
 // take a thousand times as long.
 TEST_P(Cumulus, MarchSeesWhatSmallStepsSee) {
-  AeroScene scene = broken_clouds(0.3);
-  set3(scene.sky.sun_direction, tilted(60.0f));
+  pack::PackedScene scene = broken_clouds(0.3);
+  set3(scene.numbers.sky.sun_direction, tilted(60.0f));
   std::mt19937 random(41);
   std::uniform_real_distribution<float> azimuth(0.0f, 6.2831853f), elevation(0.15f, 0.9f);
   std::vector<vec3> directions(768);
@@ -270,7 +283,7 @@ TEST_P(Cumulus, MarchSeesWhatSmallStepsSee) {
     d = {std::cos(a) * std::cos(up), std::sin(up), std::sin(a) * std::cos(up)};
   }
   const auto fine = left_finely(scene, directions, 2.0f);
-  for (const AeroScene& asked : {scene, without_chart(scene)}) {
+  for (const pack::PackedScene& asked : {scene, without_chart(scene)}) {
     const auto seen = left(asked, directions, 2.0f, INFINITY);
     double mean = 0.0, difference = 0.0, squared = 0.0;
     for (std::size_t i = 0; i < directions.size(); ++i) {
@@ -286,7 +299,7 @@ TEST_P(Cumulus, MarchSeesWhatSmallStepsSee) {
 }
 
 TEST_P(Cumulus, LeavesNumbersInEveryDirection) {
-  const AeroScene scene = broken_clouds(0.5);
+  const pack::PackedScene scene = broken_clouds(0.5);
   std::mt19937 random(5);
   std::normal_distribution<float> normal;
   std::vector<vec3> directions(512);

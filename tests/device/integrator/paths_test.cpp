@@ -17,15 +17,14 @@ constexpr std::size_t kPaths = 4096;
 constexpr std::size_t kWords = 13;  // PATH_RAY_WORDS
 
 /// An even sky of radiance 1 over things of one plain material.
-AeroScene bright_scene(const vec3& albedo) {
+pack::PackedScene bright_scene(const vec3& albedo) {
   AeroScene scene = bare_scene();
-  for (AeroSkyCell& cell : scene.air.sky) set3(cell.add, vec3(1.0f) / kPi);
   scene.shading = AERO_SHADING_FLAT;
   set3(scene.materials[0].albedo, albedo);
   scene.materials[0].kind = AERO_MATERIAL_PLAIN;
   scene.materials[0].diffuse = 1.0f;
   scene.materials[0].shininess = 1.0f;
-  return scene;
+  return with_even_sky(scene, vec3(1.0f) / kPi);
 }
 
 /// A soup on the device with all that surfaces need. Normals point away from the origin.
@@ -100,14 +99,14 @@ class Paths : public LaneTest {
   }
 
   /// Radiance by pixel after some bounces; `paths` goes on from where it was.
-  std::vector<vec3> follow(const AeroScene& scene, const Things& things,
+  std::vector<vec3> follow(const pack::PackedScene& scene, const Things& things,
                            opencl::Buffer<float>& paths, std::uint32_t bounces) const {
     const auto radiance = input(std::vector<float>(3 * kPaths, 0.0f));
-    const auto on_device = uploaded(scene);
+    const UploadedScene on_device(scene);
     for (std::uint32_t bounce = 0; bounce < bounces; ++bounce) {
-      probe.run("probe_follow_paths", kPaths, on_device, things.nodes, things.triangles,
-                things.instances, things.grid, things.faces, things.vertices, bounce, paths,
-                radiance);
+      probe.run("probe_follow_paths", kPaths, on_device.numbers, on_device.sky_table,
+                on_device.cloud_chart, things.nodes, things.triangles, things.instances,
+                things.grid, things.faces, things.vertices, bounce, paths, radiance);
     }
     const auto values = radiance.read();
     std::vector<vec3> result;
@@ -177,7 +176,7 @@ TEST_P(Paths, AreTheSameInAnyOrder) {
   std::shuffle(shuffled.begin(), shuffled.end(), std::mt19937(5));
   std::vector<Ray> mixed(kPaths);
   for (std::size_t i = 0; i < kPaths; ++i) mixed[i] = rays[shuffled[i]];
-  const AeroScene scene = bright_scene({0.5f, 0.6f, 0.7f});
+  const pack::PackedScene scene = bright_scene({0.5f, 0.6f, 0.7f});
   auto straight = make(rays, in_order()), crossed = make(mixed, shuffled);
   const auto one = follow(scene, ball, straight, 2), other = follow(scene, ball, crossed, 2);
   for (std::size_t i = 0; i < kPaths; ++i) ASSERT_EQ(one[i], other[i]) << i;

@@ -45,8 +45,9 @@ class Phong : public LaneTest {
     std::vector<std::uint32_t> visible = points.visible;
     visible.resize(count, 0u);
     const auto radiance = output<float>(3 * count);
-    probe.run("probe_phong", count, uploaded(scene), input(coefficients),
-              input(planes(points.positions)), input(planes(points.normals)),
+    const UploadedScene on_device(with_even_sky(scene));
+    probe.run("probe_phong", count, on_device.numbers, on_device.sky_table, on_device.cloud_chart,
+              input(coefficients), input(planes(points.positions)), input(planes(points.normals)),
               input(planes(points.viewers)), input(visible), radiance);
     const auto values = radiance.read();
     std::vector<vec3> result;

@@ -20,7 +20,7 @@ class Lights : public LaneTest {
  protected:
   const Probe probe{"lights.cl", GetParam()};
 
-  Sampled sample(const AeroScene& scene, std::uint32_t light, const vec3& position,
+  Sampled sample(const pack::PackedScene& scene, std::uint32_t light, const vec3& position,
                  const vec3& normal) const {
     std::mt19937 random(23);
     std::uniform_real_distribution<float> unit(0.0f, 1.0f);
@@ -31,8 +31,9 @@ class Lights : public LaneTest {
     }
     const auto directions = output<float>(3 * kSamples), strengths = output<float>(3 * kSamples);
     const auto distances = output<float>(kSamples), densities = output<float>(kSamples);
-    probe.run("probe_light", kSamples, uploaded(scene), light,
-              input(planes(std::vector<vec3>(kSamples, position))),
+    const UploadedScene on_device(scene);
+    probe.run("probe_light", kSamples, on_device.numbers, on_device.sky_table,
+              on_device.cloud_chart, light, input(planes(std::vector<vec3>(kSamples, position))),
               input(planes(std::vector<vec3>(kSamples, normal))), input(planes(numbers)),
               directions, distances, strengths, densities);
     Sampled result;
@@ -69,7 +70,7 @@ TEST_P(Lights, TheSunIsADiscOfItsSize) {
   const vec3 axis = glm::normalize(vec3(0.3f, 0.7f, -0.5f));
   set3(scene.sky.sun_direction, axis);
   scene.sky.sun_spread = kSpread;
-  const Sampled sampled = sample(scene, kSun, vec3(0.0f), {0, 1, 0});
+  const Sampled sampled = sample(with_even_sky(scene), kSun, vec3(0.0f), {0, 1, 0});
   const double rim = 1.0 / std::sqrt(1.0 + static_cast<double>(kSpread * kSpread));
   for (std::size_t i = 0; i < kSamples; ++i) {
     ASSERT_GE(static_cast<double>(glm::dot(sampled.directions[i], axis)), rim - 1e-5);
@@ -84,7 +85,7 @@ TEST_P(Lights, TheSunIsADiscOfItsSize) {
 
 TEST_P(Lights, AHardSunHasOneDirection) {
   const AeroScene scene = bare_scene();
-  const Sampled sampled = sample(scene, kSun, vec3(0.0f), {0, 1, 0});
+  const Sampled sampled = sample(with_even_sky(scene), kSun, vec3(0.0f), {0, 1, 0});
   for (std::size_t i = 0; i < kSamples; ++i) {
     ASSERT_EQ(sampled.directions[i], vec3(0, 1, 0));
     ASSERT_EQ(sampled.densities[i], 0.0f) << "no other choice finds it";
@@ -96,7 +97,7 @@ TEST_P(Lights, PointLightsFallOffWithTheSquareOfTheDistance) {
   scene.light_count = 1;
   set3(scene.lights[0].position, {3, 4, 12});
   set3(scene.lights[0].intensity, vec3(2.0f, 1.0f, 0.5f) * kPi);
-  const Sampled sampled = sample(scene, 1, vec3(0.0f), {0, 1, 0});
+  const Sampled sampled = sample(with_even_sky(scene), 1, vec3(0.0f), {0, 1, 0});
   EXPECT_LT(glm::distance(sampled.directions[0], vec3(3, 4, 12) / 13.0f), 1e-6f);
   EXPECT_FLOAT_EQ(sampled.distances[0], 13.0f);
   EXPECT_LT(glm::distance(sampled.strengths[0], vec3(2.0f, 1.0f, 0.5f) / 169.0f), 1e-7f);
@@ -108,7 +109,7 @@ TEST_P(Lights, TheBurnersAreAPointFromAfar) {
   set3(scene.balloon.flame, {0, 5, 0});
   set3(scene.balloon.flame_light, {3, 2, 1});
   for (const float distance : {0.5f, 2.0f}) {
-    const Sampled sampled = sample(scene, 1, {0, 5.0f - distance, 0}, {0, 1, 0});
+    const Sampled sampled = sample(with_even_sky(scene), 1, {0, 5.0f - distance, 0}, {0, 1, 0});
     EXPECT_LT(glm::distance(sampled.directions[0], vec3(0, 1, 0)), 1e-6f);
     EXPECT_FLOAT_EQ(sampled.distances[0], distance);
     const float squared = std::max(distance * distance, 0.36f);
@@ -118,8 +119,7 @@ TEST_P(Lights, TheBurnersAreAPointFromAfar) {
 
 // A plane in an even sky of radiance L gets the irradiance pi L.
 TEST_P(Lights, AnEvenSkyLightsEveryPlaneAlike) {
-  AeroScene scene = bare_scene();
-  for (AeroSkyCell& cell : scene.air.sky) set3(cell.add, vec3(0.25f) / kPi);
+  const pack::PackedScene scene = with_even_sky(bare_scene(), vec3(0.25f) / kPi);
   for (const vec3& normal : {vec3(0, 1, 0), tilted(70.0f), vec3(0, -1, 0)}) {
     const Sampled sampled = sample(scene, 2, vec3(0.0f), normal);
     double sum = 0.0;

@@ -40,7 +40,7 @@ TEST_P(GroundRuleProbe, IsTheDevicesRule) {
     points_.clear();
     slopes_.clear();
     prepare(kind);
-    const std::vector<AeroGround> ground{pack::pack_scene(scene_)->ground};
+    const std::vector<AeroGround> ground{pack::pack_scene(scene_).numbers.ground};
     const auto noises = output<float>(3 * kPoints), mixes = output<float>(4 * kPoints);
     probe_.run("probe_ground", kPoints, input(ground), input(planes(points_)), input(slopes_),
                kFootprint, noises, mixes);
@@ -72,7 +72,7 @@ TEST_P(GroundRuleProbe, IsTheDevicesRule) {
 
 TEST_P(GroundRuleProbe, RockHasTheDevicesColour) {
   prepare(scene::BiomeKind::sand);
-  const std::vector<AeroGround> ground{pack::pack_scene(scene_)->ground};
+  const std::vector<AeroGround> ground{pack::pack_scene(scene_).numbers.ground};
   const auto colors = output<float>(3 * kPoints);
   probe_.run("probe_rock", kPoints, input(ground), input(planes(points_)), kFootprint, colors);
   const auto device = colors.read();

@@ -43,14 +43,15 @@ inline void add_radiance(__global float* radiance, const PathRay* path, lane_int
 }
 
 /* Follows all path rays for one bounce: a path tracer whose only light is the sky. */
-__kernel void probe_follow_paths(__global const AeroScene* scene, __global const AeroBvhNode* nodes,
-                                 __global const AeroTriangle* triangles,
-                                 __global const AeroInstance* instances, __global const float* grid,
-                                 __global const AeroFace* faces,
-                                 __global const AeroVertex* vertices, const uint bounce,
-                                 __global PathRay* paths, __global float* radiance) {
+__kernel void probe_follow_paths(
+    __global const AeroScene* scene, __global const AeroSkyCell* sky_table,
+    __global const AeroChartWord* cloud_chart, __global const AeroBvhNode* nodes,
+    __global const AeroTriangle* triangles, __global const AeroInstance* instances,
+    __global const float* grid, __global const AeroFace* faces, __global const AeroVertex* vertices,
+    const uint bounce, __global PathRay* paths, __global float* radiance) {
   const uint first = (uint)get_global_id(0);
   if (first % BUNDLE != 0u) return;
+  const SceneView view = scene_view(scene, sky_table, cloud_chart);
   const World world = make_world(nodes, triangles, instances, grid);
   const MeshArrays meshes = mesh_arrays(faces, vertices, instances);
   PathRay bundle[BUNDLE];
@@ -61,7 +62,7 @@ __kernel void probe_follow_paths(__global const AeroScene* scene, __global const
     const PathRay* path = bundle + i;
     const lane_int on = lane_mask(path->ray.t_max >= 0.0f);
     const lane_int free = on & lane_mask(hits[i].triangle == NO_TRIANGLE);
-    const Lane3 sky = mul3(path->throughput, sky_without_sun(scene, &path->ray));
+    const Lane3 sky = mul3(path->throughput, sky_without_sun(&view, &path->ray));
     add_radiance(radiance, path, free, sky);
     const Surface surface = path_surface(scene, &world, &meshes, path, hits + i);
     const SampleNumbers at = numbers_of(path->pixel, bounce);

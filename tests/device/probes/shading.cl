@@ -3,25 +3,29 @@
 #include "probe.clh"
 #include "surface_of.clh"
 
-__kernel void probe_phong(__global const AeroScene* scene, __global const float* coefficients,
-                          __global const float* positions, __global const float* normals,
-                          __global const float* viewers, __global const uint* visible,
-                          __global float* radiance) {
+__kernel void probe_phong(__global const AeroScene* scene, __global const AeroSkyCell* sky_table,
+                          __global const AeroChartWord* cloud_chart,
+                          __global const float* coefficients, __global const float* positions,
+                          __global const float* normals, __global const float* viewers,
+                          __global const uint* visible, __global float* radiance) {
+  const SceneView view = scene_view(scene, sky_table, cloud_chart);
   Surface surface = surface_of(coefficients, load3(normals), load3(viewers));
   surface.point.position = load3(positions);
   const AmbientFound around = all_free();
-  store3_planes(local_radiance(scene, &surface, LOAD(visible), &around), radiance);
+  store3_planes(local_radiance(&view, &surface, LOAD(visible), &around), radiance);
 }
 
-__kernel void probe_sky(__global const AeroScene* scene, __global const float* origins,
+__kernel void probe_sky(__global const AeroScene* scene, __global const AeroSkyCell* sky_table,
+                        __global const AeroChartWord* cloud_chart, __global const float* origins,
                         __global const float* directions, __global float* light,
                         __global float* radiance) {
+  const SceneView view = scene_view(scene, sky_table, cloud_chart);
   Ray ray;
   ray.origin = load3(origins);
   ray.direction = load3(directions);
   ray.t_max = (lane_float)INFINITY;
-  store3_planes(sky_light(scene, ray.direction), light);
-  store3_planes(sky_radiance(scene, &ray), radiance);
+  store3_planes(sky_light(&view, ray.direction), light);
+  store3_planes(sky_radiance(&view, &ray), radiance);
 }
 
 __kernel void probe_air(__global const AeroScene* scene, __global const float* origins,
@@ -63,34 +67,47 @@ __kernel void probe_waves(__global const AeroScene* scene, __global const float*
   STORE(rough, roughness);
 }
 
-__kernel void probe_cloud_shadow(__global const AeroScene* scene, __global const float* positions,
-                                 __global const float* footprints, __global float* share) {
-  STORE(cumulus_shadow(&scene->sky, load3(positions), LOAD(footprints)), share);
+__kernel void probe_cloud_shadow(__global const AeroScene* scene,
+                                 __global const AeroSkyCell* sky_table,
+                                 __global const AeroChartWord* cloud_chart,
+                                 __global const float* positions, __global const float* footprints,
+                                 __global float* share) {
+  const SceneView view = scene_view(scene, sky_table, cloud_chart);
+  STORE(cumulus_shadow(&view, load3(positions), LOAD(footprints)), share);
 }
 
-__kernel void probe_clouds(__global const AeroScene* scene, __global const float* origins,
+__kernel void probe_clouds(__global const AeroScene* scene, __global const AeroSkyCell* sky_table,
+                           __global const AeroChartWord* cloud_chart, __global const float* origins,
                            __global const float* directions, __global const float* distances,
                            __global float* arriving) {
+  const SceneView view = scene_view(scene, sky_table, cloud_chart);
   Ray ray;
   ray.origin = load3(origins);
   ray.direction = load3(directions);
   ray.t_max = (lane_float)INFINITY;
   const Lane3 white = lane3((lane_float)1.0f, (lane_float)1.0f, (lane_float)1.0f);
-  store3_planes(behind_clouds(scene, white, &ray, LOAD(distances), 0.05f, (lane_float)0.5f),
+  store3_planes(behind_clouds(&view, white, &ray, LOAD(distances), 0.05f, (lane_float)0.5f),
                 arriving);
 }
 
-__kernel void probe_cloud_density(__global const AeroScene* scene, __global const float* positions,
-                                  __global const float* footprints, __global float* density) {
+__kernel void probe_cloud_density(__global const AeroScene* scene,
+                                  __global const AeroSkyCell* sky_table,
+                                  __global const AeroChartWord* cloud_chart,
+                                  __global const float* positions, __global const float* footprints,
+                                  __global float* density) {
+  const SceneView view = scene_view(scene, sky_table, cloud_chart);
   const Lane3 p = load3(positions);
-  STORE(cumulus_density(&scene->sky.cumulus, p, p.y, LOAD(footprints)), density);
+  STORE(cumulus_density(&view, p, p.y, LOAD(footprints)), density);
 }
 
 /* Stores the same light as probe_clouds for rays to the sky, computed by small, even steps that are
  * lit one by one. */
-__kernel void probe_clouds_finely(__global const AeroScene* scene, __global const float* origins,
-                                  __global const float* directions, const float step,
-                                  __global float* arriving) {
+__kernel void probe_clouds_finely(__global const AeroScene* scene,
+                                  __global const AeroSkyCell* sky_table,
+                                  __global const AeroChartWord* cloud_chart,
+                                  __global const float* origins, __global const float* directions,
+                                  const float step, __global float* arriving) {
+  const SceneView view = scene_view(scene, sky_table, cloud_chart);
   __global const AeroCumulus* clouds = &scene->sky.cumulus;
   Ray ray;
   ray.origin = load3(origins);
@@ -105,13 +122,13 @@ __kernel void probe_clouds_finely(__global const AeroScene* scene, __global cons
     Lane3 p = madd3(ray.origin, ray.direction, march.t);
     p.y = height_on_way(&ray, march.t);
     const lane_float footprint = 0.05f * march.t;
-    const lane_float found = cumulus_density(clouds, p, p.y, footprint);
+    const lane_float found = cumulus_density(&view, p, p.y, footprint);
     const lane_float density = lane_select(on, found, (lane_float)0.0f);
     const lane_float left = march.through * exp(-clouds->extinction * density * step);
     const lane_float hidden = march.through - left;
     if (lane_any(lane_mask(hidden > 0.0f))) {
       const lane_float height = (p.y - clouds->base) / clouds->thickness;
-      light = madd3(light, cloud_source(scene, p, height, towards, footprint), hidden);
+      light = madd3(light, cloud_source(&view, p, height, towards, footprint), hidden);
       march.way = lane_fma(hidden, march.t, march.way);
     }
     march.through = left;
