@@ -14,10 +14,16 @@
 namespace aerostat::pack {
 namespace {
 
-/// What a triangle belongs to and is made of.
+/// The object of a triangle, and the numbers of its balloon and its material (see AeroFace).
 struct Owner {
   std::uint32_t object, material;
 };
+
+Owner owner_of(const world::Object& object) {
+  const auto balloon = static_cast<std::uint32_t>(object.balloon);
+  return {static_cast<std::uint32_t>(object.id),
+          static_cast<std::uint32_t>(object.material) | balloon << AERO_FACE_BALLOON_SHIFT};
+}
 
 /// Several meshes as one, with the owner of each triangle.
 struct Soup {
@@ -33,8 +39,7 @@ Soup merge(const world::Objects& objects) {
     const auto base = static_cast<std::uint32_t>(soup.positions.size());
     soup.positions.insert(soup.positions.end(), mesh.positions.begin(), mesh.positions.end());
     for (const auto& triangle : mesh.triangles) soup.triangles.push_back(triangle + base);
-    soup.owners.resize(soup.triangles.size(), {static_cast<std::uint32_t>(object.id),
-                                               static_cast<std::uint32_t>(object.material)});
+    soup.owners.resize(soup.triangles.size(), owner_of(object));
   }
   return soup;
 }

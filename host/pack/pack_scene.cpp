@@ -13,6 +13,7 @@
 #include "pack/pack_air.hpp"
 #include "pack/pack_balloon.hpp"
 #include "pack/pack_materials.hpp"
+#include "scene/balloons.hpp"
 #include "scene/local_frame.hpp"
 
 namespace aerostat::pack {
@@ -125,6 +126,20 @@ AeroPointLight pack_light(const scene::PointLight& from, const dvec3& origin) {
   return light;
 }
 
+/// Packs all balloons that are there, in the order of scene::balloons_of().
+void pack_balloons(const scene::Scene& scene, AeroScene& numbers) {
+  const auto balloons = scene::balloons_of(scene);
+  if (balloons.size() > AERO_MAX_BALLOONS) {
+    throw Error(ErrorKind::bad_data,
+                fmt::format("/balloons: found {} balloons with the first one, expected at most {}",
+                            balloons.size(), AERO_MAX_BALLOONS));
+  }
+  for (std::size_t i = 0; i < balloons.size(); ++i) {
+    numbers.balloons[i] = pack_balloon(scene, *balloons[i]);
+  }
+  numbers.balloon_count = static_cast<std::uint32_t>(balloons.size());
+}
+
 std::uint32_t shading_of(scene::Shading shading) {
   switch (shading) {
     case scene::Shading::flat:
@@ -157,7 +172,7 @@ PackedScene pack_scene(const scene::Scene& scene, PackCache& cache) {
   if (packed.cloud_chart) numbers.sky.cumulus.chart = packed.cloud_chart->place;
   numbers.ground = pack_ground(scene);
   numbers.water = pack_water(scene.biome.water);
-  numbers.balloon = pack_balloon(scene);
+  pack_balloons(scene, numbers);
   pack_materials(scene, numbers.materials);
   for (std::size_t i = 0; i < scene.lights.size(); ++i) {
     numbers.lights[i] = pack_light(scene.lights[i], scene.origin);

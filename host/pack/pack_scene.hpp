@@ -21,7 +21,8 @@ struct PackedScene {
   std::shared_ptr<const CloudChart> cloud_chart;
 };
 
-/// Packs a scene. Throws Error{bad_data} for more than AERO_MAX_POINT_LIGHTS point lights.
+/// Packs a scene. Throws Error{bad_data} for more than AERO_MAX_POINT_LIGHTS point lights or
+/// AERO_MAX_BALLOONS balloons.
 PackedScene pack_scene(const scene::Scene& scene);
 
 /// What packing a scene keeps for the next one.

@@ -35,7 +35,7 @@ Shape build(const GroupInput& input) {
     stop_if_asked(stop);
     const model::Detail detail = detail_of(*balloons[i], input.local, input.request.carving);
     for (auto& part : model::balloon(*balloons[i], detail)) {
-      built[i].push_back({part.id, part.material, std::move(part.mesh)});
+      built[i].push_back({part.id, part.material, std::move(part.mesh), i});
     }
   });
   Objects objects;

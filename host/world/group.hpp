@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <variant>
@@ -20,6 +21,8 @@ struct Object {
   scene::ObjectId id = scene::ObjectId::terrain;
   scene::MaterialId material = scene::MaterialId::terrain;
   mesh::TriangleMesh mesh;
+  /// The place in scene::balloons_of() of the balloon that it is a part of, or 0.
+  std::size_t balloon = 0;
 };
 
 using Objects = std::vector<Object>;

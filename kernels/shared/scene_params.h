@@ -9,6 +9,7 @@
  * are cosines (the y of a unit normal). */
 
 #define AERO_MAX_POINT_LIGHTS 16
+#define AERO_MAX_BALLOONS 33
 
 #define AERO_SHADING_FLAT 0
 #define AERO_SHADING_GOURAUD 1
@@ -113,7 +114,7 @@ typedef struct AeroWater {
 
 AERO_ASSERT_LAYOUT(AeroWater, 48);
 
-/* Light in and around the balloon. Light that is scattered about inside the envelope lights its
+/* Light in and around a balloon. Light that is scattered about inside the envelope lights its
  * inner side evenly. glow_sun and glow_sky are shares of the sun's irradiance and of the sky's mean
  * one, and glow_flame is what the burners give, as irradiance / pi. The direct light of the burners
  * comes from a point. */
@@ -131,10 +132,11 @@ typedef struct AeroScene {
   AeroSky sky;
   AeroGround ground;
   AeroWater water;
-  AeroBalloon balloon;
+  AeroBalloon balloons[AERO_MAX_BALLOONS];
   AeroMaterial materials[AERO_MAX_MATERIALS];
   AeroPointLight lights[AERO_MAX_POINT_LIGHTS];
   aero_uint light_count;
+  aero_uint balloon_count;
   aero_uint shading; /* one of AERO_SHADING_... */
   AeroAir air;
   /* The place of the origin of positions, as seen from the terrain's centre at sea level. Positions
@@ -142,6 +144,6 @@ typedef struct AeroScene {
   aero_float place[3];
 } AeroScene;
 
-AERO_ASSERT_LAYOUT(AeroScene, 2664 + sizeof(AeroGround));
+AERO_ASSERT_LAYOUT(AeroScene, (2664 + 32 * 60 + 4) + sizeof(AeroGround));
 
 #endif

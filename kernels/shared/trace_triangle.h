@@ -17,13 +17,18 @@ AERO_ASSERT_LAYOUT(AeroTriangle, 36);
 #define AERO_OBJECT_SKY 0
 #define AERO_OBJECT_TERRAIN 1 /* the height grid */
 
-/* A triangle as shading reads it: the indices of its three vertices, the id of its object and the
- * number of its material in AeroScene::materials. Faces are in the order of the tree's leaves. */
+/* A triangle as shading reads it: the indices of its three vertices, the id of its object, and two
+ * numbers in one word. The lower half of `material` is the number of the material in
+ * AeroScene::materials. The upper half is the number in AeroScene::balloons of the balloon that the
+ * triangle belongs to, or 0. Faces are in the order of the tree's leaves. */
 typedef struct AeroFace {
   aero_uint vertex[3];
   aero_uint object;
   aero_uint material;
 } AeroFace;
+
+#define AERO_FACE_BALLOON_SHIFT 16
+#define AERO_FACE_MATERIAL_MASK 0xffff
 
 AERO_ASSERT_LAYOUT(AeroFace, 20);
 

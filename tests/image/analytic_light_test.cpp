@@ -89,6 +89,39 @@ TEST(Lamp, AddsToTheOthers) {
   }
 }
 
+/// Returns the mean radiance of the envelopes in the left and in the right half of a film.
+dvec2 light_of_envelopes(const image::Film& film) {
+  dvec2 sum(0.0), count(0.0);
+  for (int i = 0; i < film.width * film.height; ++i) {
+    const auto pixel = static_cast<std::size_t>(i);
+    if (film.object_id[pixel] != static_cast<std::uint32_t>(scene::ObjectId::envelope)) continue;
+    const int half = i % film.width < film.width / 2 ? 0 : 1;
+    sum[half] += static_cast<double>(film.radiance[pixel].y);
+    count[half] += 1.0;
+  }
+  EXPECT_GT(std::min(count.x, count.y), 100.0) << "both envelopes must be in the picture";
+  return sum / count;
+}
+
+TEST(Burners, LightTheEnvelopeOfTheirOwnBalloon) {
+  auto scene = flat_land();
+  scene.camera.position = {0.0, 20.0, 90.0};
+  scene.camera.target = {0.0, 20.0, 0.0};
+  scene.camera.up = {0.0, 1.0, 0.0};
+  scene.balloon.enabled = true;
+  scene.balloon.position = {-20.0, 12.0, 0.0};
+  scene.balloons.assign(1, scene.balloon);
+  scene.balloons[0].position.x = 20.0;
+  scene.balloons[0].colors = scene.balloon.colors;
+  for (const bool left : {false, true}) {
+    scene.balloon.burner = left ? 1.0 : 0.0;
+    scene.balloons[0].burner = left ? 0.0 : 1.0;
+    const dvec2 light = light_of_envelopes(shared_session().render(scene));
+    EXPECT_GT(left ? light.x : light.y, 1e-5);
+    EXPECT_EQ(left ? light.y : light.x, 0.0);
+  }
+}
+
 void paint(scene::Scene& scene, const vec3& color) {
   scene::Ground& ground = scene.biome.ground;
   ground.cover_a = ground.cover_b = ground.rock_a = ground.rock_b = color;

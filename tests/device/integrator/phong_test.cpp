@@ -179,8 +179,8 @@ TEST_P(Phong, ClothGlowsWithLightFromBehind) {
 // What a surface emits adds to what it reflects, also of the parts that the burners light.
 TEST_P(Phong, EmissionAdds) {
   AeroScene scene = bare_scene();
-  set3(scene.balloon.flame, {0, 2, 0});
-  set3(scene.balloon.flame_light, {4, 4, 4});
+  set3(scene.balloons[0].flame, {0, 2, 0});
+  set3(scene.balloons[0].flame_light, {4, 4, 4});
   for (const bool burner_light : {false, true}) {
     Material material;
     material.diffuse = 0.5f;

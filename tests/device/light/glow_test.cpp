@@ -38,8 +38,8 @@ TEST_P(Glow, PixelsShareALineOut) {
 
 TEST_P(Glow, BurnersFollowTheInverseSquareAndTheCosine) {
   AeroScene scene = bare_scene();
-  set3(scene.balloon.flame, {1.0f, 4.0f, -2.0f});
-  set3(scene.balloon.flame_light, {3.0f, 2.0f, 1.0f});
+  set3(scene.balloons[0].flame, {1.0f, 4.0f, -2.0f});
+  set3(scene.balloons[0].flame_light, {3.0f, 2.0f, 1.0f});
   std::vector<vec3> positions, normals;
   std::vector<vec3> expected;
   for (const float distance : {0.3f, 1.0f, 2.0f, 8.0f}) {
@@ -71,7 +71,7 @@ TEST_P(Glow, ClothThatAbsorbsNothingVanishesInEvenLight) {
   set_ambient(scene, vec3(1.0f), vec3(1.0f));
   constexpr float kThrough = 0.3f;
   // Light that gets in stays until it leaves: transmitted / (1 - reflected) = 1.
-  set3(scene.balloon.glow_sky, vec3(kThrough / (1.0f - (1.0f - kThrough))));
+  set3(scene.balloons[0].glow_sky, vec3(kThrough / (1.0f - (1.0f - kThrough))));
   std::vector<vec3> normals;
   for (int degrees = 0; degrees <= 180; degrees += 10)
     normals.push_back(tilted(static_cast<float>(degrees)));

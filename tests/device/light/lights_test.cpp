@@ -106,10 +106,11 @@ TEST_P(Lights, PointLightsFallOffWithTheSquareOfTheDistance) {
 
 TEST_P(Lights, TheBurnersAreAPointFromAfar) {
   AeroScene scene = bare_scene();
-  set3(scene.balloon.flame, {0, 5, 0});
-  set3(scene.balloon.flame_light, {3, 2, 1});
+  scene.balloon_count = 2;
+  set3(scene.balloons[1].flame, {0, 5, 0});
+  set3(scene.balloons[1].flame_light, {3, 2, 1});
   for (const float distance : {0.5f, 2.0f}) {
-    const Sampled sampled = sample(with_even_sky(scene), 1, {0, 5.0f - distance, 0}, {0, 1, 0});
+    const Sampled sampled = sample(with_even_sky(scene), 2, {0, 5.0f - distance, 0}, {0, 1, 0});
     EXPECT_LT(glm::distance(sampled.directions[0], vec3(0, 1, 0)), 1e-6f);
     EXPECT_FLOAT_EQ(sampled.distances[0], distance);
     const float squared = std::max(distance * distance, 0.36f);
@@ -121,7 +122,7 @@ TEST_P(Lights, TheBurnersAreAPointFromAfar) {
 TEST_P(Lights, AnEvenSkyLightsEveryPlaneAlike) {
   const pack::PackedScene scene = with_even_sky(bare_scene(), vec3(0.25f) / kPi);
   for (const vec3& normal : {vec3(0, 1, 0), tilted(70.0f), vec3(0, -1, 0)}) {
-    const Sampled sampled = sample(scene, 2, vec3(0.0f), normal);
+    const Sampled sampled = sample(scene, 1, vec3(0.0f), normal);
     double sum = 0.0;
     for (std::size_t i = 0; i < kSamples; ++i) {
       const float cosine = glm::dot(sampled.directions[i], normal);

@@ -148,7 +148,7 @@ __kernel void probe_line(__global const float* distances, __global const float* 
 
 __kernel void probe_flame(__global const AeroScene* scene, __global const float* positions,
                           __global const float* normals, __global float* light) {
-  store3_planes(flame_on(&scene->balloon, load3(positions), load3(normals)), light);
+  store3_planes(flame_on(scene, (lane_uint)0u, load3(positions), load3(normals)), light);
 }
 
 /* Computes the glow in the dark of white cloth that transmits the share `through[0]` of the light

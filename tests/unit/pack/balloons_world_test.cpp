@@ -1,10 +1,13 @@
 // Tests the further balloons of a world, their level of detail and their light.
 #include <cmath>
 #include <numbers>
+#include <set>
 
 #include <gtest/gtest.h>
 
 #include "pack/pack_balloon.hpp"
+#include "pack/pack_geometry.hpp"
+#include "pack/pack_scene.hpp"
 #include "scene/io.hpp"
 #include "scene/palettes.hpp"
 #include "world/world.hpp"
@@ -140,17 +143,45 @@ TEST(BalloonLight, IsThatOfAnIntegratingSphere) {
   cloth.albedo = vec3(1.0f);
   cloth.diffuse = 0.8;
   cloth.translucency = 0.4;
-  const AeroBalloon light = pack::pack_balloon(scene);
+  const AeroBalloon light = pack::pack_balloon(scene, scene.balloon);
   EXPECT_NEAR(light.glow_sky[1], 0.2 / (1.0 - 0.4), 1e-6);
   EXPECT_NEAR(light.glow_sun[1], 0.25 * 0.2 / (1.0 - 0.4), 1e-6);
   // If nothing is absorbed, all light that enters the envelope leaves it again.
   scene.balloon.colors = {vec3(1.0f)};
   cloth.diffuse = 0.6;
-  EXPECT_NEAR(pack::pack_balloon(scene).glow_sky[0], 1.0, 1e-6);
+  EXPECT_NEAR(pack::pack_balloon(scene, scene.balloon).glow_sky[0], 1.0, 1e-6);
   scene.balloon.burner = 0.5;
-  EXPECT_NEAR(pack::pack_balloon(scene).flame_light[0], 0.5 * 1.6 / std::numbers::pi, 1e-6);
+  EXPECT_NEAR(pack::pack_balloon(scene, scene.balloon).flame_light[0], 0.5 * 1.6 / std::numbers::pi,
+              1e-6);
+}
+
+/// Returns the numbers of the balloons that the faces of a group belong to.
+std::set<std::uint32_t> balloons_of_faces(const world::Group& group) {
+  std::set<std::uint32_t> numbers;
+  for (const AeroFace& face : pack::pack_shape(*group.shape).arrays.faces) {
+    numbers.insert(face.material >> AERO_FACE_BALLOON_SHIFT);
+    EXPECT_LT(face.material & AERO_FACE_MATERIAL_MASK, unsigned{AERO_MAX_MATERIALS});
+  }
+  return numbers;
+}
+
+TEST(BalloonLight, IsThatOfEachBalloon) {
+  scene::Scene scene = small_world("");
+  scene.balloons.assign(2, scene.balloon);
   scene.balloon.enabled = false;
-  EXPECT_EQ(pack::pack_balloon(scene).glow_sky[0], 0.0f);
+  scene.balloons[0].burner = 0.0;
+  scene.balloons[1].position.x += 100.0;
+  scene.balloons[1].burner = 1.0;
+  const AeroScene packed = pack::pack_scene(scene).numbers;
+  ASSERT_EQ(packed.balloon_count, 2u) << "the first one is not there";
+  EXPECT_EQ(packed.balloons[0].flame_light[0], 0.0f);
+  EXPECT_GT(packed.balloons[1].flame_light[0], 0.0f);
+  EXPECT_NEAR(packed.balloons[1].flame[0] - packed.balloons[0].flame[0], 100.0f, 1e-3f);
+  const world::World world = world::build(scene);
+  for (const world::Group& group : world.groups) {
+    if (group.kind != &world::kBalloons) continue;
+    EXPECT_EQ(balloons_of_faces(group), (std::set<std::uint32_t>{0, 1}));
+  }
 }
 
 TEST(Burner, NoFireNoFlame) {
