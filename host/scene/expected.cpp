@@ -27,9 +27,9 @@ std::string array_expected(const Json& rule) {
   const std::string count =
       least == most ? std::to_string(least) : fmt::format("{} to {}", least, most);
   const Json& item = rule["items"];
-  if (item["type"] == "number")
-    return fmt::format("an array of {} numbers{}", count, range_of(item));
-  const char* const what = item["type"] == "array" ? "colours [red, green, blue]" : "objects";
+  const std::string type = item.value("type", "object");  // a "$ref" leads to the rule of an object
+  if (type == "number") return fmt::format("an array of {} numbers{}", count, range_of(item));
+  const char* const what = type == "array" ? "colours [red, green, blue]" : "objects";
   return fmt::format("an array of {} {}", count, what);
 }
 

@@ -25,7 +25,8 @@ std::optional<std::uint64_t> variable(const char* name) {
   return value == nullptr ? std::nullopt : std::optional(std::strtoull(value, nullptr, 10));
 }
 
-/// Returns the scenes of the product, and a scene in which every key is given.
+/// Returns the scenes of the product, as they are and with every default filled in, and a scene
+/// with the keys that none of them has.
 std::vector<std::string> corpus() {
   std::vector<std::filesystem::path> paths;
   for (const auto& entry : std::filesystem::directory_iterator(AEROSTAT_SOURCE_DIR "/scenes")) {
@@ -35,7 +36,8 @@ std::vector<std::string> corpus() {
   std::sort(paths.begin(), paths.end());
   std::vector<std::string> texts{
       R"({"version": 1, "sun": {"date": "2024-06-21", "time": "06:30+02:00", "latitude_deg": 46.5,
-          "longitude_deg": 7.7}, "lights": [{"position": [1, 2, 3]}], "quality": "final"})"};
+          "longitude_deg": 7.7}, "lights": [{"position": [1, 2, 3]}], "balloons": [{"gores": 8}],
+          "materials": {"rim": {"albedo": [1, 0, 0]}}, "quality": "final"})"};
   for (const auto& path : paths) {
     std::ifstream file(path);
     const std::string text(std::istreambuf_iterator<char>(file), {});

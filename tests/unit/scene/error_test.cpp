@@ -78,6 +78,8 @@ INSTANTIATE_TEST_SUITE_P(
         Case{R"("balloon": {"colors": []})",
              "/balloon/colors: found [], expected an array of 1 to 64 colours [red, green, blue]"},
         Case{R"("lights": {})", "/lights: found an object, expected an array of 0 to 16 objects"},
+        Case{R"("balloons": {})",
+             "/balloons: found an object, expected an array of 0 to 32 objects"},
         Case{R"("lights": [{"color": [1, 1, 1]}])",
              "/lights/0/position: found nothing, expected an array of 3 numbers from -1000000 to "
              "1000000"},
