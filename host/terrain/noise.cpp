@@ -186,43 +186,6 @@ AEROSTAT_INLINE void slope_loop(const NoiseLayer& layer, const Points& points, B
   std::copy_n(out_dz.begin(), points.count, dz.begin());
 }
 
-struct Loops {
-  void (*value)(const NoiseLayer&, const Points&, Block&);
-  void (*slope)(const NoiseLayer&, const Points&, Block&, Block&, Block&);
-};
-
-void value_plain(const NoiseLayer& l, const Points& p, Block& v) {
-  value_loop(l, p, v);
-}
-
-void slope_plain(const NoiseLayer& l, const Points& p, Block& v, Block& dx, Block& dz) {
-  slope_loop(l, p, v, dx, dz);
-}
-
-AEROSTAT_FOR_AVX2 void value_avx2(const NoiseLayer& l, const Points& p, Block& v) {
-  value_loop(l, p, v);
-}
-
-AEROSTAT_FOR_AVX2 void slope_avx2(const NoiseLayer& l, const Points& p, Block& v, Block& dx,
-                                  Block& dz) {
-  slope_loop(l, p, v, dx, dz);
-}
-
-AEROSTAT_FOR_AVX512 void value_avx512(const NoiseLayer& l, const Points& p, Block& v) {
-  value_loop(l, p, v);
-}
-
-AEROSTAT_FOR_AVX512 void slope_avx512(const NoiseLayer& l, const Points& p, Block& v, Block& dx,
-                                      Block& dz) {
-  slope_loop(l, p, v, dx, dz);
-}
-
-const Loops& loops() {
-  static const Loops chosen = widest(Loops{value_plain, slope_plain}, Loops{value_avx2, slope_avx2},
-                                     Loops{value_avx512, slope_avx512});
-  return chosen;
-}
-
 }  // namespace
 
 double perlin(double x, double y, std::uint32_t seed) {
@@ -248,11 +211,11 @@ NoiseLayer make_layer(double wavelength_m, std::uint32_t seed, std::uint32_t ind
 }
 
 void sample(const NoiseLayer& layer, const Points& points, Block& value) {
-  loops().value(layer, points, value);
+  in_vectors([&]() AEROSTAT_INLINE_LAMBDA { value_loop(layer, points, value); });
 }
 
 void sample(const NoiseLayer& layer, const Points& points, Block& value, Block& dx, Block& dz) {
-  loops().slope(layer, points, value, dx, dz);
+  in_vectors([&]() AEROSTAT_INLINE_LAMBDA { slope_loop(layer, points, value, dx, dz); });
 }
 
 }  // namespace aerostat::terrain
