@@ -178,8 +178,9 @@ OrderedJson make_schema() {
   for (const char* key : {"description", "type", "additionalProperties"}) schema[key] = scene[key];
   schema["required"] = {"version"};
   OrderedJson& properties = schema["properties"];
-  properties["$schema"] = {{"description", "Where editors find this schema."}, {"type", "string"}};
-  properties["version"] = {{"description", "Version of the format: 1."},
+  properties["$schema"] = {{"description", "Path by which editors find this schema."},
+                           {"type", "string"}};
+  properties["version"] = {{"description", "Version of the format, which is 1."},
                            {"type", "integer"},
                            {"enum", OrderedJson::array({1})}};
   properties.update(scene["properties"]);

@@ -32,7 +32,7 @@
         <translation>Острота</translation>
     </message>
     <message>
-        <source>Cells a side</source>
+        <source>Cells per side</source>
         <translation>Ячеек по стороне</translation>
     </message>
     <message>
@@ -92,7 +92,7 @@
         <translation>Верх тумана</translation>
     </message>
     <message>
-        <source>Sight in the fog</source>
+        <source>Visibility in the fog</source>
         <translation>Видимость в тумане</translation>
     </message>
     <message>
@@ -152,7 +152,7 @@
         <translation>Качество</translation>
     </message>
     <message>
-        <source>Samples a pixel</source>
+        <source>Samples per pixel</source>
         <translation>Лучей на пиксель</translation>
     </message>
     <message>
@@ -176,7 +176,7 @@
         <translation>Эрозия</translation>
     </message>
     <message>
-        <source>Heaped clouds</source>
+        <source>Cumulus clouds</source>
         <translation>Кучевые облака</translation>
     </message>
     <message>
@@ -200,7 +200,7 @@
         <translation>Диафрагма</translation>
     </message>
     <message>
-        <source>Sharp at</source>
+        <source>In focus at</source>
         <translation>Резкость на</translation>
     </message>
     <message>
@@ -248,7 +248,7 @@
         <translation>Лакунарность</translation>
     </message>
     <message>
-        <source>Offset of ridges</source>
+        <source>Ridge offset</source>
         <translation>Сдвиг гребней</translation>
     </message>
     <message>
@@ -276,7 +276,7 @@
         <translation>От гребня до гребня</translation>
     </message>
     <message>
-        <source>Wind blows to</source>
+        <source>Wind blows towards</source>
         <translation>Ветер дует к</translation>
     </message>
     <message>
@@ -424,7 +424,7 @@
         <translation>Высота перистых</translation>
     </message>
     <message>
-        <source>Dimmed by what is near</source>
+        <source>Ambient occlusion</source>
         <translation>Затенение близким</translation>
     </message>
     <message>
@@ -432,7 +432,7 @@
         <translation>Свет неба</translation>
     </message>
     <message>
-        <source>As far as</source>
+        <source>Occlusion up to</source>
         <translation>На расстоянии до</translation>
     </message>
     <message>
@@ -464,7 +464,7 @@
         <translation>Озон</translation>
     </message>
     <message>
-        <source>Land around</source>
+        <source>Albedo of the land</source>
         <translation>Земля вокруг</translation>
     </message>
     <message>
@@ -480,19 +480,19 @@
         <translation>Рассеяние вперёд</translation>
     </message>
     <message>
-        <source>Haze scatters</source>
+        <source>Albedo of haze</source>
         <translation>Дымка рассеивает</translation>
     </message>
     <message>
-        <source>Fog ends over</source>
+        <source>Fog thins out over</source>
         <translation>Туман сходит на нет за</translation>
     </message>
     <message>
-        <source>Fog goes up and down</source>
+        <source>Waves on the fog, height</source>
         <translation>Волны тумана</translation>
     </message>
     <message>
-        <source>Width of that</source>
+        <source>Waves on the fog, length</source>
         <translation>Ширина волн тумана</translation>
     </message>
     <message>
@@ -548,7 +548,7 @@
         <translation>Высоты отсчитаны от</translation>
     </message>
     <message>
-        <source>Upright</source>
+        <source>Upwards</source>
         <translation>Верх</translation>
     </message>
     <message>
@@ -564,7 +564,7 @@
         <translation>Виньетка</translation>
     </message>
     <message>
-        <source>Enough at a noise of</source>
+        <source>Noise threshold</source>
         <translation>Достаточно при шуме</translation>
     </message>
     <message>
@@ -621,23 +621,23 @@
 <context>
     <name>Schema</name>
     <message>
-        <source>A scene of the renderer aerostat. Lengths in metres, angles in degrees, y up, azimuth 0 = north (-z), 90 = east (+x). Whatever a file leaves out comes from its biome and view.</source>
+        <source>A scene of the renderer aerostat. Lengths are in metres and angles in degrees, and y points upwards. Azimuth 0 is north (-z), and azimuth 90 is east (+x). Values that a file leaves out come from its biome and view.</source>
         <translation>Сцена программы aerostat. Длины в метрах, углы в градусах, y вверх, азимут 0 — север (-z), 90 — восток (+x). Что в файле пропущено, берётся из биома и вида.</translation>
     </message>
     <message>
-        <source>Where editors find this schema.</source>
+        <source>Path by which editors find this schema.</source>
         <translation>Где редакторы найдут эту схему.</translation>
     </message>
     <message>
-        <source>Version of the format: 1.</source>
+        <source>Version of the format, which is 1.</source>
         <translation>Версия формата: 1.</translation>
     </message>
     <message>
-        <source>The switch that brings terrain shape, colours, light, sky, air and balloon colours. Either its name alone or an object.</source>
+        <source>Kind of landscape, which sets the defaults of terrain, colours, light, sky, air and balloons. It is either a name or an object.</source>
         <translation>Переключатель, который задаёт форму рельефа, цвета, свет, небо, воздух и цвета шара. Либо одно имя, либо объект.</translation>
     </message>
     <message>
-        <source>The biome&apos;s name alone; everything else by default.</source>
+        <source>Name of the biome. Everything else has its default.</source>
         <translation>Только имя биома; всё остальное по умолчанию.</translation>
     </message>
     <message>
@@ -645,39 +645,39 @@
         <translation>Биом с изменениями земли и моря.</translation>
     </message>
     <message>
-        <source>The switch that brings terrain shape, colours, light, sky, air and balloon colours.</source>
+        <source>Kind of landscape, which sets the defaults of terrain, colours, light, sky, air and balloons.</source>
         <translation>Переключатель, который задаёт форму рельефа, цвета, свет, небо, воздух и цвета шара.</translation>
     </message>
     <message>
-        <source>How the ground is coloured, by height, slope and noise. Every default comes with the biome.</source>
+        <source>Colours of the ground, which depend on height, slope and noise. All defaults come with the biome.</source>
         <translation>Как окрашена земля: по высоте, уклону и шуму. Все значения по умолчанию задаёт биом.</translation>
     </message>
     <message>
-        <source>Albedo of the first tone of what grows or lies on gentle ground. Linear Rec. 709 [red, green, blue], each 0 to 1.</source>
+        <source>First tone of what covers gentle slopes, such as grass or sand, as an albedo. Linear Rec. 709 [red, green, blue], each 0 to 1.</source>
         <translation>Альбедо первого тона того, что растёт или лежит на пологой земле. Линейные Rec. 709: [красный, зелёный, синий], каждый от 0 до 1.</translation>
     </message>
     <message>
-        <source>Albedo of its second tone; noise mixes the two. Linear Rec. 709 [red, green, blue], each 0 to 1.</source>
+        <source>Second tone of what covers gentle slopes, as an albedo. Noise mixes the two tones. Linear Rec. 709 [red, green, blue], each 0 to 1.</source>
         <translation>Альбедо второго тона; шум смешивает оба. Линейные Rec. 709: [красный, зелёный, синий], каждый от 0 до 1.</translation>
     </message>
     <message>
-        <source>Albedo of the first tone of bare rock. Linear Rec. 709 [red, green, blue], each 0 to 1.</source>
+        <source>First tone of bare rock, as an albedo. Linear Rec. 709 [red, green, blue], each 0 to 1.</source>
         <translation>Альбедо первого тона голых скал. Линейные Rec. 709: [красный, зелёный, синий], каждый от 0 до 1.</translation>
     </message>
     <message>
-        <source>Albedo of its second tone. Linear Rec. 709 [red, green, blue], each 0 to 1.</source>
+        <source>Second tone of bare rock, as an albedo. Noise mixes the two tones. Linear Rec. 709 [red, green, blue], each 0 to 1.</source>
         <translation>Альбедо их второго тона. Линейные Rec. 709: [красный, зелёный, синий], каждый от 0 до 1.</translation>
     </message>
     <message>
-        <source>Slopes in degrees from which rock begins and beyond which it is complete, 0 to 90, the smaller one first.</source>
+        <source>Two slopes in degrees, 0 to 90, the smaller one first. Rock begins to show at the first slope, and ground steeper than the second is all rock.</source>
         <translation>Уклоны в градусах, с которого начинаются скалы и выше которого только они, от 0 до 90, сначала меньший.</translation>
     </message>
     <message>
-        <source>Albedo of snow; keep it below 0.95, or it clips. Linear Rec. 709 [red, green, blue], each 0 to 1.</source>
+        <source>Albedo of snow. Snow with an albedo above 0.95 clips to white in the picture. Linear Rec. 709 [red, green, blue], each 0 to 1.</source>
         <translation>Альбедо снега; держите ниже 0,95, иначе он выбелится. Линейные Rec. 709: [красный, зелёный, синий], каждый от 0 до 1.</translation>
     </message>
     <message>
-        <source>Mean height in metres above which snow lies, -1000000 to 1000000; 1000000 means no snow.</source>
+        <source>Mean height in metres above which snow lies, -1000000 to 1000000. The value 1000000 means that there is no snow.</source>
         <translation>Средняя высота в метрах, выше которой лежит снег, от -1000000 до 1000000; 1000000 — снега нет.</translation>
     </message>
     <message>
@@ -685,7 +685,7 @@
         <translation>Высота в метрах полосы, в которой снег сходит на нет, от 0 до 100000.</translation>
     </message>
     <message>
-        <source>Slopes in degrees up to which snow is full and beyond which none holds, 0 to 90, the smaller one first.</source>
+        <source>Two slopes in degrees, 0 to 90, the smaller one first. Snow covers all ground up to the first slope, and none stays on ground steeper than the second.</source>
         <translation>Уклоны в градусах, до которого снег сплошной и выше которого он не держится, от 0 до 90, сначала меньший.</translation>
     </message>
     <message>
@@ -693,15 +693,11 @@
         <translation>Альбедо сухого песка на берегу. Линейные Rec. 709: [красный, зелёный, синий], каждый от 0 до 1.</translation>
     </message>
     <message>
-        <source>Sand lies up to this height above the sea, in metres, -1000000 to 1000000; -1000000 means no beach.</source>
+        <source>Height above the sea up to which sand lies, in metres, -1000000 to 1000000. The value -1000000 means that there is no beach.</source>
         <translation>До этой высоты над морем лежит песок, в метрах, от -1000000 до 1000000; -1000000 — пляжа нет.</translation>
     </message>
     <message>
-        <source>Largest wavelength of the detail in colour and relief, in metres, above 0 to 100000.</source>
-        <translation>Наибольшая длина волны деталей цвета и рельефа, в метрах, больше 0 и до 100000.</translation>
-    </message>
-    <message>
-        <source>Strength of the detail in the normal, 0 (none) to 10.</source>
+        <source>Strength of the detail in the surface normal, 0 (none) to 10.</source>
         <translation>Сила деталей в нормали, от 0 (нет) до 10.</translation>
     </message>
     <message>
@@ -713,11 +709,11 @@
         <translation>Толщина самых мощных пластов породы в метрах, от 0 (нет) до 10000.</translation>
     </message>
     <message>
-        <source>How evenly bright snow or sand is at every slope to the sun, as grains send light back: 0 (Lambert) to 1.</source>
+        <source>Roughness by which grains of snow or sand reflect light back, 0 (Lambert&apos;s cosine) to 1. The higher it is, the less the brightness depends on the angle to the sun.</source>
         <translation>Насколько ровно светлы снег или песок при любом наклоне к солнцу, ведь зёрна отбрасывают свет назад: от 0 (по Ламберту) до 1.</translation>
     </message>
     <message>
-        <source>Strength of the glitter of grains of snow or sand, 0 (none) to 10.</source>
+        <source>Strength of the glitter of single grains of snow or sand, 0 (none) to 10.</source>
         <translation>Сила блеска снежинок или песчинок, от 0 (нет) до 10.</translation>
     </message>
     <message>
@@ -729,15 +725,15 @@
         <translation>Высота в метрах, до которой растут деревья, от -100000 до 100000.</translation>
     </message>
     <message>
-        <source>Share of the ground that trees cover below that height, 0 (none) to 1.</source>
+        <source>Share of the ground below forest_top_m that trees cover, 0 (none) to 1.</source>
         <translation>Доля земли, которую ниже этой высоты покрывают деревья, от 0 (нет) до 1.</translation>
     </message>
     <message>
-        <source>Width of a tree&apos;s crown in metres, 0.1 to 1000.</source>
+        <source>Width of the crown of a tree in metres, 0.1 to 1000.</source>
         <translation>Ширина кроны дерева в метрах, от 0,1 до 1000.</translation>
     </message>
     <message>
-        <source>The sea: a plane at level_m.</source>
+        <source>The sea: a plane at the height level_m.</source>
         <translation>Море: плоскость на высоте level_m.</translation>
     </message>
     <message>
@@ -749,7 +745,7 @@
         <translation>Высота плоскости в метрах, от -1000000 до 1000000.</translation>
     </message>
     <message>
-        <source>Absorption per metre of water by Beer and Lambert, for [red, green, blue], 0 to 100.</source>
+        <source>Absorption per metre of water by the law of Beer and Lambert, for [red, green, blue], 0 to 100.</source>
         <translation>Поглощение на метр воды по Бугеру — Ламберту — Беру для [красного, зелёного, синего], от 0 до 100.</translation>
     </message>
     <message>
@@ -761,47 +757,47 @@
         <translation>Альбедо песка под водой. Линейные Rec. 709: [красный, зелёный, синий], каждый от 0 до 1.</translation>
     </message>
     <message>
-        <source>Wavelength of the largest waves in metres, above 0 to 10000.</source>
+        <source>Wavelength of the largest waves in metres, 0 (excluded) to 10000.</source>
         <translation>Длина самых больших волн в метрах, больше 0 и до 10000.</translation>
     </message>
     <message>
-        <source>Root mean square slope of the waves, 0 (a mirror) to 1.</source>
+        <source>Root mean square of the slope of the waves, 0 (a mirror) to 1.</source>
         <translation>Среднеквадратичный уклон волн, от 0 (зеркало) до 1.</translation>
     </message>
     <message>
-        <source>The ground: a square of cells x cells quads around center, whose spacing grows outwards. Defaults come with the biome.</source>
+        <source>The ground: a square of cells x cells quads around center. The quads grow outwards. Defaults come with the biome.</source>
         <translation>Земля: квадрат из cells × cells ячеек вокруг center, шаг которых растёт к краям. Значения по умолчанию задаёт биом.</translation>
     </message>
     <message>
-        <source>Overall shape.</source>
+        <source>Overall shape of the ground.</source>
         <translation>Общая форма.</translation>
     </message>
     <message>
-        <source>Seed of the noise, 0 to 4294967295; another number, another land.</source>
+        <source>Seed of the noise, 0 to 4294967295. Each seed gives another landscape.</source>
         <translation>Начальное число шума, от 0 до 4294967295: другое число — другая земля.</translation>
     </message>
     <message>
-        <source>Quads per side, 2 to 4096.</source>
+        <source>Number of quads per side, 2 to 4096.</source>
         <translation>Ячеек по стороне, от 2 до 4096.</translation>
     </message>
     <message>
-        <source>Side of the square in metres, 10 to 1000000.</source>
+        <source>Length of a side of the square in metres, 10 to 1000000.</source>
         <translation>Сторона квадрата в метрах, от 10 до 1000000.</translation>
     </message>
     <message>
-        <source>[x, z] in metres of the finest cells. Relief, ground patterns, plants, waves and clouds go with it.</source>
+        <source>Position of the smallest cells, [x, z] in metres. Relief, ground patterns, plants, waves and clouds move with it.</source>
         <translation>[x, z] самых мелких ячеек в метрах. Рельеф, рисунок земли, растения, волны и облака перемещаются вместе с ним.</translation>
     </message>
     <message>
-        <source>Cell size at the rim over that at the centre, 1 (even) to 1000.</source>
+        <source>Size of a cell at the rim divided by that of a cell at the centre, 1 (all cells have the same size) to 1000.</source>
         <translation>Отношение размера ячеек на краю к размеру в середине, от 1 (поровну) до 1000.</translation>
     </message>
     <message>
-        <source>Roughly from the lowest valleys to the highest peaks, in metres, 0 to 20000.</source>
+        <source>Approximate height from the lowest valleys to the highest peaks in metres, 0 to 20000.</source>
         <translation>Примерно от самых низких долин до самых высоких вершин, в метрах, от 0 до 20000.</translation>
     </message>
     <message>
-        <source>Added to every height, in metres, -100000 to 100000.</source>
+        <source>Height in metres that is added to the whole ground, -100000 to 100000.</source>
         <translation>Прибавка ко всем высотам в метрах, от -100000 до 100000.</translation>
     </message>
     <message>
@@ -817,19 +813,19 @@
         <translation>Длина волны искажения координат в метрах, от 1 до 1000000.</translation>
     </message>
     <message>
-        <source>Exponent of the heights, 0.1 to 10: above 1 widens valleys, below 1 widens heights.</source>
+        <source>Exponent of the heights, 0.1 to 10. Values above 1 widen the valleys, and values below 1 widen the high ground.</source>
         <translation>Показатель степени высот, от 0,1 до 10: больше 1 расширяет долины, меньше 1 — вершины.</translation>
     </message>
     <message>
-        <source>Strength of what water and frost have done to the ground at the scale of its cells, 0 (nothing) to 1: gullies, channels, and scree at the angle of repose.</source>
+        <source>Strength of erosion by water and frost at the scale of the cells, 0 (none) to 1. It makes gullies, channels, and scree at the angle of repose.</source>
         <translation>Сколько вода и мороз сделали с землёй в масштабе её ячеек, от 0 (ничего) до 1: промоины, русла, осыпи под углом естественного откоса.</translation>
     </message>
     <message>
-        <source>Octaves of Perlin noise.</source>
+        <source>Sum of octaves of Perlin noise.</source>
         <translation>Октавы шума Перлина.</translation>
     </message>
     <message>
-        <source>How the octaves are summed.</source>
+        <source>Method by which the octaves are summed.</source>
         <translation>Как складываются октавы.</translation>
     </message>
     <message>
@@ -837,43 +833,43 @@
         <translation>Число октав, от 1 до 20.</translation>
     </message>
     <message>
-        <source>Frequency ratio of successive octaves, 1 to 4.</source>
+        <source>Ratio of the frequencies of successive octaves, 1 to 4.</source>
         <translation>Отношение частот соседних октав, от 1 до 4.</translation>
     </message>
     <message>
-        <source>Amplitude ratio of successive octaves, 0 to 8.</source>
+        <source>Ratio of the amplitudes of successive octaves, 0 to 8.</source>
         <translation>Отношение амплитуд соседних октав, от 0 до 8.</translation>
     </message>
     <message>
-        <source>Ridged noise only: offset in (offset - |n|)^2, 0 to 4.</source>
+        <source>Offset of ridged noise in (offset - |n|)^2, 0 to 4. Other kinds of noise ignore it.</source>
         <translation>Только для гребневого шума: offset в (offset - |n|)^2, от 0 до 4.</translation>
     </message>
     <message>
-        <source>Wind-blown sand, for terrain of kind dunes.</source>
+        <source>Dunes of wind-blown sand. Only terrain of the kind dunes has them.</source>
         <translation>Навеянный ветром песок, для рельефа dunes.</translation>
     </message>
     <message>
-        <source>Azimuth in degrees that the wind blows towards, -360 to 360.</source>
+        <source>Azimuth in degrees towards which the wind blows, -360 to 360.</source>
         <translation>Азимут в градусах, куда дует ветер, от -360 до 360.</translation>
     </message>
     <message>
-        <source>Crest to crest along the wind, in metres, 1 to 100000.</source>
+        <source>Distance from crest to crest along the wind in metres, 1 to 100000.</source>
         <translation>От гребня до гребня по ветру, в метрах, от 1 до 100000.</translation>
     </message>
     <message>
-        <source>Trough to crest of the largest dunes, in metres, 0 to 5000.</source>
+        <source>Height of the largest dunes from trough to crest in metres, 0 to 5000.</source>
         <translation>От ложбины до гребня самых больших дюн, в метрах, от 0 до 5000.</translation>
     </message>
     <message>
-        <source>Plants and stones that stand on the ground; what grows where comes with the biome.</source>
+        <source>Plants and stones on the ground. The biome determines what grows where.</source>
         <translation>Растения и камни на земле; что где растёт, задаёт биом.</translation>
     </message>
     <message>
-        <source>Whether anything stands on the ground.</source>
+        <source>Whether there are plants and stones.</source>
         <translation>Стоит ли что-нибудь на земле.</translation>
     </message>
     <message>
-        <source>Plants per area against the biome&apos;s usual number, 0 (none) to 4.</source>
+        <source>Number of plants per area relative to the usual number of the biome, 0 (none) to 4.</source>
         <translation>Растений на площадь по сравнению с обычным для биома, от 0 (нет) до 4.</translation>
     </message>
     <message>
@@ -881,11 +877,11 @@
         <translation>Множитель высоты всех растений и камней, от 0,1 до 10.</translation>
     </message>
     <message>
-        <source>How far from the camera single trees stand, in metres, 10 to 12000; beyond it woods are painted on the ground. Smaller growth reaches less far in proportion.</source>
+        <source>Distance from the camera in metres up to which single trees stand, 10 to 12000. Farther woods are painted on the ground. Smaller plants end at proportionally smaller distances.</source>
         <translation>До какого расстояния от камеры стоят отдельные деревья, в метрах, от 10 до 12000; дальше леса нарисованы на земле. Мелкая растительность кончается во столько же раз ближе.</translation>
     </message>
     <message>
-        <source>Another number, other plants, 0 to 4294967295.</source>
+        <source>Seed of the plants, 0 to 4294967295. Each seed places them elsewhere.</source>
         <translation>Другое число — другие растения, от 0 до 4294967295.</translation>
     </message>
     <message>
@@ -893,11 +889,11 @@
         <translation>Есть ли шар.</translation>
     </message>
     <message>
-        <source>Centre of the basket&apos;s floor. [x, y, z] in metres, y up.</source>
+        <source>Centre of the floor of the basket. [x, y, z] in metres, y up.</source>
         <translation>Середина пола корзины. [x, y, z] в метрах, y вверх.</translation>
     </message>
     <message>
-        <source>What the position&apos;s y counts from: the sea (absolute) or the ground below (the default).</source>
+        <source>Level from which the y of the position is measured: the sea, or the ground below the balloon (the default).</source>
         <translation>От чего считается y положения: от моря (абсолютно) или от земли внизу (по умолчанию).</translation>
     </message>
     <message>
@@ -905,15 +901,15 @@
         <translation>Наибольший диаметр оболочки в метрах, от 2 до 200.</translation>
     </message>
     <message>
-        <source>Turn of the whole balloon about its axis in degrees, -360 to 360.</source>
+        <source>Rotation of the whole balloon about its vertical axis in degrees, -360 to 360.</source>
         <translation>Поворот всего шара вокруг оси в градусах, от -360 до 360.</translation>
     </message>
     <message>
-        <source>Number of the envelope&apos;s gores, 6 to 128.</source>
+        <source>Number of gores of the envelope, 6 to 128.</source>
         <translation>Число клиньев оболочки, от 6 до 128.</translation>
     </message>
     <message>
-        <source>How the colours are laid over the envelope.</source>
+        <source>Arrangement of the colours on the envelope.</source>
         <translation>Как цвета ложатся на оболочку.</translation>
     </message>
     <message>
@@ -921,99 +917,103 @@
         <translation>Альбедо одной ткани. Линейные Rec. 709: [красный, зелёный, синий], каждый от 0 до 1.</translation>
     </message>
     <message>
-        <source>The eye.</source>
+        <source>The camera.</source>
         <translation>Глаз.</translation>
     </message>
     <message>
-        <source>Where the defaults put the eye: outside the balloon or in its basket.</source>
+        <source>Place where the defaults put the camera: outside the balloon or in its basket.</source>
         <translation>Куда по умолчанию ставится глаз: снаружи шара или в его корзину.</translation>
     </message>
     <message>
-        <source>Where the eye is. In the basket view, left out, it stands inside at eye height. [x, y, z] in metres, y up.</source>
+        <source>Position of the camera. If it is left out in the view from the basket, the camera stands in the basket at eye height. [x, y, z] in metres, y up.</source>
         <translation>Где находится глаз. При виде из корзины, если не задано, — внутри неё на высоте глаз. [x, y, z] в метрах, y вверх.</translation>
     </message>
     <message>
-        <source>A point in the middle of the picture. In the basket view, left out, the eye looks straight ahead. [x, y, z] in metres, y up.</source>
+        <source>Point that is in the middle of the picture. If it is left out in the view from the basket, the camera looks straight ahead. [x, y, z] in metres, y up.</source>
         <translation>Точка в середине картины. При виде из корзины, если не задано, взгляд направлен прямо вперёд. [x, y, z] в метрах, y вверх.</translation>
     </message>
     <message>
-        <source>What the y of position and target counts from: the sea (absolute), the ground below each, or the floor of the balloon&apos;s basket (the default).</source>
+        <source>Level from which the y of position and target is measured: the sea, the ground below each of them, or the floor of the balloon&apos;s basket (the default).</source>
         <translation>От чего считаются y положения и цели: от моря (абсолютно), от земли под каждой или от пола корзины шара (по умолчанию).</translation>
     </message>
     <message>
-        <source>Direction that is upright in the picture; its length does not matter, but must not be 0. A view along it has y upright; a view straight down has north at the top of the picture, one straight up has south there. Components -1000 to 1000.</source>
+        <source>Direction that points upwards in the picture. Its length does not matter but must not be 0. If the camera looks along it, y points upwards instead. In a view straight down, north is at the top of the picture, and in a view straight up, south is. Components are -1000 to 1000.</source>
         <translation>Направление, которое на картине смотрит вверх; длина не важна, но не 0. Если взгляд идёт вдоль него, вверх смотрит y; при взгляде прямо вниз наверху картины север, прямо вверх - юг. Компоненты от -1000 до 1000.</translation>
     </message>
     <message>
-        <source>pinhole: all is sharp. thin_lens: sharp at one depth only. panorama: all directions, 360 degrees across and 180 down, best in a picture twice as wide as high; of the target only the azimuth counts. orthographic: parallel rays from the plane through the position, plants stand around the target.</source>
+        <source>With pinhole, everything is sharp. With thin_lens, one distance is sharp. A panorama shows all directions, 360 degrees across and 180 degrees down. It suits a picture twice as wide as high, and only the azimuth of its target matters. With orthographic, parallel rays start at the plane through the position, and plants stand around the target.</source>
         <translation>pinhole: всё резко. thin_lens: резко лишь на одной глубине. panorama: все направления, 360 градусов вширь и 180 ввысь, лучше всего при ширине вдвое больше высоты; у цели важен только азимут. orthographic: параллельные лучи из плоскости через положение, растения стоят вокруг цели.</translation>
     </message>
     <message>
-        <source>Vertical angle of view in degrees of pinhole and thin_lens, 1 to 170.</source>
+        <source>Vertical angle of view of pinhole and thin_lens in degrees, 1 to 170.</source>
         <translation>Угол зрения по вертикали в градусах для pinhole и thin_lens, от 1 до 170.</translation>
     </message>
     <message>
-        <source>Of thin_lens: its focal length, as fov_y_deg asks of it before a sensor 24 mm high, over its aperture, 0.1 to 1000.</source>
+        <source>F-number of thin_lens, 0.1 to 1000: its focal length divided by the diameter of its aperture. The focal length follows from fov_y_deg with a sensor 24 mm high.</source>
         <translation>Для thin_lens: отношение фокусного расстояния (какого требует fov_y_deg при матрице высотой 24 мм) к диафрагме, от 0,1 до 1000.</translation>
     </message>
     <message>
-        <source>Of thin_lens: diameter of the aperture in metres, 0 to 1000; left out, f_number says it.</source>
+        <source>Diameter of the aperture of thin_lens in metres, 0 to 1000. If it is left out, it follows from f_number.</source>
         <translation>Для thin_lens: диаметр диафрагмы в метрах, от 0 до 1000; если не задан, его определяет f_number.</translation>
     </message>
     <message>
-        <source>Of thin_lens: distance of the plane that is sharp, in metres along the axis, 0.01 to 1000000; left out, the target is sharp.</source>
+        <source>Distance along the axis at which thin_lens is in focus, in metres, 0.01 to 1000000. If it is left out, the target is in focus.</source>
         <translation>Для thin_lens: расстояние до плоскости резкости в метрах вдоль оси, от 0,01 до 1000000; если не задано, резка цель.</translation>
     </message>
     <message>
-        <source>Of orthographic: metres from the foot to the top of the picture, 0.001 to 1000000.</source>
+        <source>Height of what orthographic shows, from the bottom to the top of the picture, in metres, 0.001 to 1000000.</source>
         <translation>Для orthographic: метров от низа до верха картины, от 0,001 до 1000000.</translation>
     </message>
     <message>
-        <source>The sun. Give its direction, or the two angles, or date, time, latitude and longitude.</source>
+        <source>The sun. Its position is given by its direction, by its two angles, or by date, time, latitude and longitude.</source>
         <translation>Солнце. Задайте его направление, или два угла, или дату, время, широту и долготу.</translation>
     </message>
     <message>
-        <source>Direction towards the sun; any length but 0. Components -1000000 to 1000000.</source>
+        <source>Direction towards the sun. Its length does not matter but must not be 0. Components are -1000000 to 1000000.</source>
         <translation>Направление на солнце; длина любая, кроме 0. Компоненты от -1000000 до 1000000.</translation>
     </message>
     <message>
-        <source>Azimuth in degrees, 0 = north (-z), 90 = east (+x), -360 to 360.</source>
+        <source>Azimuth of the sun in degrees, -360 to 360. North (-z) is 0, and east (+x) is 90.</source>
         <translation>Азимут в градусах, 0 — север (-z), 90 — восток (+x), от -360 до 360.</translation>
     </message>
     <message>
-        <source>Height above the horizon in degrees, -90 to 90.</source>
+        <source>Height of the sun above the horizon in degrees, -90 to 90.</source>
         <translation>Высота над горизонтом в градусах, от -90 до 90.</translation>
     </message>
     <message>
-        <source>Day at which it stands where it stands, as 2024-06-21.</source>
+        <source>Date for which the position of the sun is computed, such as 2024-06-21.</source>
         <translation>День, в который оно стоит именно так, например 2024-06-21.</translation>
     </message>
     <message>
-        <source>Time of that day, as 06:30 or 06:30:15, universal time unless an offset follows: 06:30+02:00.</source>
+        <source>Time for which the position of the sun is computed, such as 06:30 or 06:30:15. It is universal time unless an offset follows, as in 06:30+02:00.</source>
         <translation>Время того дня, например 06:30 или 06:30:15; всемирное, если не указан сдвиг: 06:30+02:00.</translation>
     </message>
     <message>
-        <source>Latitude of the place in degrees, north positive, -90 to 90.</source>
+        <source>Latitude of the place in degrees, positive to the north, -90 to 90.</source>
         <translation>Широта места в градусах, северная положительна, от -90 до 90.</translation>
     </message>
     <message>
-        <source>Longitude of the place in degrees, east positive, -180 to 180.</source>
+        <source>Longitude of the place in degrees, positive to the east, -180 to 180.</source>
         <translation>Долгота места в градусах, восточная положительна, от -180 до 180.</translation>
     </message>
     <message>
-        <source>Colour of the light outside the air; the largest component should be 1. Linear Rec. 709 [red, green, blue], each 0 to 1.</source>
+        <source>Colour of the sunlight outside the atmosphere. The largest component should be 1. Linear Rec. 709 [red, green, blue], each 0 to 1.</source>
         <translation>Цвет света вне атмосферы; наибольшая компонента должна быть 1. Линейные Rec. 709: [красный, зелёный, синий], каждый от 0 до 1.</translation>
     </message>
     <message>
-        <source>Irradiance of a plane that faces the sun outside the air, 0 to 1000.</source>
+        <source>Irradiance of a plane that faces the sun outside the atmosphere, 0 to 1000.</source>
         <translation>Освещённость обращённой к солнцу площадки вне атмосферы, от 0 до 1000.</translation>
     </message>
     <message>
-        <source>Whether it casts shadows.</source>
+        <source>Whether the sun casts shadows.</source>
         <translation>Отбрасывает ли тени.</translation>
     </message>
     <message>
-        <source>Whether its shadows have the soft edges of its disc. Left out, the quality says.</source>
+        <source>Whether the light casts shadows.</source>
+        <translation>Отбрасывает ли тени.</translation>
+    </message>
+    <message>
+        <source>Whether the shadows of the sun have soft edges, because the sun is a disc. If it is left out, the quality decides.</source>
         <translation>Мягки ли края теней, как от солнечного диска. Если не задано, решает качество.</translation>
     </message>
     <message>
@@ -1025,7 +1025,7 @@
         <translation>Точечный источник света.</translation>
     </message>
     <message>
-        <source>Where it is, heights above the sea. [x, y, z] in metres, y up.</source>
+        <source>Position of the light. Its height is measured from the sea. [x, y, z] in metres, y up.</source>
         <translation>Где он находится; высота над морем. [x, y, z] в метрах, y вверх.</translation>
     </message>
     <message>
@@ -1037,43 +1037,43 @@
         <translation>Освещённость, умноженная на квадрат расстояния в метрах, от 0 до 1000000000.</translation>
     </message>
     <message>
-        <source>What is in the sky beside sun and air.</source>
+        <source>Clouds, and the light that comes from the sky.</source>
         <translation>Что есть на небе, кроме солнца и воздуха.</translation>
     </message>
     <message>
-        <source>Share of the sky that thin high cloud covers, 0 to 1.</source>
+        <source>Share of the sky that thin, high clouds cover, 0 to 1.</source>
         <translation>Доля неба под тонкими высокими облаками, от 0 до 1.</translation>
     </message>
     <message>
-        <source>Height of the clouds above the eye in metres, 100 to 100000.</source>
+        <source>Height of the thin, high clouds above the camera in metres, 100 to 100000.</source>
         <translation>Высота облаков над глазом в метрах, от 100 до 100000.</translation>
     </message>
     <message>
-        <source>Whether what is near keeps the sky&apos;s light off. Left out, the quality says.</source>
+        <source>Whether nearby surfaces block the light of the sky (ambient occlusion). If it is left out, the quality decides.</source>
         <translation>Заслоняет ли близкое свет неба. Если не задано, решает качество.</translation>
     </message>
     <message>
-        <source>How far away it may be for that, in metres, 0.01 to 100000; the farther, the less it counts.</source>
+        <source>Distance in metres up to which surfaces block the light of the sky, 0.01 to 100000. Farther surfaces block less of it.</source>
         <translation>На каком расстоянии оно ещё заслоняет, в метрах, от 0,01 до 100000; чем дальше, тем слабее.</translation>
     </message>
     <message>
-        <source>The gases of the air and the ground under it; sky, sunlight and distance take their colours from them.</source>
+        <source>The gases of the air and the ground under it. The colours of sky, sunlight and distance follow from them.</source>
         <translation>Газы воздуха и земля под ним: от них цвет неба, солнечного света и дали.</translation>
     </message>
     <message>
-        <source>Of the molecules, relative to the Earth&apos;s, 0 (none) to 10.</source>
+        <source>Density of the molecules relative to that of the Earth&apos;s air, 0 (none) to 10.</source>
         <translation>Плотность молекул относительно земной, от 0 (нет) до 10.</translation>
     </message>
     <message>
-        <source>Ozone in Dobson units, 0 to 3000.</source>
+        <source>Amount of ozone in Dobson units, 0 to 3000.</source>
         <translation>Озон в единицах Добсона, от 0 до 3000.</translation>
     </message>
     <message>
-        <source>Albedo of the land around, whose light the air sends back. Linear Rec. 709 [red, green, blue], each 0 to 1.</source>
+        <source>Mean albedo of the land around. The air scatters the light that the land reflects. Linear Rec. 709 [red, green, blue], each 0 to 1.</source>
         <translation>Альбедо земли вокруг, свет которой воздух отражает обратно. Линейные Rec. 709: [красный, зелёный, синий], каждый от 0 до 1.</translation>
     </message>
     <message>
-        <source>Droplets and dust in the air: with the molecules, extinction 3.912 / visibility at sea level, falling off with height.</source>
+        <source>Droplets and dust in the air, which thin out with height. Together with the molecules, their extinction at sea level is 3.912 / visibility_m.</source>
         <translation>Капли и пыль в воздухе: вместе с молекулами ослабление 3,912 / видимость на уровне моря, с высотой убывает.</translation>
     </message>
     <message>
@@ -1081,23 +1081,23 @@
         <translation>Расстояние в метрах, на котором контраст падает до 2 %, от 10 до 10000000.</translation>
     </message>
     <message>
-        <source>Height in metres over which the haze falls to 1/e, 1 to 1000000.</source>
+        <source>Height in metres over which the density of the haze falls to 1/e, 1 to 1000000.</source>
         <translation>Высота в метрах, на которой дымка слабеет в e раз, от 1 до 1000000.</translation>
     </message>
     <message>
-        <source>Extinction goes with the wavelength to the power of minus this, -1 to 4: 0 (grey) for fog, 0.3 for dust, 1.3 for fine haze. Left out, it falls to 0 as the visibility falls from 6 km to 500 m.</source>
+        <source>Angstrom exponent, -1 to 4: the extinction is proportional to the wavelength to the power of minus this value. It is 0 (grey) for fog, 0.3 for dust and 1.3 for fine haze. If it is left out, it falls to 0 as the visibility falls from 6 km to 500 m.</source>
         <translation>Ослабление идёт как длина волны в степени минус это число, от -1 до 4: 0 (серое) для тумана, 0,3 для пыли, 1,3 для тонкой дымки. Если не задано, падает до 0, когда видимость падает от 6 км до 500 м.</translation>
     </message>
     <message>
-        <source>Mean cosine of the angle by which light is deflected, 0 (evenly) to 0.95 (forwards).</source>
+        <source>Mean cosine of the angle by which haze scatters light, 0 (equal in all directions) to 0.95 (forwards).</source>
         <translation>Средний косинус угла отклонения света, от 0 (равномерно) до 0,95 (вперёд).</translation>
     </message>
     <message>
-        <source>Share of the extinction that is scattering, the rest is absorbed. [red, green, blue], each 0 to 1. Left out, it grows towards 1 as the visibility falls below 6 km.</source>
+        <source>Share of the extinction that is scattering. The rest is absorption. [red, green, blue], each 0 to 1. If it is left out, it rises towards 1 as the visibility falls below 6 km.</source>
         <translation>Доля рассеяния в ослаблении, остальное поглощается. [красный, зелёный, синий], каждый от 0 до 1. Если не задана, растёт к 1, когда видимость падает ниже 6 км.</translation>
     </message>
     <message>
-        <source>Fog that fills the valleys, even up to its top.</source>
+        <source>Fog that fills the valleys. It is equally dense up to its top.</source>
         <translation>Туман, который заполняет долины, ровный до самого верха.</translation>
     </message>
     <message>
@@ -1105,35 +1105,35 @@
         <translation>Есть ли туман.</translation>
     </message>
     <message>
-        <source>Distance in metres at which contrast inside it falls to 2 %, 10 to 1000000.</source>
+        <source>Distance in metres at which contrast inside the fog falls to 2 %, 10 to 1000000.</source>
         <translation>Расстояние в метрах, на котором контраст внутри него падает до 2 %, от 10 до 1000000.</translation>
     </message>
     <message>
-        <source>Mean height of its top above the sea in metres, -100000 to 100000.</source>
+        <source>Mean height of the top of the fog above the sea in metres, -100000 to 100000.</source>
         <translation>Средняя высота его верха над морем в метрах, от -100000 до 100000.</translation>
     </message>
     <message>
-        <source>Height in metres over which it thins out, 1 to 10000.</source>
+        <source>Height in metres over which the fog thins out at its top, 1 to 10000.</source>
         <translation>Высота в метрах, на которой он рассеивается, от 1 до 10000.</translation>
     </message>
     <message>
-        <source>How far its top goes up and down, in metres, 0 (level) to 10000.</source>
+        <source>Height of the waves at the top of the fog in metres, 0 (level) to 10000.</source>
         <translation>Насколько его верх поднимается и опускается, в метрах, от 0 (ровный) до 10000.</translation>
     </message>
     <message>
-        <source>Wavelength of its top&apos;s ups and downs in metres, 10 to 100000.</source>
+        <source>Length of the waves at the top of the fog in metres, 10 to 100000.</source>
         <translation>Длина волны подъёмов и спусков его верха в метрах, от 10 до 100000.</translation>
     </message>
     <message>
-        <source>Phong coefficients per object; ground and sea take their colours from the biome.</source>
+        <source>Phong coefficients of each material. Ground and sea have their colours from the biome.</source>
         <translation>Коэффициенты Фонга для каждого предмета; цвета земли и моря задаёт биом.</translation>
     </message>
     <message>
-        <source>How normals and colours vary over a triangle: not at all, colours interpolated, or normals interpolated (the default).</source>
+        <source>Shading over a triangle: flat is the same everywhere, gouraud interpolates colours, and phong (the default) interpolates normals.</source>
         <translation>Как меняются нормали и цвета по треугольнику: никак, интерполяция цветов или интерполяция нормалей (по умолчанию).</translation>
     </message>
     <message>
-        <source>Sets /image/spp, /image/adaptive_threshold, /sun/soft_shadows and /sky/ambient_occlusion where the scene leaves them out: draft is 1, 0, false, false; standard (the default) 4, 0, true, true; final 256, 0.008, true, true.</source>
+        <source>Sets /image/spp, /image/adaptive_threshold, /sun/soft_shadows and /sky/ambient_occlusion where the scene leaves them out. Their values are 1, 0, false, false with draft, 4, 0, true, true with standard (the default), and 256, 0.008, true, true with final.</source>
         <translation>Задаёт /image/spp, /image/adaptive_threshold, /sun/soft_shadows и /sky/ambient_occlusion, если их нет в сцене: draft — 1, 0, false, false; standard (по умолчанию) — 4, 0, true, true; final — 256, 0.008, true, true.</translation>
     </message>
     <message>
@@ -1153,108 +1153,112 @@
         <translation>Начальное число выборок, от 0 до 4294967295.</translation>
     </message>
     <message>
-        <source>Reconstruction filter.</source>
+        <source>Reconstruction filter of the pixels.</source>
         <translation>Фильтр восстановления.</translation>
     </message>
     <message>
-        <source>Exposure in stops: each doubles the brightness, -30 to 30. Left out, it follows from the picture, and dusk and night stay dark.</source>
+        <source>Exposure in stops, -30 to 30. Each stop doubles the brightness. If it is left out, it is metered in the picture, and dusk and night stay dark.</source>
         <translation>Экспозиция в ступенях: каждая удваивает яркость, от -30 до 30. Если не задана, следует из картины, а сумерки и ночь остаются тёмными.</translation>
     </message>
     <message>
-        <source>Phong coefficients of one object.</source>
+        <source>Phong coefficients of one material.</source>
         <translation>Коэффициенты Фонга одного предмета.</translation>
     </message>
     <message>
-        <source>Factor of the object&apos;s own colours. Linear Rec. 709 [red, green, blue], each 0 to 1.</source>
+        <source>Factor on the colours of the object. Linear Rec. 709 [red, green, blue], each 0 to 1.</source>
         <translation>Множитель собственных цветов предмета. Линейные Rec. 709: [красный, зелёный, синий], каждый от 0 до 1.</translation>
     </message>
     <message>
-        <source>Factor of the sky&apos;s light, 0 to 10.</source>
+        <source>Factor on the light of the sky, 0 to 10.</source>
         <translation>Множитель света неба, от 0 до 10.</translation>
     </message>
     <message>
-        <source>Factor of Lambert&apos;s term, 0 to 10.</source>
+        <source>Factor on the diffuse reflection (Lambert&apos;s cosine), 0 to 10.</source>
         <translation>Множитель слагаемого Ламберта, от 0 до 10.</translation>
     </message>
     <message>
-        <source>Factor of the highlight, 0 to 10.</source>
+        <source>Factor on the specular highlight, 0 to 10.</source>
         <translation>Множитель блика, от 0 до 10.</translation>
     </message>
     <message>
-        <source>Exponent of the highlight, 1 to 10000.</source>
+        <source>Exponent of the specular highlight, 1 to 10000.</source>
         <translation>Показатель степени блика, от 1 до 10000.</translation>
     </message>
     <message>
-        <source>Share of the light on the far side that shines through, 0 to 1.</source>
+        <source>Share of the light on the far side that shines through the surface, 0 to 1.</source>
         <translation>Доля света с обратной стороны, которая проходит насквозь, от 0 до 1.</translation>
     </message>
     <message>
-        <source>Light of its own, times the colour of the vertices. Linear Rec. 709 [red, green, blue], each 0 to 1000000.</source>
+        <source>Light that the surface emits. It is multiplied by the colours of the vertices. Linear Rec. 709 [red, green, blue], each 0 to 1000000.</source>
         <translation>Собственный свет, умноженный на цвет вершин. Линейные Rec. 709: [красный, зелёный, синий], каждый от 0 до 1000000.</translation>
     </message>
     <message>
-        <source>Whether what keeps the sky&apos;s light off sends sunlight of its own instead.</source>
+        <source>Whether surfaces that block the light of the sky reflect sunlight in its place.</source>
         <translation>Посылает ли то, что заслоняет свет неба, вместо него отражённый солнечный свет.</translation>
     </message>
     <message>
-        <source>Heaped clouds over flat bases. Their shadows fall on the land.</source>
+        <source>Cumulus clouds with flat bases. They cast shadows on the land.</source>
         <translation>Кучевые облака с плоским основанием. Их тени падают на землю.</translation>
     </message>
     <message>
-        <source>Share of the sky straight above that they cover, 0 (none) to 1.</source>
+        <source>Share of the sky straight above that the clouds cover, 0 (none) to 1.</source>
         <translation>Доля неба прямо над головой, которую они закрывают, от 0 (нет) до 1.</translation>
     </message>
     <message>
-        <source>Height of their bases above the sea in metres, 0 to 20000.</source>
+        <source>Height of the bases of the clouds above the sea in metres, 0 to 20000.</source>
         <translation>Высота их оснований над морем в метрах, от 0 до 20000.</translation>
     </message>
     <message>
-        <source>From the bases to high tops in metres, 10 to 10000; at most 1.5 times size_m counts.</source>
+        <source>Height of tall clouds from base to top in metres, 10 to 10000. Greater heights than 1.5 times size_m are reduced to that.</source>
         <translation>От оснований до высоких вершин в метрах, от 10 до 10000; считается не больше полуторного size_m.</translation>
     </message>
     <message>
-        <source>How wide a cloud is, in metres, 10 to 20000.</source>
+        <source>Width of a cloud in metres, 10 to 20000.</source>
         <translation>Ширина одного облака в метрах, от 10 до 20000.</translation>
     </message>
     <message>
-        <source>Another number, other clouds, 0 to 4294967295.</source>
+        <source>Seed of the clouds, 0 to 4294967295. Each seed gives other clouds.</source>
         <translation>Другое число — другие облака, от 0 до 4294967295.</translation>
     </message>
     <message>
-        <source>Further balloons, at most 32; each is built as fine as its size in the picture asks for.</source>
+        <source>Further balloons, at most 32. Each is built with as much detail as its size in the picture requires.</source>
         <translation>Другие шары, не больше 32; каждый построен настолько подробно, насколько он велик на картине.</translation>
     </message>
     <message>
-        <source>A hot-air balloon. All that are there share the ids of their parts in an EXR.</source>
+        <source>A hot-air balloon. In an EXR file, all balloons have the same object ids for their parts.</source>
         <translation>Воздушный шар. У всех шаров номера частей в EXR общие.</translation>
     </message>
     <message>
-        <source>How hard the burners fire, 0 (no flame) to 1; their light fills the envelope.</source>
+        <source>Strength of the burners, 0 (no flame) to 1. Their light fills the envelope.</source>
         <translation>Как сильно горят горелки, от 0 (без пламени) до 1; их свет заполняет оболочку.</translation>
     </message>
     <message>
-        <source>Fabrics that go together. Left out, the biome chooses; further balloons take turns.</source>
+        <source>Set of fabric colours that go together. If it is left out, the biome chooses it, and further balloons use the sets in turn.</source>
         <translation>Ткани, которые подходят друг другу. Если не задано, выбирает биом; другие шары чередуют их.</translation>
     </message>
     <message>
-        <source>Colours of the fabric in place of a palette&apos;s, 1 to 64 of them; the pattern repeats them.</source>
+        <source>Colours of the fabric, which replace those of the palette, 1 to 64 of them. The pattern repeats them.</source>
         <translation>Цвета ткани вместо палитры, от 1 до 64; узор повторяет их.</translation>
     </message>
     <message>
-        <source>Samples per pixel, at most if adaptive_threshold is above 0, 1 to 65536.</source>
+        <source>Number of samples per pixel, 1 to 65536. If adaptive_threshold is above 0, it is the largest number.</source>
         <translation>Лучей на пиксель, от 1 до 65536; при adaptive_threshold больше 0 — самое большее.</translation>
     </message>
     <message>
-        <source>From 16 samples on, a pixel whose noise is estimated at less than this share of the way from black to white on a display has enough of them, 0 (all get spp) to 1.</source>
+        <source>Noise at which a pixel needs no more samples, as a share of the range from black to white on a display, 0 (all pixels get spp samples) to 1. It is estimated from 16 samples on.</source>
         <translation>Начиная с 16 лучей пикселю, шум которого оценён меньше этой доли пути от чёрного до белого на экране, их достаточно; от 0 (все получают spp) до 1.</translation>
     </message>
     <message>
-        <source>Colour temperature in kelvins of the light that comes out white, 1700 to 25000; 6504 changes nothing. Left out, it goes half of the way to the daylight of the scene.</source>
+        <source>Colour temperature in kelvins of the light that looks white in the picture, 1700 to 25000. The value 6504 changes nothing. If it is left out, it goes half of the way to the daylight of the scene.</source>
         <translation>Цветовая температура света, который выйдет белым, в кельвинах, от 1700 до 25000; 6504 ничего не меняет. Если не задана, проходит полпути до дневного света сцены.</translation>
     </message>
     <message>
-        <source>Share of the light that is lost in the corners of the picture, by the fourth power of a cosine, 0 (none) to 0.9.</source>
+        <source>Share of the light that is lost in the corners of the picture, 0 (none) to 0.9. The loss grows by the fourth power of a cosine.</source>
         <translation>Доля света, которая теряется в углах картины, по четвёртой степени косинуса, от 0 (нет) до 0,9.</translation>
+    </message>
+    <message>
+        <source>Largest wavelength of the detail in colour and relief in metres, 0 (excluded) to 100000.</source>
+        <translation>Наибольшая длина волны деталей цвета и рельефа, в метрах, больше 0 и до 100000.</translation>
     </message>
 </context>
 <context>
