@@ -6,8 +6,8 @@
 
 function(aerostat_embed_kernels target)
   set(root "${CMAKE_CURRENT_SOURCE_DIR}")
-  file(GLOB_RECURSE files CONFIGURE_DEPENDS RELATIVE "${root}" "${root}/shared/*.h" "${root}/device/*.clh"
-       "${root}/*.cl")
+  file(GLOB_RECURSE files CONFIGURE_DEPENDS RELATIVE "${root}" "${root}/shared/*.h" "${root}/rules/*.h"
+       "${root}/device/*.clh" "${root}/*.cl")
   list(SORT files)
   # The list of files is written to a file, so that a removed kernel changes a dependency too.
   set(list_file "${CMAKE_CURRENT_BINARY_DIR}/kernel_files.txt")

@@ -16,7 +16,7 @@ set(DOXYGEN_SOURCE_BROWSER YES)
 set(DOXYGEN_HAVE_DOT NO)
 set(DOXYGEN_STRIP_FROM_PATH "${PROJECT_SOURCE_DIR}")
 set(DOXYGEN_STRIP_FROM_INC_PATH "${PROJECT_SOURCE_DIR}/include" "${PROJECT_SOURCE_DIR}/host"
-    "${PROJECT_SOURCE_DIR}/kernels/device" "${PROJECT_SOURCE_DIR}/kernels/shared")
+    "${PROJECT_SOURCE_DIR}/kernels/device" "${PROJECT_SOURCE_DIR}/kernels/shared" "${PROJECT_SOURCE_DIR}/kernels")
 doxygen_add_docs(reference
                  "${PROJECT_SOURCE_DIR}/include/aerostat" "${PROJECT_SOURCE_DIR}/host" "${PROJECT_SOURCE_DIR}/kernels"
                  "${PROJECT_SOURCE_DIR}/docs" "${PROJECT_SOURCE_DIR}/README.md" "${PROJECT_SOURCE_DIR}/ARCHITECTURE.md"

@@ -8,6 +8,7 @@
 #include "core/error.hpp"
 #include "core/simd.hpp"
 #include "height_grid.h"
+#include "rules/height_cell.h"
 
 namespace aerostat::mesh {
 namespace {
@@ -47,10 +48,6 @@ AEROSTAT_INLINE std::uint32_t as_short(float share) {
 AEROSTAT_INLINE float packed(const vec3& normal) {
   const float sum = std::fabs(normal.x) + std::fabs(normal.y) + std::fabs(normal.z);
   return std::bit_cast<float>(as_short(normal.x / sum) | as_short(normal.z / sum) << 16);
-}
-
-float from_short(std::uint32_t bits) {
-  return static_cast<float>(static_cast<std::int16_t>(bits & 0xffffu)) * (1.0f / 32767.0f);
 }
 
 }  // namespace
@@ -107,7 +104,7 @@ void GridMesh::set_row(std::uint32_t j, std::span<const float> heights,
 
 vec3 GridMesh::normal(std::uint32_t i, std::uint32_t j) const {
   const auto bits = std::bit_cast<std::uint32_t>(words_[first_normal_ + at(i, j)]);
-  const float nx = from_short(bits), nz = from_short(bits >> 16);
+  const float nx = rules::packed_normal_x(bits), nz = rules::packed_normal_z(bits);
   return glm::normalize(vec3(nx, 1.0f - std::fabs(nx) - std::fabs(nz), nz));
 }
 
@@ -124,10 +121,12 @@ TriangleMesh to_triangles(const GridMesh& grid) {
   for (std::uint32_t j = 0; j < grid.rows(); ++j) {
     for (std::uint32_t i = 0; i < grid.columns(); ++i) {
       const std::uint32_t a = j * row + i, b = a + 1, c = a + row, d = c + 1;
-      const float ad = std::fabs(grid.height(i, j) - grid.height(i + 1, j + 1));
-      const float bc = std::fabs(grid.height(i + 1, j) - grid.height(i, j + 1));
-      mesh.triangles.push_back(ad <= bc ? uvec3(a, c, d) : uvec3(b, a, c));
-      mesh.triangles.push_back(ad <= bc ? uvec3(a, d, b) : uvec3(b, c, d));
+      const auto along_ad = rules::cell_along_ad(grid.height(i, j), grid.height(i + 1, j),
+                                                 grid.height(i, j + 1), grid.height(i + 1, j + 1));
+      std::uint32_t corner[4];
+      CELL_CORNERS(rules::lane_select, along_ad, a, b, c, d, corner);
+      mesh.triangles.emplace_back(corner[0], corner[1], corner[2]);
+      mesh.triangles.emplace_back(corner[0], corner[2], corner[3]);
     }
   }
   return mesh;

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "air/light.hpp"
-#include "pack/copy.hpp"
+#include "core/copy.hpp"
 
 namespace aerostat::pack {
 namespace {

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <numbers>
 
+#include "core/copy.hpp"
 #include "model/balloon.hpp"
-#include "pack/copy.hpp"
 
 namespace aerostat::pack {
 namespace {

@@ -4,7 +4,7 @@
 #include <numbers>
 #include <numeric>
 
-#include "pack/copy.hpp"
+#include "core/copy.hpp"
 #include "pack/pack_scene.hpp"
 #include "scene/pixel_size.hpp"
 #include "scene/view_axes.hpp"

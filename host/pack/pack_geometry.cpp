@@ -7,8 +7,8 @@
 #include <oneapi/tbb/parallel_for.h>
 
 #include "bvh/grid.hpp"
+#include "core/copy.hpp"
 #include "core/error.hpp"
-#include "pack/copy.hpp"
 #include "pack/pack_instances.hpp"
 
 namespace aerostat::pack {

@@ -3,7 +3,7 @@
 #include <oneapi/tbb/parallel_for.h>
 
 #include "bvh/instances.hpp"
-#include "pack/copy.hpp"
+#include "core/copy.hpp"
 
 namespace aerostat::pack {
 namespace {

@@ -1,6 +1,6 @@
 #include "pack/pack_materials.hpp"
 
-#include "pack/copy.hpp"
+#include "core/copy.hpp"
 #include "trace_triangle.h"
 
 namespace aerostat::pack {

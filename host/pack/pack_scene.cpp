@@ -2,14 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include <fmt/format.h>
 
 #include "air/atmosphere.hpp"
+#include "core/copy.hpp"
 #include "core/error.hpp"
+#include "ground/ground_numbers.hpp"
 #include "pack/cloud_chart.hpp"
-#include "pack/copy.hpp"
 #include "pack/pack_air.hpp"
 #include "pack/pack_balloon.hpp"
 #include "pack/pack_materials.hpp"
@@ -18,10 +18,6 @@
 
 namespace aerostat::pack {
 namespace {
-
-float cosine_of_deg(double degrees) {
-  return static_cast<float>(std::cos(degrees * (std::numbers::pi / 180.0)));
-}
 
 // Per metre: a cloud of fair weather with some 60 droplets of 8 um radius a cubic centimetre.
 constexpr float kCumulusExtinction = 0.03f;
@@ -65,47 +61,6 @@ AeroSky pack_sky(const scene::Scene& scene) {
   return sky;
 }
 
-/// Waves shorter than a millimetre are finer than any picture shows, and their number over a land
-/// is more than a float holds.
-constexpr double kShortestWaveM = 1e-3;
-
-float wavelength(double metres) {
-  return static_cast<float>(std::max(metres, kShortestWaveM));
-}
-
-/// 0 stands for none.
-float wavelength_or_none(double metres) {
-  return metres < kShortestWaveM ? 0.0f : static_cast<float>(metres);
-}
-
-AeroGround pack_ground(const scene::Scene& scene) {
-  const scene::Ground& from = scene.biome.ground;
-  AeroGround ground{};
-#define AERO_NUMBER(member, source) ground.member = static_cast<float>(from.source);
-  AERO_GROUND_NUMBERS(AERO_NUMBER)
-#undef AERO_NUMBER
-  copy(ground.cover_a, from.cover_a);
-  copy(ground.cover_b, from.cover_b);
-  copy(ground.rock_a, from.rock_a);
-  copy(ground.rock_b, from.rock_b);
-  copy(ground.snow, from.snow);
-  copy(ground.beach, from.beach);
-  for (int i = 0; i < 2; ++i) {
-    ground.rock_cos[i] = cosine_of_deg(from.rock_slope_deg[i]);
-    ground.snow_cos[i] = cosine_of_deg(from.snow_slope_deg[i]);
-  }
-  ground.pattern = wavelength(from.pattern_m);
-  ground.ripple = wavelength_or_none(from.ripple_m);
-  ground.strata = wavelength_or_none(from.strata_m);
-  copy(ground.forest, from.forest);
-  const vec3 wind = direction_from_angles(
-      radians_from_degrees(static_cast<float>(scene.terrain.dunes.wind_deg)), 0.0f);
-  ground.wind[0] = wind.x;
-  ground.wind[1] = wind.z;
-  ground.seed = scene.terrain.seed;
-  return ground;
-}
-
 AeroWater pack_water(const scene::Water& from) {
   AeroWater water{};
   copy(water.absorption, from.absorption_per_m);
@@ -113,7 +68,7 @@ AeroWater pack_water(const scene::Water& from) {
   copy(water.bed, from.bed);
   // Without a sea nothing is wet.
   water.level = from.enabled ? static_cast<float>(from.level_m) : -1e9f;
-  water.wave = wavelength(from.wave_m);
+  water.wave = static_cast<float>(std::max(from.wave_m, ground::kShortestWaveM));
   water.wave_slope = static_cast<float>(from.wave_slope);
   return water;
 }
@@ -170,7 +125,7 @@ PackedScene pack_scene(const scene::Scene& scene, PackCache& cache) {
   const vec3 eye(scene::place_of(scene, *scene.camera.position));
   packed.cloud_chart = cloud_chart(numbers.sky.cumulus, eye, cache.clouds);
   if (packed.cloud_chart) numbers.sky.cumulus.chart = packed.cloud_chart->place;
-  numbers.ground = pack_ground(scene);
+  numbers.ground = ground::ground_numbers(scene);
   numbers.water = pack_water(scene.biome.water);
   pack_balloons(scene, numbers);
   pack_materials(scene, numbers.materials);

@@ -15,8 +15,8 @@ const vec3 kBoulderAlbedo{0.19f, 0.183f, 0.175f};
 
 /// Returns the probability of a boulder at a site. Boulders come in heaps and are more frequent
 /// towards bare rock and shores, and rare deep in the woods.
-float boulder_chance(const GroundRule& rule, const Site& site, float heaps) {
-  const GroundMix mix = rule.mix(site.position, site.normal.y, site.noise);
+float boulder_chance(const ground::GroundRule& rule, const Site& site, float heaps) {
+  const ground::GroundMix mix = rule.mix(site.position, site.normal.y, site.noise);
   const float heap = smooth_step(0.25f, 0.9f, site.noise.fine - 0.4f * site.noise.broad);
   const float shore =
       smooth_step(4.0f, 1.5f, site.above_sea) * smooth_step(0.1f, 0.7f, -site.noise.broad);
@@ -82,7 +82,7 @@ Layer boulder_layer(const Nature& nature, std::uint32_t id, double spacing_m, do
     return boulder_chance(rule, site, heaps);
   };
   layer.choose = [nature](const Site& site, plant::Random& random) {
-    const GroundMix mix = nature.rule.mix(site.position, site.normal.y, site.noise);
+    const ground::GroundMix mix = nature.rule.mix(site.position, site.normal.y, site.noise);
     const auto species = random.chance(static_cast<double>(mix.snow))
                              ? plant::Species::snowy_boulder
                              : plant::Species::boulder;

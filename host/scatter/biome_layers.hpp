@@ -8,7 +8,7 @@ namespace aerostat::scatter {
 struct Nature {
   const scene::Scene& scene;
   const Surface& surface;
-  const GroundRule& rule;
+  const ground::GroundRule& rule;
 };
 
 /// Returns the layers of plants and stones in a scene's biome. The layers refer to the members of

@@ -3,8 +3,8 @@
 #include <functional>
 #include <vector>
 
+#include "ground/ground_rule.hpp"
 #include "plant/random.hpp"
-#include "scatter/ground_rule.hpp"
 #include "scatter/scatter.hpp"
 #include "scatter/sight.hpp"
 #include "scatter/surface.hpp"
@@ -18,7 +18,7 @@ struct Site {
   vec3 normal{0.0f, 1.0f, 0.0f};
   /// The height above the sea in metres. It is very large if there is no sea.
   float above_sea = 0.0f;
-  GroundNoise noise;
+  ground::GroundNoise noise{};
 };
 
 /// The plant or stone that stands at a site.
@@ -59,7 +59,7 @@ struct Layer {
 /// places over the terrain.
 struct Place {
   const Surface& surface;
-  const GroundRule& rule;
+  const ground::GroundRule& rule;
   /// The height of the sea in metres, far below everything if there is none.
   float sea_level_m;
   /// The place from which reaches are counted.

@@ -46,13 +46,13 @@ class Planter {
   /// Returns the instances in the row of squares with z number j.
   std::vector<Instance> plant_row(std::int64_t j) const {
     std::vector<Candidate> candidates = candidates_of_row(j);
-    add_noise(candidates, &GroundRule::fill_smooth);
+    add_noise(candidates, &ground::GroundRule::fill_smooth);
     if (layer_.chance_at_most) {
       std::erase_if(candidates, [this](const Candidate& candidate) {
         return !(candidate.fate < static_cast<double>(layer_.chance_at_most(candidate.site)));
       });
     }
-    add_noise(candidates, &GroundRule::fill_rough);
+    add_noise(candidates, &ground::GroundRule::fill_rough);
     std::vector<Instance> row;
     for (Candidate& candidate : candidates) grow(candidate, row);
     return row;
@@ -70,11 +70,12 @@ class Planter {
     double fate;
   };
 
-  using FillNoise = void (GroundRule::*)(std::span<const vec3>, std::span<GroundNoise>) const;
+  using FillNoise = void (ground::GroundRule::*)(std::span<const vec3>,
+                                                 std::span<ground::GroundNoise>) const;
 
   void add_noise(std::vector<Candidate>& candidates, FillNoise fill) const {
     std::vector<vec3> positions;
-    std::vector<GroundNoise> noise;
+    std::vector<ground::GroundNoise> noise;
     positions.reserve(candidates.size());
     noise.reserve(candidates.size());
     for (const Candidate& candidate : candidates) {

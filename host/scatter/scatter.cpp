@@ -4,6 +4,7 @@
 #include <cmath>
 #include <optional>
 
+#include "ground/ground_numbers.hpp"
 #include "scatter/biome_layers.hpp"
 #include "scene/local_frame.hpp"
 
@@ -89,7 +90,7 @@ Growth scatter(const scene::Scene& scene, const mesh::GridMesh& ground, Where wh
   if (!vegetation.enabled || !(vegetation.density > 0.0)) return growth;
   growth.models = all_models();
   const Surface surface(ground, scene::place_of(scene, scene.origin));
-  const GroundRule rule(scene.biome.ground, scene.terrain.seed, kFootprintM);
+  const ground::GroundRule rule(ground::ground_numbers(scene), kFootprintM);
   const std::vector<KeepOut> circles = kept_out(scene, surface, obstacles);
   const Nature nature{scene, surface, rule};
   const std::vector<Layer> layers = biome_layers(nature);

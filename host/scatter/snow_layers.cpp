@@ -18,7 +18,7 @@ constexpr double kCrown = 5.8;
 Choice choose_spruce(const Nature& nature, const Site& site, Random& random, double from,
                      double to) {
   const scene::Ground& ground = nature.scene.biome.ground;
-  const GroundMix mix = nature.rule.mix(site.position, site.normal.y, site.noise);
+  const ground::GroundMix mix = nature.rule.mix(site.position, site.normal.y, site.noise);
   const float up = site.position.y / std::max(static_cast<float>(ground.forest_top_m), 1.0f);
   const float laden =
       mix.snow * (0.45f + 0.45f * smooth_step(0.2f, 0.9f, up) + 0.3f * site.noise.fine);

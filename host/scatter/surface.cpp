@@ -1,7 +1,8 @@
 #include "scatter/surface.hpp"
 
 #include <algorithm>
-#include <cmath>
+
+#include "rules/height_cell.h"
 
 namespace aerostat::scatter {
 void Lines::index() {
@@ -45,9 +46,8 @@ void Surface::find(double x, double z, Spot& spot) const {
   const std::uint32_t i = spot.i = u.cell, j = spot.j = v.cell;
   const float a = ground_.height(i, j), b = ground_.height(i + 1, j);
   const float c = ground_.height(i, j + 1), d = ground_.height(i + 1, j + 1);
-  // Cells are split along the diagonal that is less steep.
   float(&weight)[4] = spot.weight;
-  if (std::fabs(a - d) <= std::fabs(b - c)) {
+  if (rules::cell_along_ad(a, b, c, d) != 0) {
     const float both = std::min(u.share, v.share);
     weight[0] = 1.0f - std::max(u.share, v.share);
     weight[1] = u.share - both;

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "noise.hpp"
+#include "rules/noise.h"
 #include "scene/scene.hpp"
 
 /// These functions sum noise layers after Musgrave (Ebert et al., "Texturing and Modeling",
@@ -23,10 +24,9 @@ std::vector<Octave> make_octaves(const scene::Fractal& fractal, double first_m, 
 /// Returns `count` octaves with lacunarity 2 and gain 1/2, for masks and distortions.
 std::vector<Octave> make_soft_octaves(double first_m, std::uint32_t seed, int count = 2);
 
-/// Returns the share of a wave that can be shown at a sample spacing. It is 1 from four samples
-/// per wave on and 0 up to two (Nyquist's limit).
+/// Returns the share of a wave that can be shown at a sample spacing.
 inline float band_share(float wavelength_m, float spacing_m) {
-  return std::clamp(0.5f * wavelength_m / std::max(spacing_m, 1e-6f) - 1.0f, 0.0f, 1.0f);
+  return rules::resolved(wavelength_m, std::max(spacing_m, 1e-6f));
 }
 
 /// Computes the sum of a_i n_i divided by the sum of a_i. The noise is scaled so that the result

@@ -3,6 +3,7 @@
 #include <cstdint>
 
 #include "points.hpp"
+#include "rules/hash.h"
 
 /// These functions compute two-dimensional gradient noise after Perlin ("An image synthesizer",
 /// 1985; "Improving noise", 2002), with unit gradients of a random angle.
@@ -24,21 +25,7 @@ inline constexpr int kAngleBits = 12;
 /// The largest possible |n|.
 inline constexpr double kNoiseBound = 0.70710678118654752;
 
-/// Returns the hash of a lattice point, in 32-bit arithmetic that wraps around. OpenCL C gives
-/// the same bits with `uint`. Signed coordinates are taken modulo 2^32. The multipliers of the
-/// finalizer are those of C. Wellons, lowbias32.
-constexpr std::uint32_t lattice_hash(std::uint32_t seed, std::int32_t ix, std::int32_t iy) {
-  std::uint32_t h = (static_cast<std::uint32_t>(ix) * 0x9E3779B1u) ^ (seed * 0x85EBCA6Bu);
-  h ^= h >> 16;
-  h *= 0x7FEB352Du;
-  h ^= h >> 15;
-  h ^= static_cast<std::uint32_t>(iy) * 0xC2B2AE35u;
-  h ^= h >> 16;
-  h *= 0x7FEB352Du;
-  h ^= h >> 15;
-  h *= 0x846CA68Bu;
-  return h;
-}
+using rules::lattice_hash;
 
 /// A noise value and its exact derivatives.
 struct NoiseSample {

@@ -17,10 +17,7 @@
  * A normal is x and z over |x| + |y| + |z|, as 16-bit signed shares of 32767 with x in the low
  * half; its y is positive.
  *
- * Cell (i, j) has the corners A (i, j), B (i + 1, j), C (i, j + 1) and D (i + 1, j + 1). If A and D
- * differ in height by no more than B and C, the cell is split along AD into triangle 0 = ACD and
- * triangle 1 = ADB. Otherwise it is split along BC into triangle 0 = BAC and triangle 1 = BCD. All
- * triangles run counter-clockwise seen from above. */
+ * rules/height_cell.h says which triangles a cell has. */
 #define AERO_GRID_HEADER 2
 #define AERO_GRID_BLOCK 8
 #define AERO_GRID_MOST 16384

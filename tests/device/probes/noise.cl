@@ -16,7 +16,8 @@ __kernel void probe_noise_values(const uint seed, const int octaves, __global co
   const lane_float plane = perlin_value(p.x, p.y, seed);
   const lane_float fbm = filtered_fbm_value(p.x, p.y, fbm_of(seed, 8.0f, octaves, 0.5f), footprint);
   const lane_float solid = solid_noise_value(p, seed);
-  const lane_float solid_fbm = filtered_solid_fbm_value(p, seed, 8.0f, octaves, 0.5f, 1, footprint);
+  const lane_float solid_fbm =
+      filtered_solid_fbm_value(p, solid_fbm_of(seed, 8.0f, octaves, 0.5f, 1), footprint);
   store3_planes(lane3(plane, fbm, solid), values);
   STORE(solid_fbm, values + 3u * PLANE);
 }
@@ -30,7 +31,8 @@ __kernel void probe_noise_with_slopes(const uint seed, const int octaves,
   const Noise plane = perlin(p.x, p.y, seed);
   const Noise fbm = filtered_fbm(p.x, p.y, seed, 8.0f, octaves, 0.5f, footprint);
   const SolidNoise solid = solid_noise(p, seed);
-  const SolidNoise solid_fbm = filtered_solid_fbm(p, seed, 8.0f, octaves, 0.5f, 1, footprint);
+  const SolidNoise solid_fbm =
+      filtered_solid_fbm(p, solid_fbm_of(seed, 8.0f, octaves, 0.5f, 1), footprint);
   store3_planes(lane3(plane.value, fbm.value, solid.value), values);
   STORE(solid_fbm.value, values + 3u * PLANE);
 }
@@ -57,9 +59,9 @@ __kernel void probe_solid(const uint seed, const int octaves, const int ridges,
   if (octaves == 0) {
     n = solid_noise(p, seed);
   } else if (ridges) {
-    n = filtered_solid_fbm(p, seed, 8.0f, octaves, 0.5f, 1, LOAD(footprints));
+    n = filtered_solid_fbm(p, solid_fbm_of(seed, 8.0f, octaves, 0.5f, 1), LOAD(footprints));
   } else {
-    n = filtered_solid_fbm(p, seed, 8.0f, octaves, 0.5f, 0, LOAD(footprints));
+    n = filtered_solid_fbm(p, solid_fbm_of(seed, 8.0f, octaves, 0.5f, 0), LOAD(footprints));
   }
   STORE(n.value, values);
   store3_planes(n.gradient, gradients);

@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include "ground/ground_numbers.hpp"
 #include "scatter/biome_layers.hpp"
 #include "scene/io.hpp"
 #include "terrain/terrain_mesh.hpp"
@@ -25,7 +26,7 @@ TEST_P(Bounds, OfTheChanceHoldWhateverSlopeAndRoughNoiseAre) {
   const scene::Scene scene = scene::defaults(GetParam(), scene::View::outside);
   const mesh::GridMesh ground = small_land(scene);
   const Surface surface(ground);
-  const GroundRule rule(scene.biome.ground, scene.terrain.seed, 1.0f);
+  const ground::GroundRule rule(ground::ground_numbers(scene), 1.0f);
   const Nature nature{scene, surface, rule};
   std::mt19937 random(17);
   std::uniform_real_distribution<double> place(-4000.0, 4000.0);
@@ -56,26 +57,6 @@ TEST_P(Bounds, OfTheChanceHoldWhateverSlopeAndRoughNoiseAre) {
 INSTANTIATE_TEST_SUITE_P(Every, Bounds,
                          testing::Values(scene::BiomeKind::snow, scene::BiomeKind::tropical,
                                          scene::BiomeKind::sand));
-
-TEST(GroundNoise, IsTheSamePartByPartAndInAnyNumber) {
-  const scene::Scene scene = scene::defaults(scene::BiomeKind::snow, scene::View::outside);
-  const GroundRule rule(scene.biome.ground, scene.terrain.seed, 1.0f);
-  std::mt19937 random(4);
-  std::uniform_real_distribution<float> place(-3000.0f, 3000.0f);
-  std::vector<vec3> points;
-  for (int i = 0; i < 300; ++i) points.push_back({place(random), place(random), place(random)});
-  const std::vector<GroundNoise> all = rule.noise(points);
-  for (const std::size_t count : {1u, 2u, 15u, 16u, 17u, 128u, 129u, 299u}) {
-    std::vector<GroundNoise> some(count);
-    rule.fill_rough(std::span(points).first(count), some);
-    rule.fill_smooth(std::span(points).first(count), some);
-    for (std::size_t i = 0; i < count; ++i) {
-      EXPECT_EQ(some[i].broad, all[i].broad);
-      EXPECT_EQ(some[i].fine, all[i].fine);
-      EXPECT_EQ(some[i].rough, all[i].rough);
-    }
-  }
-}
 
 TEST(Lines, FindTheCellThatHoldsAValue) {
   std::mt19937 random(9);

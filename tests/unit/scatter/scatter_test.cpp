@@ -13,6 +13,7 @@
 #include <tbb/global_control.h>
 
 #include "core/error.hpp"
+#include "ground/ground_numbers.hpp"
 #include "scatter/layer.hpp"
 #include "scene/io.hpp"
 #include "terrain/terrain_mesh.hpp"
@@ -235,7 +236,7 @@ TEST(Scatter, WoodsAreAsDenseAsThePaintedOnes) {
   scene.camera.position = {0.0, 500.0, 0.0};
   scene.balloon.enabled = false;
   const mesh::GridMesh ground = mesh_over(4, 4000.0, [](double, double) { return 100.0; });
-  const GroundRule rule(scene.biome.ground, scene.terrain.seed, 1.0f);
+  const ground::GroundRule rule(ground::ground_numbers(scene), 1.0f);
   // The share of woods within half the reach is averaged. A canopy's square holds one tree.
   double share = 0.0;
   std::vector<vec3> places;

@@ -2,9 +2,9 @@
 
 #include "core/math.hpp"
 
-namespace aerostat::pack {
+namespace aerostat {
 
-/// Three numbers in the precision of the device.
+/// Copies three numbers in the precision of the device.
 template <typename Vector>
 void copy(float (&to)[3], const Vector& from) {
   to[0] = static_cast<float>(from.x);
@@ -12,4 +12,4 @@ void copy(float (&to)[3], const Vector& from) {
   to[2] = static_cast<float>(from.z);
 }
 
-}  // namespace aerostat::pack
+}  // namespace aerostat

@@ -1,0 +1,149 @@
+#ifndef AEROSTAT_RULES_GROUND_H
+#define AEROSTAT_RULES_GROUND_H
+
+#include "rules/solid_noise.h"
+#include "scene_params.h"
+
+/* The rules that decide by height, slope and noise which kind of ground lies where. The device
+ * paints the ground by them, and the host places plants by them, so that woods of single trees pass
+ * into painted woods. Heights are in metres above the sea, and slopes are cosines (the y of a unit
+ * normal). The numbers are chosen by eye. */
+
+AERO_RULES_BEGIN
+
+/* The noise that the rules share. `broad` is for colours and outlines, `fine` for small blotches,
+ * and `rough`, which is creased, for the relief of rock. Values are about -0.7 to 0.7. */
+typedef struct GroundNoise {
+  lane_float broad, fine, rough;
+} GroundNoise;
+
+/* The share of each kind of ground, from 0 to 1. */
+typedef struct GroundMix {
+  lane_float rock, beach, snow, forest;
+} GroundMix;
+
+/* `broad` and `fine` are stretched along the vertical, so that outlines on slopes follow the fall
+ * line as gullies do: the noise is taken at this share of the height. */
+#define GROUND_NOISE_FLATTENED 0.4f
+
+AERO_RULE SolidFbm broad_fbm(AERO_GLOBAL const AeroGround* ground) {
+  return solid_fbm_of(ground->seed + 101u, ground->pattern * 4.0f, 4, 0.6f, 0);
+}
+AERO_RULE SolidFbm fine_fbm(AERO_GLOBAL const AeroGround* ground) {
+  return solid_fbm_of(ground->seed + 211u, ground->pattern * 0.4f, 7, 0.74f, 0);
+}
+AERO_RULE SolidFbm rough_fbm(AERO_GLOBAL const AeroGround* ground) {
+  return solid_fbm_of(ground->seed + 307u, ground->pattern * 0.8f, 8, 0.55f, 1);
+}
+
+/* Returns the noise that frays the borders between kinds of ground. */
+AERO_RULE lane_float ragged_noise(const GroundNoise* noise) {
+  return 0.3f * noise->broad + 1.5f * noise->fine - 0.6f * noise->rough;
+}
+
+/* Returns 0 below `lo` and 1 above `hi`. `ragged` frays the border between them. */
+AERO_RULE lane_float frayed_step(float lo, float hi, lane_float x, lane_float ragged) {
+  const lane_float t = (x - lo) / (hi - lo);
+  return smooth_step((lane_float)0.475f, (lane_float)0.525f, t + 0.34f * ragged);
+}
+
+/* The share of the height of the upper limit of trees by which `broad` raises and lowers it. */
+#define FOREST_TOP_SWAY 0.25f
+
+/* Returns how much woods thin out towards the upper limit of trees, from 0 below it to 1 above
+ * it. */
+AERO_RULE lane_float forest_thinning(AERO_GLOBAL const AeroGround* ground, lane_float height,
+                                     const GroundNoise* noise) {
+  return smooth_step((lane_float)(ground->forest_top * 0.6f), (lane_float)ground->forest_top,
+                     height + FOREST_TOP_SWAY * ground->forest_top * noise->broad);
+}
+
+/* Returns a slowly changing value that is above 0 in the woods and below 0 outside. Woods have
+ * clearings. */
+AERO_RULE lane_float forest_closeness(AERO_GLOBAL const AeroGround* ground, lane_float height,
+                                      const GroundNoise* noise) {
+  const lane_float thin = forest_thinning(ground, height, noise);
+  const lane_float wish = 2.0f * ground->forest_share * (1.0f - thin) - 1.0f;
+  return wish + 0.6f * noise->broad + 0.5f * noise->fine;
+}
+
+/* Returns the share of woods where neither slope nor shore forbids them. It does not depend on
+ * `rough`. */
+AERO_RULE lane_float forest_wished(AERO_GLOBAL const AeroGround* ground, lane_float height,
+                                   const GroundNoise* noise) {
+  return smooth_step((lane_float)-0.03f, (lane_float)0.03f,
+                     forest_closeness(ground, height, noise));
+}
+
+/* Returns the share of the shore, which is sand or rock, from 0 above the beach to 1 at the sea and
+ * below. */
+AERO_RULE lane_float shore_share(AERO_GLOBAL const AeroGround* ground, lane_float height,
+                                 const GroundNoise* noise) {
+  return 1.0f - smooth_step((lane_float)(ground->beach_top - 0.5f),
+                            (lane_float)(ground->beach_top + 0.5f),
+                            height + 2.0f * ragged_noise(noise));
+}
+
+/* Returns the share of woods. There are none on bare rock, but trees grow on slopes that are a
+ * little too steep for snow. */
+AERO_RULE lane_float forest_share(AERO_GLOBAL const AeroGround* ground, lane_float height,
+                                  lane_float slope_cos, const GroundNoise* noise) {
+  if (!(ground->forest_share > 0.0f)) return (lane_float)0.0f;
+  const lane_float hold = frayed_step(ground->rock_cos[1] - 0.06f, ground->rock_cos[0] - 0.06f,
+                                      slope_cos, -ragged_noise(noise));
+  return forest_wished(ground, height, noise) * hold * (1.0f - shore_share(ground, height, noise));
+}
+
+/* Returns the share of snow. `detail_cos` is the slope of the ground as it looks from near, where
+ * snow lies on ledges. */
+AERO_RULE lane_float snow_share(AERO_GLOBAL const AeroGround* ground, lane_float height,
+                                lane_float detail_cos, const GroundNoise* noise) {
+  const float half_zone = 0.5f * ground->snow_fuzz;
+  const lane_float cold = frayed_step(ground->snow_line - half_zone, ground->snow_line + half_zone,
+                                      height, 1.5f * ragged_noise(noise));
+  /* Wind heaps snow up in some places and blows it away in others. */
+  const lane_float swept = 0.9f * noise->broad + 0.22f * noise->fine - 0.2f * noise->rough;
+  const lane_float holds = frayed_step(ground->snow_cos[1], ground->snow_cos[0], detail_cos, swept);
+  return cold * holds;
+}
+
+/* Returns the mix at a height. `slope_cos` is the slope of the mesh, and `detail_cos` that of the
+ * ground as it looks from near. The host has no such detail and gives the slope of the mesh for
+ * both. */
+AERO_RULE GroundMix ground_mix(AERO_GLOBAL const AeroGround* ground, lane_float height,
+                               lane_float slope_cos, lane_float detail_cos,
+                               const GroundNoise* noise) {
+  const lane_float ragged = ragged_noise(noise);
+  const lane_float shore = shore_share(ground, height, noise);
+  GroundMix mix;
+  /* Steep shores are rock. */
+  mix.beach = shore * smooth_step((lane_float)0.9f, (lane_float)0.95f, slope_cos + 0.02f * ragged);
+  mix.rock = lane_max(frayed_step(-ground->rock_cos[0], -ground->rock_cos[1], -detail_cos, ragged),
+                      shore - mix.beach);
+  mix.snow = snow_share(ground, height, detail_cos, noise);
+  mix.forest = forest_share(ground, height, slope_cos, noise);
+  return mix;
+}
+
+/* Trees of a kind stand together: where this sum of the noise is above 0 they are yellower, and
+ * elsewhere bluer. */
+#define WOODS_WARMTH_OF_BROAD 0.7f
+#define WOODS_WARMTH_OF_FINE 0.35f
+/* By how much a warmth of 1 raises the red and lowers the blue of leaves, and raises the green of
+ * woods that are painted and of single trees. */
+#define WARM_RED 0.8f
+#define WARM_BLUE 0.5f
+#define WARM_PAINTED_GREEN 0.25f
+#define WARM_TREE_GREEN 0.35f
+
+/* Returns where the albedo of rock, before it weathers, lies between the ground's rock_a (0) and
+ * rock_b (1). */
+AERO_RULE lane_float rock_tone(lane_float height, const GroundNoise* noise) {
+  /* Beds of rock are bands by height that the noise bends. */
+  const lane_float bed = sinpi(height * 0.045f + 2.2f * noise->broad) * 0.5f;
+  return clamp01(0.5f + 0.9f * noise->fine - 0.6f * noise->rough + 0.3f * bed);
+}
+
+AERO_RULES_END
+
+#endif
