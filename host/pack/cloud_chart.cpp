@@ -9,6 +9,7 @@
 
 #include <oneapi/tbb/parallel_for.h>
 
+#include "rules/cumulus.h"
 #include "terrain/noise.hpp"
 
 namespace aerostat::pack {
@@ -27,31 +28,29 @@ constexpr float kFarthestShare = 0.35f;
 /// Single precision, on the host and on the device.
 constexpr float kNumericalMargin = 2e-3f;
 
-/// As in cumulus.clh: towers reach the lowest height at which there is density where noise
-/// exceeds the threshold by this.
-constexpr float kLeastOver = 0.36f * -0.05f;
-
 /// One octave of the clouds' noise over the plane.
 struct Wave {
   terrain::NoiseLayer layer;
   float amplitude = 0.0f;
 };
 
-/// As cumulus_towers has them, longest first.
-std::array<Wave, 6> waves_of(const AeroCumulus& clouds) {
-  std::array<Wave, 6> waves;
-  const auto wave = [](float along, float across, std::uint32_t seed, float amplitude) {
-    return Wave{{along, across, 0.0f, 0.0f, 1.0f / std::hypot(along, across), seed}, amplitude};
-  };
-  waves[0] = wave(1.0f / (9.0f * clouds.size), 0.0f, clouds.seed, 0.6f);
-  float along = 1.0f / (2.4f * clouds.size), across = 0.0f, amplitude = 1.0f;
-  for (std::uint32_t i = 0; i < 5; ++i) {
-    waves[i + 1] = wave(along, across, clouds.seed + 11u + i, amplitude);
-    const float turned = 2.0f * (0.8f * along - 0.6f * across);
-    across = 2.0f * (0.6f * along + 0.8f * across);
-    along = turned;
-    amplitude *= 0.5f;
+/// Adds the octaves of an fBm, longest first.
+void add_waves(const rules::Fbm& fbm, float amplitude, std::vector<Wave>& waves) {
+  rules::Octave octave = rules::first_octave(fbm.wavelength);
+  for (int i = 0; i < fbm.octaves; ++i) {
+    const float length = 1.0f / std::hypot(octave.along, octave.across);
+    const std::uint32_t seed = fbm.seed + static_cast<std::uint32_t>(i);
+    waves.push_back({{octave.along, octave.across, 0.0f, 0.0f, length, seed}, amplitude});
+    octave = rules::next_octave(octave);
+    amplitude *= fbm.gain;
   }
+}
+
+/// Returns the waves of the clouds' coverage noise, longest first.
+std::vector<Wave> waves_of(const AeroCumulus& clouds) {
+  std::vector<Wave> waves;
+  add_waves(rules::cumulus_fields(clouds.size, clouds.seed), CUMULUS_FIELD_SHARE, waves);
+  add_waves(rules::cumulus_heaps(clouds.size, clouds.seed), 1.0f, waves);
   return waves;
 }
 
@@ -60,7 +59,7 @@ class Judge {
  public:
   Judge(const AeroCumulus& clouds, float side)
       : waves_(waves_of(clouds)),
-        least_(clouds.threshold + kLeastOver - kNumericalMargin),
+        least_(clouds.threshold + CUMULUS_LEAST_EXCESS - kNumericalMargin),
         radius_(0.7072f * side) {}
 
   /// Footprints fade octaves out from the shortest on: the sum is between those of the longest
@@ -99,7 +98,7 @@ class Judge {
     }
   }
 
-  std::array<Wave, 6> waves_;
+  std::vector<Wave> waves_;
   float least_, radius_;
   Sum sum_;
 };
@@ -209,7 +208,7 @@ float corner_by(float eye, float tile) {
 
 std::shared_ptr<const CloudChart> cloud_chart(const AeroCumulus& clouds, const vec3& eye,
                                               CloudChartCache& cache) {
-  const bool some_clear = clouds.threshold + kLeastOver - kNumericalMargin > 0.0f;
+  const bool some_clear = clouds.threshold + CUMULUS_LEAST_EXCESS - kNumericalMargin > 0.0f;
   if (!(clouds.extinction > 0.0f) || !some_clear) return nullptr;
   const float cell = clouds.size / kCellsPerSize;
   const float tile = static_cast<float>(kTile) * cell;

@@ -1,34 +1,22 @@
 #include "pack/daylight.hpp"
 
-#include <algorithm>
-#include <cmath>
 #include <numbers>
 
-#include "core/smooth_step.hpp"
+#include "rules/daylight.h"
 
 namespace aerostat::pack {
-namespace {
-
-dvec3 color(const float (&from)[3]) {
-  return dvec3(from[0], from[1], from[2]);
-}
-
-}  // namespace
 
 dvec3 daylight(const AeroScene& scene, double height_m) {
   const AeroAir& air = scene.air;
-  const auto thinned = [height_m](float scale) {
-    return std::exp(-std::clamp(height_m / static_cast<double>(scale), -60.0, 60.0));
-  };
-  const dvec3 depth = color(air.depth_ozone) +
-                      color(air.depth_molecules) * thinned(air.molecules_height) +
-                      color(air.depth_haze) * thinned(air.haze_height);
-  const double from = static_cast<double>(air.sun_heights[0]);
-  const double to = static_cast<double>(air.sun_heights[1]);
-  const double t = std::clamp((height_m - from) / std::max(to - from, 1e-9), 0.0, 1.0);
-  const double share = smooth_unit_step(t);
-  const dvec3 sun = share / std::numbers::pi * glm::exp(-depth);
-  return color(scene.sky.sun_irradiance) * (sun + color(air.ambient[0]));
+  const double molecules = rules::density_share(height_m, air.molecules_height);
+  const double haze = rules::density_share(height_m, air.haze_height);
+  const double share = rules::sun_share(&air, height_m) / std::numbers::pi;
+  dvec3 light;
+  for (int i = 0; i < 3; ++i) {
+    const double sun = share * rules::sun_transmittance(&air, air.depth_haze, molecules, haze, i);
+    light[i] = scene.sky.sun_irradiance[i] * (sun + air.ambient[0][i]);
+  }
+  return light;
 }
 
 }  // namespace aerostat::pack

@@ -5,8 +5,8 @@
 
 namespace aerostat::pack {
 
-/// Radiance of a white card that faces the sun at a height above the sea: sunlight through the air
-/// and what comes from the sky on average.
+/// Returns the radiance of a white card that faces the sun at a height in metres above the sea. It
+/// is the sunlight through all but the fog (rules/daylight.h) and the mean light of the sky.
 dvec3 daylight(const AeroScene& scene, double height_m);
 
 }  // namespace aerostat::pack

@@ -4,9 +4,13 @@
 
 #include "air/light.hpp"
 #include "core/copy.hpp"
+#include "rules/daylight.h"
 
 namespace aerostat::pack {
 namespace {
+
+static_assert(static_cast<float>(air::kFogAsymmetry) == FOG_ASYMMETRY);
+static_assert(static_cast<float>(air::kFogDirect) == FOG_DIRECT);
 
 AeroFog pack_fog(const scene::Fog& from, const air::FogLayer& layer, double sun_cosine) {
   AeroFog fog{};

@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "core/smooth_step.hpp"
+#include "rules/ground.h"
 #include "scatter/biome_layers.hpp"
 
 namespace aerostat::scatter {
@@ -28,11 +29,10 @@ Choice choose_palm(const Nature& nature, const Site& site, Random& random) {
 }
 
 /// Returns a tint by which trees of a kind stand together. Some groups are yellower and brighter,
-/// others bluer and darker, and a few crowns are pale. kernels/device/material/canopy.clh paints
-/// the woods in the same way.
+/// others bluer and darker, and a few crowns are pale. Painted woods vary in the same way.
 vec3 kind_tint(const ground::GroundNoise& noise, Random& random) {
-  const float warm = 0.7f * noise.broad + 0.35f * noise.fine;
-  const vec3 hue(1.0f + 0.8f * warm, 1.0f + 0.35f * warm, 1.0f - 0.5f * warm);
+  const float warm = WOODS_WARMTH_OF_BROAD * noise.broad + WOODS_WARMTH_OF_FINE * noise.fine;
+  const vec3 hue(1.0f + WARM_RED * warm, 1.0f + WARM_TREE_GREEN * warm, 1.0f - WARM_BLUE * warm);
   const float pale = random.chance(0.03) ? 1.5f : 1.0f;
   return hue * (pale * (1.0f + 0.3f * noise.broad));
 }

@@ -2,9 +2,11 @@
 // host's own tests compare with physics.
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <random>
 
 #include "air/light.hpp"
+#include "pack/daylight.hpp"
 #include "pack/pack_scene.hpp"
 #include "scene/io.hpp"
 #include "shading_scene.hpp"
@@ -276,6 +278,28 @@ TEST_P(Air, BringsSunAndSkyToSurfacesAsOnTheHost) {
     const auto& c = light.ambient;
     const dvec3 above = scene.sun.irradiance * (c[0] + c[1] - c[6] - c[8]);
     EXPECT_LT(glm::distance(dvec3(from_planes(around, 0)), above), 1e-5 * glm::length(above));
+  }
+}
+
+TEST_P(Air, LightsTheHostsWhiteCard) {
+  const std::vector<float> heights{-30.0f, 0.0f, 700.0f, 1500.0f, 2600.0f};
+  const std::size_t count = whole_packets(heights.size());
+  for (const double sun_deg : {40.0, 6.0, -0.5}) {
+    const AeroScene scene = pack::pack_scene(morning(sun_deg)).numbers;
+    const auto sun = output<float>(3 * count), ambient = output<float>(3 * count);
+    probe.run("probe_sun", count, uploaded(scene), input(padded(heights)),
+              input(planes(std::vector<vec3>(heights.size(), vec3(0, 1, 0)))), sun, ambient);
+    const auto lit = sun.read();
+    for (std::size_t i = 0; i < heights.size(); ++i) {
+      const dvec3 mean =
+          dvec3(scene.air.ambient[0][0], scene.air.ambient[0][1], scene.air.ambient[0][2]);
+      const dvec3 irradiance(scene.sky.sun_irradiance[0], scene.sky.sun_irradiance[1],
+                             scene.sky.sun_irradiance[2]);
+      const dvec3 expected = dvec3(from_planes(lit, i)) / std::numbers::pi + irradiance * mean;
+      const dvec3 light = pack::daylight(scene, heights[i]);
+      EXPECT_LT(glm::distance(light, expected), 1e-5 * glm::length(expected))
+          << heights[i] << " under " << sun_deg;
+    }
   }
 }
 

@@ -1,4 +1,6 @@
 // Tests the transmittance and the places of cumulus clouds.
+#include "rules/cumulus.h"
+
 #include <algorithm>
 #include <cmath>
 #include <random>
@@ -35,11 +37,11 @@ double smooth(double lo, double hi, double x) {
 /// and is dense between.
 double depth_of_deck(double footprint) {
   constexpr int kSlices = 20000;
-  const double edge = 0.1 + 2.0 * footprint / kThickness;
+  const double edge = CUMULUS_EDGE + 2.0 * footprint / kThickness;
   double sum = 0.0;
   for (int i = 0; i < kSlices; ++i) {
-    const double height = -0.1 + 1.4 * (i + 0.5) / kSlices;
-    const double below_top = 1.25 - 0.5 * 0.36 - height - 0.36 * 0.15;
+    const double height = CUMULUS_LOWEST + 1.4 * (i + 0.5) / kSlices;
+    const double below_top = CUMULUS_TALLEST - 0.5 * CUMULUS_BULGE - height - CUMULUS_BULGE * 0.15;
     sum += std::clamp(below_top / edge, 0.0, 1.0) * smooth(-0.04, 0.1, height);
   }
   return kExtinction * kThickness * 1.4 * sum / kSlices;
@@ -107,6 +109,13 @@ class Cumulus : public LaneTest {
   }
 };
 
+/// Tests the bound by which the host charts where there is no cloud.
+TEST(CumulusTowers, ReachTheLowestDensityAtTheLeastExcess) {
+  const float over = CUMULUS_LEAST_EXCESS / CUMULUS_SPREAD;
+  EXPECT_FLOAT_EQ(rules::cumulus_towers_over(over), CUMULUS_LOWEST);
+  EXPECT_LT(rules::cumulus_towers_over(over - 1e-4f), CUMULUS_LOWEST);
+}
+
 TEST(TallClouds, AreNoColumns) {
   auto scene = scene::defaults(scene::BiomeKind::tropical, scene::View::outside);
   const float usual = static_cast<float>(scene.sky.cumulus.thickness_m);
@@ -122,7 +131,7 @@ TEST_P(Cumulus, DimsTheSunByWhatALayerLetsThrough) {
     set3(scene.numbers.sky.sun_direction, tilted(degrees));
     const double cosine = scene.numbers.sky.sun_direction[1];
     const double width = std::max(20.0, 2.0 * 0.0093 * kBase / cosine);
-    const double step = 0.35 * 1.25 * kThickness / cosine / 6.0;
+    const double step = 0.35 * CUMULUS_TALLEST * kThickness / cosine / 6.0;
     const double depth = depth_of_deck(std::max(width, step)) / cosine;
     const double straight = std::exp(-depth);
     const double expected = straight + 0.35 * (1.0 / (1.0 + 0.1125 * depth) - straight);
