@@ -11,13 +11,12 @@
 
 #include "mesh/export.hpp"
 #include "scene/io.hpp"
-#include "world/world.hpp"
 
 namespace aerostat::test {
 namespace {
 
-std::vector<std::uint8_t> ply_of(const scene::Scene& scene) {
-  const world::Objects world = world::as_triangles(world::build(scene));
+std::vector<std::uint8_t> ply_of(const scene::Scene& scene, world::Placed instances) {
+  const world::Objects world = world::as_triangles(world::build(scene), instances);
   std::vector<mesh::ExportObject> objects;
   for (const world::Object& object : world) {
     objects.push_back(
@@ -58,8 +57,8 @@ dvec3 triple(const nlohmann::json& json) {
 
 }  // namespace
 
-ExportedWorld exported_world(const scene::Scene& scene) {
-  const std::vector<std::uint8_t> file = ply_of(scene);
+ExportedWorld exported_world(const scene::Scene& scene, world::Placed instances) {
+  const std::vector<std::uint8_t> file = ply_of(scene, instances);
   const Header header = read_header(
       std::string(file.begin(), file.begin() + std::min<std::ptrdiff_t>(4096, std::ssize(file))));
   constexpr std::size_t kFaceBytes = 1 + 3 * 4 + 4;

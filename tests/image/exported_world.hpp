@@ -5,6 +5,7 @@
 
 #include "core/math.hpp"
 #include "scene/scene.hpp"
+#include "world/world.hpp"
 
 /// Reads a scene as another program would see it: from the file that `export` writes and the camera
 /// that `dump` prints.
@@ -17,8 +18,10 @@ struct ExportedWorld {
   std::vector<std::uint32_t> objects;
 };
 
-/// Reads back the binary PLY of a scene's world.
-ExportedWorld exported_world(const scene::Scene& scene);
+/// Reads back the binary PLY of a scene's world. `instances` says whether plants are written out,
+/// too.
+ExportedWorld exported_world(const scene::Scene& scene,
+                             world::Placed instances = world::Placed::left_out);
 
 /// Computes rays through the middles of pixels in double precision, from the words of the manual:
 /// vertical field of view, square pixels, y up and row 0 at the top, or a panorama, or parallel

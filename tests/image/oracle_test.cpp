@@ -21,8 +21,9 @@ struct Count {
   double share(int agreed) const { return static_cast<double>(agreed) / asked; }
 };
 
-Count compare(const scene::Scene& scene, const image::Film& film) {
-  const ExportedWorld world = exported_world(scene);
+Count compare(const scene::Scene& scene, const image::Film& film,
+              world::Placed instances = world::Placed::left_out) {
+  const ExportedWorld world = exported_world(scene, instances);
   const Oracle oracle(world);
   const DumpedCamera camera(scene);
   Count count;
@@ -52,6 +53,26 @@ TEST_P(OracleAgrees, OnDistancesAndObjects) {
               100.0 * count.share(count.distances), 100.0 * count.share(count.objects));
   EXPECT_GE(count.share(count.distances), kAgree);
   EXPECT_GE(count.share(count.objects), kAgree);
+}
+
+// Plants are instances of models in the film, and triangles of their own in the export.
+TEST(Oracle, WithPlants) {
+  for (const char* name : {"snow-basket", "tropical"}) {
+    auto scene = planted_scene(name, {320, 180, 1, 256});
+    scene.vegetation.reach_m = 1200.0;
+    const image::Film film = shared_session().render(scene);
+    const Count count = compare(scene, film, world::Placed::included);
+    const auto plants =
+        std::count_if(film.object_id.begin(), film.object_id.end(), [](std::uint32_t id) {
+          return id == static_cast<std::uint32_t>(scene::ObjectId::plant) ||
+                 id == static_cast<std::uint32_t>(scene::ObjectId::stone);
+        });
+    std::printf("%s: %td pixels of plants, %.3f %% of the distances agree\n", name, plants,
+                100.0 * count.share(count.distances));
+    EXPECT_GT(plants, 1000) << name;
+    EXPECT_GE(count.share(count.distances), kAgree) << name;
+    EXPECT_GE(count.share(count.objects), kAgree) << name;
+  }
 }
 
 TEST(Oracle, WithATiltedCameraOffTheMiddle) {

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <random>
 
 #include "pack/pack_scene.hpp"
@@ -28,25 +29,6 @@ pack::PackedScene broken_clouds(double cover) {
   return pack::pack_scene(scene);
 }
 
-double smooth(double lo, double hi, double x) {
-  const double t = std::clamp((x - lo) / (hi - lo), 0.0, 1.0);
-  return t * t * (3.0 - 2.0 * t);
-}
-
-/// Returns the optical depth of the deck straight up. The deck is rounded below, thins out above
-/// and is dense between.
-double depth_of_deck(double footprint) {
-  constexpr int kSlices = 20000;
-  const double edge = CUMULUS_EDGE + 2.0 * footprint / kThickness;
-  double sum = 0.0;
-  for (int i = 0; i < kSlices; ++i) {
-    const double height = CUMULUS_LOWEST + 1.4 * (i + 0.5) / kSlices;
-    const double below_top = CUMULUS_TALLEST - 0.5 * CUMULUS_BULGE - height - CUMULUS_BULGE * 0.15;
-    sum += std::clamp(below_top / edge, 0.0, 1.0) * smooth(-0.04, 0.1, height);
-  }
-  return kExtinction * kThickness * 1.4 * sum / kSlices;
-}
-
 class Cumulus : public LaneTest {
  protected:
   const Probe probe{"shading.cl", GetParam()};
@@ -65,14 +47,40 @@ class Cumulus : public LaneTest {
   }
 
   std::vector<float> density(const pack::PackedScene& scene, const std::vector<vec3>& positions,
-                             float footprint) const {
+                             const std::vector<float>& footprints) const {
     const std::size_t count = whole_packets(positions.size());
     const auto found = output<float>(count);
     const UploadedScene on_device(scene);
     probe.run("probe_cloud_density", count, on_device.numbers, on_device.sky_table,
-              on_device.cloud_chart, input(planes(positions)),
-              input(std::vector<float>(count, footprint)), found);
-    return found.read();
+              on_device.cloud_chart, input(planes(positions)), input(padded(footprints)), found);
+    auto values = found.read();
+    values.resize(positions.size());
+    return values;
+  }
+
+  std::vector<float> density(const pack::PackedScene& scene, const std::vector<vec3>& positions,
+                             float footprint) const {
+    return density(scene, positions, std::vector<float>(positions.size(), footprint));
+  }
+
+  /// Returns the optical depth from `from` on along a ray through all of the layer: the sum of the
+  /// density at many points. `footprint` returns the footprint at a distance.
+  template <typename Footprint>
+  double depth_along(const pack::PackedScene& scene, const vec3& from, const vec3& direction,
+                     Footprint footprint) const {
+    constexpr int kPoints = 4096;
+    const double length = 2.5 * static_cast<double>(kThickness / direction.y);
+    const double start = static_cast<double>((kBase - from.y) / direction.y) - 0.25 * length;
+    std::vector<vec3> points;
+    std::vector<float> footprints;
+    for (int i = 0; i < kPoints; ++i) {
+      const auto t = static_cast<float>(std::max(start, 0.0) + length * (i + 0.5) / kPoints);
+      points.push_back(from + t * direction);
+      footprints.push_back(footprint(t));
+    }
+    double sum = 0.0;
+    for (const float found : density(scene, points, footprints)) sum += static_cast<double>(found);
+    return static_cast<double>(scene.numbers.sky.cumulus.extinction) * length * sum / kPoints;
   }
 
   /// Returns the share of white light that is left along rays to the sky, as `left` does, by fine
@@ -125,35 +133,98 @@ TEST(TallClouds, AreNoColumns) {
   EXPECT_EQ(pack::pack_scene(scene).numbers.sky.cumulus.thickness, 75.0f);
 }
 
-TEST_P(Cumulus, DimsTheSunByWhatALayerLetsThrough) {
-  for (const float degrees : {0.0f, 40.0f, 60.0f}) {
+// A part of the light that droplets deflect still seems to come from the sun. So more arrives than
+// by Beer's law, and less than all light that comes through. By the two-stream approximation that
+// is
+//   1 / (1 + 3/4 (1 - g) d)
+// at the optical depth d, where droplets have the asymmetry g = 0.85. The depth depends a little on
+// the footprint, which is between those of the two depths here.
+TEST_P(Cumulus, DimsTheSunLessThanBeersLawAndMoreThanTwoStreams) {
+  const vec3 point(5.0f, 0.0f, 9.0f);
+  float before = 1.0f;
+  for (const float extinction : {1e-4f, 1e-3f, 3e-3f, 3e-2f}) {
+    for (const float degrees : {0.0f, 40.0f, 60.0f}) {
+      pack::PackedScene scene = closed_deck();
+      scene.numbers.sky.cumulus.extinction = extinction;
+      set3(scene.numbers.sky.sun_direction, tilted(degrees));
+      const double fine = depth_along(scene, point, tilted(degrees), [](float) { return 20.0f; });
+      const double coarse =
+          depth_along(scene, point, tilted(degrees), [](float) { return 150.0f; });
+      const double share = static_cast<double>(shadow(scene, {point}, 20.0f)[0]);
+      EXPECT_GT(share, std::exp(-std::max(fine, coarse))) << extinction << " at " << degrees;
+      EXPECT_LT(share, 1.0 / (1.0 + 0.75 * (1.0 - 0.85) * std::min(fine, coarse)))
+          << extinction << " at " << degrees;
+    }
     pack::PackedScene scene = closed_deck();
-    set3(scene.numbers.sky.sun_direction, tilted(degrees));
-    const double cosine = scene.numbers.sky.sun_direction[1];
-    const double width = std::max(20.0, 2.0 * 0.0093 * kBase / cosine);
-    const double step = 0.35 * CUMULUS_TALLEST * kThickness / cosine / 6.0;
-    const double depth = depth_of_deck(std::max(width, step)) / cosine;
-    const double straight = std::exp(-depth);
-    const double expected = straight + 0.35 * (1.0 / (1.0 + 0.1125 * depth) - straight);
-    EXPECT_NEAR(shadow(scene, {{5.0f, 0.0f, 9.0f}}, 20.0f)[0], expected, 0.03 * expected)
-        << degrees;
+    scene.numbers.sky.cumulus.extinction = extinction;
+    const float share = shadow(scene, {point}, 20.0f)[0];
+    EXPECT_LT(share, before) << "the thicker, the darker";
+    before = share;
+  }
+}
+
+// A slanted way through the deck is longer, as if the deck was denser.
+TEST_P(Cumulus, DimsASlantedSunAsADenserDeckDims) {
+  const vec3 point(5.0f, 0.0f, 9.0f);
+  for (const float degrees : {20.0f, 35.0f, 50.0f}) {
+    pack::PackedScene slanted = closed_deck(), denser = closed_deck();
+    set3(slanted.numbers.sky.sun_direction, tilted(degrees));
+    denser.numbers.sky.cumulus.extinction /= tilted(degrees).y;
+    const float expected = shadow(denser, {point}, 20.0f)[0];
+    EXPECT_NEAR(shadow(slanted, {point}, 20.0f)[0], expected, 0.03f * expected) << degrees;
   }
 }
 
 TEST_P(Cumulus, HidesByBeersLaw) {
   pack::PackedScene scene = closed_deck();
   set3(scene.numbers.sky.sun_irradiance, vec3(0.0f));
+  const std::vector<float> angles{0.0f, 30.0f, 55.0f};
   const auto through = left(scene, {tilted(0.0f), tilted(30.0f), tilted(55.0f)}, 900.0f, INFINITY);
-  for (const auto& [i, degrees] : {std::pair{0, 0.0f}, {1, 30.0f}, {2, 55.0f}}) {
-    // A pixel is 0.05 wide. Of all footprints, only those at the soft upper edge matter.
-    const double cosine = static_cast<double>(tilted(degrees).y);
-    const double expected = std::exp(-depth_of_deck(45.0 / cosine) / cosine);
-    EXPECT_NEAR(through[static_cast<std::size_t>(i)], expected, 0.05 * expected) << degrees;
+  for (std::size_t i = 0; i < angles.size(); ++i) {
+    // The probe's pixels are 0.05 wide.
+    const double depth = depth_along(scene, {0.0f, 900.0f, 0.0f}, tilted(angles[i]),
+                                     [](float t) { return 0.05f * t; });
+    const double expected = std::exp(-depth);
+    EXPECT_NEAR(through[i], expected, 0.03 * expected) << angles[i];
   }
   EXPECT_EQ(left(scene, {tilted(0.0f)}, 0.0f, 890.0f)[0], 1.0f) << "what stands below the clouds";
   EXPECT_EQ(left(scene, {tilted(180.0f)}, 900.0f, INFINITY)[0], 1.0f) << "downwards from below";
   EXPECT_EQ(left(scene, {tilted(10.0f)}, 2100.0f, INFINITY)[0], 1.0f) << "upwards from above";
   EXPECT_LT(left(scene, {tilted(180.0f)}, 2100.0f, 2100.0f)[0], 0.7f) << "the ground from above";
+}
+
+// The whole of the light that droplets deflect goes somewhere.
+TEST_P(Cumulus, DropletsGiveAwayAllOfTheLight) {
+  constexpr int kCosines = 4096;
+  std::vector<float> cosines;
+  for (int i = 0; i < kCosines; ++i) {
+    cosines.push_back(2.0f * (static_cast<float>(i) + 0.5f) / kCosines - 1.0f);
+  }
+  for (const float asymmetry : {-0.2f, 0.0f, 0.4f, 0.8f}) {
+    const auto phase = output<float>(kCosines);
+    probe.run("probe_droplets", kCosines, input(cosines), asymmetry, phase);
+    double sum = 0.0;
+    for (const float share : phase.read()) {
+      sum += static_cast<double>(share) * 4.0 * std::numbers::pi / kCosines;
+    }
+    EXPECT_NEAR(sum, 1.0, 1e-3) << asymmetry;
+  }
+}
+
+// Thick clouds before a background of 1 send back less than the even light around them, and not
+// much less.
+TEST_P(Cumulus, AddNoLightToAnEvenOne) {
+  pack::PackedScene scene = closed_deck();
+  scene.numbers.sky.cumulus.extinction = 0.03f;
+  scene.numbers.air.sun_heights[0] = 1e8f;  // the sun is far below the horizon
+  scene.numbers.air.sun_heights[1] = 2e8f;
+  set3(scene.numbers.sky.sun_irradiance, vec3(1.0f));
+  set_ambient(scene.numbers, vec3(1.0f), vec3(1.0f));
+  for (const float light :
+       left(scene, {tilted(0.0f), tilted(40.0f), tilted(70.0f)}, 0.0f, INFINITY)) {
+    EXPECT_LT(light, 1.0f);
+    EXPECT_GT(light, 0.75f);
+  }
 }
 
 TEST_P(Cumulus, CastsTheSameShadowAllAlongTheSunsRay) {

@@ -1,4 +1,4 @@
-// Tests the transmittance of water in closed form and at its limits.
+// Tests what water mirrors and lets through, in closed form and at its limits.
 #include <algorithm>
 #include <cmath>
 #include <random>
@@ -17,9 +17,36 @@ float exact_reflectance(float cosine) {
   return 0.5f * (across * across + along * along);
 }
 
+/// Returns Schlick's approximation of exact_reflectance().
+double schlick(double cosine) {
+  return 0.0204 + (1.0 - 0.0204) * std::pow(1.0 - cosine, 5.0);
+}
+
+/// Returns the mean of schlick() over waves whose slopes are distributed normally with a variance
+/// of `variance` along both axes together. Each slope counts by the area that a viewer at `cosine`
+/// sees.
+double mean_over_waves(double cosine, double variance) {
+  constexpr int kParts = 80;
+  constexpr double kReach = 4.0;  // standard deviations
+  const double deviation = std::sqrt(0.5 * variance), sine = std::sqrt(1.0 - cosine * cosine);
+  double sum = 0.0, weights = 0.0;
+  for (int i = 0; i < kParts; ++i) {
+    for (int j = 0; j < kParts; ++j) {
+      const double x = kReach * (2.0 * (i + 0.5) / kParts - 1.0);
+      const double z = kReach * (2.0 * (j + 0.5) / kParts - 1.0);
+      const double seen = cosine - deviation * x * sine;
+      if (seen <= 0.0) continue;
+      const double weight = std::exp(-0.5 * (x * x + z * z)) * seen;
+      sum += weight * schlick(seen / std::sqrt(1.0 + deviation * deviation * (x * x + z * z)));
+      weights += weight;
+    }
+  }
+  return sum / weights;
+}
+
 class Water : public LaneTest {
  protected:
-  const Probe probe{"shading.cl", GetParam()};
+  const Probe probe{"water.cl", GetParam()};
 
   AeroScene scene() const {
     AeroScene scene = bare_scene();
@@ -56,6 +83,89 @@ TEST_P(Water, ReflectsAsFresnelSays) {
     const float tolerance = cosines[i] < 0.3f ? 0.06f : cosines[i] < 0.5f ? 0.017f : 0.0095f;
     EXPECT_NEAR(shares[i], exact_reflectance(cosines[i]), tolerance) << cosines[i];
   }
+}
+
+// The formula is a fit. It is off by at most 0.03 for these waves, which become rough enough to
+// halve what water mirrors at a slant.
+TEST_P(Water, ReflectsWhatItsUnresolvedWavesDoOnAverage) {
+  const std::vector<float> cosines = padded({0.02f, 0.05f, 0.1f, 0.2f, 0.3f, 0.5f, 0.7f, 1.0f});
+  for (const float variance : {1e-6f, 0.003f, 0.01f, 0.03f, 0.06f}) {
+    const auto reflectance = output<float>(cosines.size());
+    probe.run("probe_rough_fresnel", cosines.size(), input(cosines), variance, reflectance);
+    const auto shares = reflectance.read();
+    for (std::size_t i = 0; i < 8; ++i) {
+      const double expected =
+          mean_over_waves(static_cast<double>(cosines[i]), static_cast<double>(variance));
+      EXPECT_NEAR(shares[i], expected, 0.035) << cosines[i] << ", variance " << variance;
+    }
+  }
+}
+
+/// Returns points all over a sea.
+std::vector<vec3> anywhere(std::size_t count) {
+  std::mt19937 random(53);
+  std::uniform_real_distribution<float> coordinate(-2000.0f, 2000.0f);
+  std::vector<vec3> points(count);
+  for (vec3& p : points) {
+    const float x = coordinate(random);
+    p = {x, 0.0f, coordinate(random)};
+  }
+  return points;
+}
+
+// The bed is sand of uneven brightness near the shore and in deep water. Between them weed darkens
+// parts of it.
+TEST_P(Water, HasWeedOnItsBedBetweenTheShoreAndTheDeep) {
+  constexpr std::size_t kPoints = 2048;
+  const vec3 sand(0.6f, 0.5f, 0.4f);
+  for (const float depth : {0.5f, 5.0f, 20.0f}) {
+    const auto albedo = output<float>(3 * kPoints);
+    probe.run("probe_bed", kPoints, uploaded(scene()), input(planes(anywhere(kPoints))),
+              input(std::vector<float>(kPoints, depth)), 0.02f, albedo);
+    const auto values = albedo.read();
+    std::size_t dark = 0;
+    for (std::size_t i = 0; i < kPoints; ++i) {
+      const vec3 share = from_planes(values, i) / sand;
+      ASSERT_GT(share.x, 0.15f) << depth;
+      ASSERT_LT(share.x, 1.16f) << depth;
+      dark += share.x < 0.7f ? 1 : 0;
+      if (depth == 5.0f) continue;
+      ASSERT_NEAR(share.x, share.y, 1e-5f) << depth;
+      ASSERT_NEAR(share.x, share.z, 1e-5f) << depth;
+    }
+    if (depth == 5.0f) {
+      EXPECT_GT(dark, kPoints / 20);
+      EXPECT_LT(dark, kPoints / 2);
+    } else {
+      EXPECT_EQ(dark, 0u) << depth;
+    }
+  }
+}
+
+// There is no foam just above the depth below which it is not looked for, so that no line shows
+// there.
+TEST_P(Water, FoamsAtTheShoreAndLessWhereItIsDeeper) {
+  constexpr std::size_t kPoints = 4096;
+  const std::vector<vec3> points = anywhere(kPoints);
+  const auto mean_at = [&](float depth) {
+    const auto found = output<float>(kPoints);
+    probe.run("probe_foam", kPoints, input(planes(points)),
+              input(std::vector<float>(kPoints, depth)), 0.02f, found);
+    double mean = 0.0;
+    for (const float share : found.read()) {
+      EXPECT_GE(share, 0.0f);
+      EXPECT_LE(share, 1.0f);
+      mean += static_cast<double>(share) / kPoints;
+    }
+    return mean;
+  };
+  const double shore = mean_at(0.05f), crests = mean_at(1.15f);
+  EXPECT_GT(shore, 0.3);
+  EXPECT_LT(shore, 0.85);
+  EXPECT_GT(crests, 0.01);
+  EXPECT_LT(crests, 0.5 * shore);
+  EXPECT_EQ(mean_at(2.4f), 0.0);
+  EXPECT_EQ(mean_at(2.6f), 0.0);
 }
 
 TEST_P(Water, ShowsItsBedWhereShallowAndItselfWhereDeep) {

@@ -45,28 +45,6 @@ __kernel void probe_sun(__global const AeroScene* scene, __global const float* h
   store3_planes(ambient_light(scene, load3(normals)), ambient);
 }
 
-__kernel void probe_fresnel(__global const float* cosines, __global float* reflectance) {
-  STORE(fresnel(LOAD(cosines)), reflectance);
-}
-
-__kernel void probe_water(__global const AeroScene* scene, __global const float* depths,
-                          __global const float* cosines, __global const float* light,
-                          __global float* radiance) {
-  const Lane3 bed = lane3_from(scene->water.bed);
-  const Lane3 albedo = water_albedo(&scene->water, bed, LOAD(depths), LOAD(cosines));
-  store3_planes(mul3(albedo, load3(light)), radiance);
-}
-
-__kernel void probe_waves(__global const AeroScene* scene, __global const float* positions,
-                          __global const float* footprints, __global float* normals,
-                          __global float* roughness) {
-  lane_float rough;
-  store3_planes(
-      wave_normal(&scene->water, scene->ground.wind, load3(positions), LOAD(footprints), &rough),
-      normals);
-  STORE(rough, roughness);
-}
-
 __kernel void probe_cloud_shadow(__global const AeroScene* scene,
                                  __global const AeroSkyCell* sky_table,
                                  __global const AeroChartWord* cloud_chart,
@@ -165,4 +143,9 @@ __kernel void probe_cloth(__global const AeroScene* scene, __global const float*
   const Lane3 sun = sun_at(scene, height_of(scene, surface.point.position));
   const lane_int within = lane_as_int(LOAD(inside));
   store3_planes(cloth_glow(scene, &surface, within, sun, none), glow);
+}
+
+__kernel void probe_droplets(__global const float* cosines, const float asymmetry,
+                             __global float* phase) {
+  STORE(droplet_phase(LOAD(cosines), asymmetry), phase);
 }

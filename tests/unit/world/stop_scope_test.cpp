@@ -54,5 +54,18 @@ TEST(StopScope, ALandThatWasGivenUpIsBuiltAgain) {
   EXPECT_EQ(world::shape_of<world::HeightGrid>(world, world::kLand)->mesh->columns(), 64u);
 }
 
+TEST(StopScope, GivesUpEachKindOfGroup) {
+  scene::Scene scene = scene::read_text(
+      R"({"version": 1, "terrain": {"cells": 32}, "vegetation": {"reach_m": 300}})", "x");
+  world::resolve(scene);
+  for (const world::GroupKind* kind : {&world::kLand, &world::kBalloons}) {
+    world::BuildOptions alone;
+    alone.kinds = {kind};
+    EXPECT_NO_THROW(world::build(scene, alone)) << kind->name;
+    SCOPED_TRACE(kind->name);
+    expect_given_up([&] { world::build(scene, alone); });
+  }
+}
+
 }  // namespace
 }  // namespace aerostat
