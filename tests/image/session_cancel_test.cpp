@@ -1,5 +1,6 @@
-// Tests that a render ends soon after a request to stop. The aim is 100 ms, and 400 ms are
-// asserted, because the machine may be busy with something else. The measured times are printed.
+// Tests that a render ends soon after a request to stop, and that it reports its progress as often.
+// The aim is 100 ms, and 400 ms are asserted, because the machine may be busy with something else.
+// The measured times are printed.
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
@@ -119,6 +120,21 @@ TEST(Cancel, WhileBuffersAreUploaded) {
   same_world.image.spp = 1;
   EXPECT_EQ(session.render(same_world).nan_pixels, 0u);
   EXPECT_EQ(session.stats().worlds_built, 0) << "what was built before the stop is kept";
+}
+
+TEST(Progress, IsReportedAgainAndAgain) {
+  Session session(options());
+  std::vector<double> gaps;
+  double before = 0.0;
+  session.render(small_scene("snow", {320, 180, 64, 128}), {}, [&](const Progress& progress) {
+    if (progress.stage == Stage::rays) gaps.push_back(progress.seconds - before);
+    before = progress.seconds;
+  });
+  ASSERT_GT(gaps.size(), 4u);
+  std::sort(gaps.begin(), gaps.end());
+  std::printf("%zu reports, one after %.0f ms (median), %.0f ms (worst)\n", gaps.size(),
+              1e3 * gaps[gaps.size() / 2], 1e3 * gaps.back());
+  EXPECT_LT(gaps[gaps.size() / 2], kPatience_s);
 }
 
 TEST(Cancel, BeforeItBegins) {

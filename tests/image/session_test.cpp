@@ -38,8 +38,6 @@ TEST(Progress, NeverGoesBackAndEndsWithDone) {
     EXPECT_GE(now.rays, before.rays) << "report " << i;
     EXPECT_GE(now.seconds, before.seconds) << "report " << i;
     EXPECT_GE(now.samples_done, before.samples_done) << "report " << i;
-    // The aim is 100 ms, but a busy machine may be slower.
-    EXPECT_LT(now.seconds - before.seconds, 0.5) << "report " << i;
   }
   EXPECT_EQ(seen.front().stage, Stage::world);
   EXPECT_EQ(seen.back().stage, Stage::done);

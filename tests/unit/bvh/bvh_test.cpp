@@ -208,11 +208,13 @@ class MedianTree {
   std::vector<std::uint32_t> order_;
 };
 
+// The limits are two per cent above what the builder reaches, so that a worse choice of planes
+// shows.
 TEST(BvhBuild, CostsLessThanAMedianSplitTree) {
-  const std::array<std::pair<Soup, double>, 4> cases{{{test::random_soup(20000, 8), 0.6},
-                                                      {test::terrain(128), 0.7},
-                                                      {test::sphere(128), 0.85},
-                                                      {test::slivers(5000, 9), 0.6}}};
+  const std::array<std::pair<Soup, double>, 4> cases{{{test::random_soup(20000, 8), 0.516},
+                                                      {test::terrain(128), 0.615},
+                                                      {test::sphere(128), 0.768},
+                                                      {test::slivers(5000, 9), 0.512}}};
   for (const auto& [soup, limit] : cases) {
     const Bvh tree = bvh::build(soup.positions, soup.triangles);
     const double ratio = tree.stats.sah_cost / MedianTree(soup).cost();

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
-#include <ctime>
 #include <random>
 #include <string>
 #include <tuple>
@@ -356,23 +355,6 @@ TEST(Scatter, DetailIsTheSameEverywhereInParallelViews) {
     EXPECT_EQ(detail_of(tree, model, eye, {0.0, 0.3}), plant::Detail::middle);
     EXPECT_EQ(detail_of(tree, model, eye, {0.0, 1.0}), plant::Detail::far);
   }
-}
-
-TEST(Scatter, HalfAMillionTakesFewSecondsOfProcessorTime) {
-  scene::Scene scene = scene::defaults(BiomeKind::snow, scene::View::outside);
-  scene.terrain.cells = 64;
-  scene.biome.ground.forest_share = 0.7;
-  scene.camera.position = {0.0, 500.0, 0.0};
-  scene.vegetation.reach_m = 5000.0;
-  const mesh::GridMesh ground = mesh_over(64, 40000.0, [](double, double) { return 100.0; });
-  const std::clock_t start = std::clock();
-  const Growth growth = scatter(scene, ground);
-  const double seconds = static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
-  EXPECT_GT(growth.instances.size(), 500000u);
-  // It takes one second on two idle cores with AVX2. The bound leaves room for busy ones.
-#if !defined(__SANITIZE_ADDRESS__)
-  EXPECT_LT(seconds, 5.0);
-#endif
 }
 
 }  // namespace
