@@ -228,5 +228,23 @@ TEST(GridMesh, RowsAreSetAsVerticesAre) {
             0);
 }
 
+TEST(GridMesh, CellsAreSplitAlongTheLessSteepDiagonal) {
+  const std::vector<float> lines{0.0f, 1.0f};
+  for (const std::uint32_t raised : {0u, 1u, 2u, 3u}) {
+    GridMesh grid(lines, lines);
+    for (std::uint32_t vertex = 0; vertex < 4; ++vertex) {
+      grid.set(vertex % 2, vertex / 2, vertex == raised ? 1.0f : 0.0f, vec3(0, 1, 0));
+    }
+    // The level diagonal is the one without the raised corner, and both triangles have its ends.
+    for (const uvec3& t : to_triangles(grid).triangles) {
+      for (std::uint32_t vertex = 0; vertex < 4; ++vertex) {
+        const bool on_diagonal = vertex != raised && vertex != 3 - raised;
+        const bool has = t.x == vertex || t.y == vertex || t.z == vertex;
+        EXPECT_TRUE(has || !on_diagonal) << "corner " << raised << " is raised";
+      }
+    }
+  }
+}
+
 }  // namespace
 }  // namespace aerostat::mesh
