@@ -79,7 +79,7 @@ struct Session::State {
 };
 
 Session::Session(const SessionOptions& options) : state_(std::make_unique<State>(options)) {
-  state_->session.begin_kernels();
+  state_->session.begin_kernels(scene::Integrator::local);
 }
 Session::~Session() = default;
 Session::Session(Session&&) noexcept = default;

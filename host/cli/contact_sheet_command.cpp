@@ -59,7 +59,7 @@ class SheetRender {
   /// The options must name a cache.
   SheetRender(const render::Options& options, ProgressBar& bar)
       : cache_(options.cache), session_(options), bar_(bar) {
-    session_.begin_kernels();
+    session_.begin_kernels(scene::Integrator::local);
   }
 
   image::Sheet render(const SceneOptions& input, const scene::Scene& scene,

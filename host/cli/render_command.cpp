@@ -62,7 +62,7 @@ struct Opened {
 };
 
 /// Opens a session, which begins to load or compile its kernels.
-Opened open_session(const RenderOptions& options, PictureFormat format,
+Opened open_session(const RenderOptions& options, PictureFormat format, scene::Integrator light,
                     const std::shared_ptr<render::SceneCache>& cache) {
   const Stopwatch watch;
   render::Options session_options = session_options_of(options.device);
@@ -71,7 +71,7 @@ Opened open_session(const RenderOptions& options, PictureFormat format,
   session_options.meters = format == PictureFormat::png;
   Opened opened{std::make_unique<render::Session>(session_options), session_options.devices,
                 watch.seconds()};
-  opened.session->begin_kernels();
+  opened.session->begin_kernels(light);
   return opened;
 }
 
@@ -110,8 +110,9 @@ int render(const RenderOptions& options) {
   // the drivers.
   tbb::parallel_for(0, tbb::this_task_arena::max_concurrency(), [](int) {});
   const auto cache = std::make_shared<render::SceneCache>();
-  auto opening =
-      std::async(std::launch::async, [&] { return open_session(options, format, cache); });
+  auto opening = std::async(std::launch::async, [&, light = scene.light] {
+    return open_session(options, format, light, cache);
+  });
   resolve_scene(scene, options.input, cache->reliefs);
   seconds.placing = phase.seconds();
   Opened opened = opening.get();

@@ -13,6 +13,8 @@ std::string name_of(KernelStage stage) {
   switch (stage) {
     case KernelStage::primary:
       return "  primary";
+    case KernelStage::bounced:
+      return "  bounced";
     case KernelStage::shadow:
       return "  shadow";
     case KernelStage::ambient:
@@ -29,7 +31,7 @@ std::string stage_line(KernelStage stage, std::uint64_t rays, double device_seco
   if (stage == KernelStage::shading) {
     return fmt::format("{:<10}{:.2f} s on the device\n", name, device_seconds);
   }
-  if (stage == KernelStage::ambient && rays == 0) return {};
+  if (rays == 0) return {};
   std::string line = fmt::format("{:<10}{} rays", name, grouped(rays));
   if (device_seconds > 0.0) {
     line += fmt::format(", {:.2f} s on the device, {:.2f} Mrays/s", device_seconds,

@@ -43,7 +43,9 @@ AeroMaterial pack_material(MaterialId id, const scene::Material& from) {
   material.shininess = static_cast<float>(from.shininess);
   material.translucency = static_cast<float>(from.translucency);
   copy(material.emission, from.emission);
-  material.burner_light = scene::lit_by_burners(id) ? 1u : 0u;
+  material.burner_light = scene::lit_by_burners(id) ? AERO_BURNER_LIT
+                          : id == MaterialId::flame ? AERO_BURNER_FLAME
+                                                    : AERO_BURNER_NOTHING;
   return material;
 }
 

@@ -134,6 +134,7 @@ PackedScene pack_scene(const scene::Scene& scene, PackCache& cache) {
   }
   numbers.light_count = static_cast<std::uint32_t>(scene.lights.size());
   numbers.shading = shading_of(scene.shading);
+  numbers.bounces = static_cast<std::uint32_t>(scene.bounces);
   PackedAir air = pack_air(scene, cache.air);
   numbers.air = air.numbers;
   packed.sky_table = std::move(air.sky_table);

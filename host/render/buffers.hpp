@@ -28,5 +28,6 @@ using FilmBuffer = opencl::Buffer<AeroFilmPixel>;
 using HitBuffer = opencl::Buffer<AeroHitWords>;
 using VisibleBuffer = opencl::Buffer<AeroVisibleWords>;
 using FoundBuffer = opencl::Buffer<AeroFoundWords>;
+using PathBuffer = opencl::Buffer<AeroPathWords>;
 
 }  // namespace aerostat::render

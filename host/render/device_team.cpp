@@ -47,8 +47,8 @@ void DeviceTeam::on_each(F&& f) {
   }
 }
 
-void DeviceTeam::begin_programs() {
-  on_each([](DeviceWorker& worker) { worker.begin_programs(); });
+void DeviceTeam::begin_programs(scene::Integrator integrator) {
+  on_each([integrator](DeviceWorker& worker) { worker.begin_programs(integrator); });
 }
 
 void DeviceTeam::drop_geometry() {

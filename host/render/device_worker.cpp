@@ -25,16 +25,19 @@ DeviceWorker::DeviceWorker(const opencl::Device& device, const Options& options)
                   : opencl::MemoryBudget(device.memory_bytes, device.memory_bound)),
       before_launch_(options.before_launch) {}
 
-void DeviceWorker::begin_programs() {
-  if (has_programs() || programs_to_come_.valid()) return;
-  programs_to_come_ = std::async(
-      std::launch::async, [this] { return build_programs(context_, lanes_, kernel_progress_); });
+void DeviceWorker::begin_programs(scene::Integrator integrator) {
+  if (integrator != integrator_) packets_capacity_ = 0;
+  integrator_ = integrator;
+  if (has_programs() || built().to_come.valid()) return;
+  built().to_come = std::async(std::launch::async, [this, integrator, &now = built()] {
+    return build_programs(context_, lanes_, integrator, now.progress);
+  });
 }
 
 bool DeviceWorker::await_programs(std::chrono::milliseconds patience) {
   if (has_programs()) return true;
-  if (programs_to_come_.wait_for(patience) != std::future_status::ready) return false;
-  programs_ = programs_to_come_.get();
+  if (built().to_come.wait_for(patience) != std::future_status::ready) return false;
+  built().programs = built().to_come.get();
   return true;
 }
 
@@ -46,17 +49,20 @@ void DeviceWorker::set_geometry(const std::shared_ptr<const bvh::Bvh>& tree,
 
 void DeviceWorker::begin_frame(const pack::PackedScene& scene, std::size_t pixels) {
   in_flight_.clear();
-  occlusion_ = scene.numbers.sky.ambient_reach > 0.0f;
-  scene_ = {context_, budget_, std::span(&scene.numbers, 1), "the scene"};
-  sky_table_ = {context_, budget_, std::span(scene.sky_table), "the table of the sky"};
-  cloud_chart_ = {};
+  const AeroScene& numbers = scene.numbers;
+  frame_.ambient_occlusion = numbers.sky.ambient_reach > 0.0f;
+  frame_.lamps = numbers.light_count > 0;
+  frame_.bounces = numbers.bounces;
+  frame_.scene = {context_, budget_, std::span(&numbers, 1), "the scene"};
+  frame_.sky_table = {context_, budget_, std::span(scene.sky_table), "the table of the sky"};
+  frame_.cloud_chart = {};
   if (scene.cloud_chart) {
-    cloud_chart_ = {context_, budget_, scene.cloud_chart, std::span(scene.cloud_chart->words),
-                    "the chart of clouds"};
+    frame_.cloud_chart = {context_, budget_, scene.cloud_chart, std::span(scene.cloud_chart->words),
+                          "the chart of clouds"};
   }
-  if (film_.size() != pixels) {
-    film_ = {};
-    film_ = {
+  if (frame_.film.size() != pixels) {
+    frame_.film = {};
+    frame_.film = {
         context_, budget_, pixels, "the film", opencl::Access::read_write, opencl::Content::unset};
   }
 }
@@ -67,14 +73,14 @@ void DeviceWorker::begin_film(const Crop& window) {
   some_converged_ = false;
   stats_ = {};
   window_ = window;
-  opencl::launch(context_, programs_->clear_film, packet_range(window.pixels(), 1), film_,
-                 static_cast<std::uint32_t>(window.pixels()));
+  opencl::launch(context_, built().programs->clear_film, packet_range(window.pixels(), 1),
+                 frame_.film, static_cast<std::uint32_t>(window.pixels()));
 }
 
 void DeviceWorker::mark_converged(const AeroConvergence& convergence) {
   some_converged_ = true;
-  opencl::launch(context_, programs_->mark_converged, packet_range(window_.pixels(), 1), film_,
-                 convergence);
+  opencl::launch(context_, built().programs->mark_converged, packet_range(window_.pixels(), 1),
+                 frame_.film, convergence);
 }
 
 /// Returns the number of rows that keep the device busy for the time of a launch. If a packet holds
@@ -122,21 +128,15 @@ void DeviceWorker::adopt(int y0, int y1, const FilmBuffer& from) {
   const std::size_t first = static_cast<std::size_t>(y0 - window_.y0) * width;
   std::vector<AeroFilmPixel> rows(static_cast<std::size_t>(y1 - y0) * width);
   from.read(std::span(rows), first);
-  film_.write(rows, first);
+  frame_.film.write(rows, first);
 }
 
-/// Allocates the buffers for the data that one kernel hands to the next.
+/// Lets the integrator allocate the buffers that its kernels hand to each other.
 void DeviceWorker::reserve(std::uint64_t packets) {
   if (packets <= packets_capacity_) return;
   retire(0);
-  hits_ = {};
-  visible_ = {};
-  found_ = {};
   packets_capacity_ = 0;
-  const std::size_t rays = packets * static_cast<std::size_t>(lanes_);
-  hits_ = {context_, budget_, rays, "the hits"};
-  visible_ = {context_, budget_, rays, "the shadows"};
-  found_ = {context_, budget_, rays, "what is around the hits"};
+  built().programs->integrator->reserve(context_, budget_, packets, lanes_);
   packets_capacity_ = packets;
 }
 
@@ -144,39 +144,23 @@ void DeviceWorker::launch_tile(const AeroLaunch& launch) {
   if (before_launch_) before_launch_(device());
   const std::uint64_t packets = launch.tile.block_count;
   reserve(packets);
-  const opencl::LaunchSize size = packet_range(packets, lanes_);
   Launch work;
   work.rays = pixels_of(launch.tile) << launch.tile.log2_samples;
-  work.events[KernelStage::primary] =
-      opencl::launch(context_, programs_->trace_camera_rays, size, launch, geometry_.nodes,
-                     geometry_.triangles, geometry_.instances, geometry_.grid, film_, hits_);
-  work.events[KernelStage::shadow] =
-      opencl::launch(context_, programs_->trace_shadow_rays, size, launch, scene_, geometry_.nodes,
-                     geometry_.triangles, geometry_.instances, geometry_.grid, geometry_.faces,
-                     geometry_.vertices, hits_, visible_);
-  if (occlusion_) {
-    work.events[KernelStage::ambient] =
-        opencl::launch(context_, programs_->trace_ambient_rays, size, launch, scene_,
-                       geometry_.nodes, geometry_.triangles, geometry_.instances, geometry_.grid,
-                       geometry_.faces, geometry_.vertices, hits_, found_);
-  }
-  work.events[KernelStage::shading] =
-      opencl::launch(context_, programs_->shade_hits, size, launch, scene_, sky_table_,
-                     cloud_chart_, geometry_.instances, geometry_.grid, geometry_.faces,
-                     geometry_.vertices, hits_, visible_, found_, film_);
-  in_flight_.push_back(work);
+  work.events = built().programs->integrator->launch(
+      context_, launch, packet_range(packets, lanes_), geometry_, frame_);
+  in_flight_.push_back(std::move(work));
 }
 
 /// Waits for the oldest launches and counts their rays, until at most `most_in_flight` are left.
 void DeviceWorker::retire(std::size_t most_in_flight) {
   while (in_flight_.size() > most_in_flight) {
-    const Launch work = in_flight_.front();
+    const Launch work = std::move(in_flight_.front());
     in_flight_.pop_front();
     double spent = 0.0;
     // The time is taken from the clock of the device, because the clock of the host tells nothing
     // when several launches end while the host sleeps.
-    for (const KernelStage stage : kKernelStages) {
-      const double seconds = opencl::device_seconds(work.events[stage]);
+    for (const auto& [stage, event] : work.events) {
+      const double seconds = opencl::device_seconds(event);
       stats_.seconds[stage] += seconds;
       spent += seconds;
     }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <atomic>
 #include <chrono>
 #include <deque>
@@ -43,15 +44,16 @@ class DeviceWorker {
   const opencl::Device& device() const { return context_.device(); }
   int lanes() const { return lanes_; }
 
-  /// Begins to build the kernels in the background if they are not built yet.
-  void begin_programs();
-  bool has_programs() const { return programs_.has_value(); }
+  /// Begins to build the kernels of an integrator in the background if they are not built yet.
+  /// Later calls and frames use this integrator.
+  void begin_programs(scene::Integrator integrator);
+  bool has_programs() const { return built().programs.has_value(); }
   /// Waits for the kernels for at most `patience`, and returns whether they are built. Call it
   /// after `begin_programs`.
   bool await_programs(std::chrono::milliseconds patience);
   /// Returns the progress of the kernels from 0 to 1. It may be called from any thread.
-  double programs_fraction() const { return kernel_progress_.fraction(); }
-  double program_seconds() const { return programs_->seconds; }
+  double programs_fraction() const { return built().progress.fraction(); }
+  double program_seconds() const { return built().programs->seconds; }
 
   /// Gives the geometry to the device (see `upload`) in place of the former one.
   void set_geometry(const std::shared_ptr<const bvh::Bvh>& tree,
@@ -80,7 +82,7 @@ class DeviceWorker {
              const std::function<const FilmBuffer&(int)>& film_of, const std::stop_token& stop);
 
   /// Returns the film with the sums over the samples so far. Reading it waits for the launches.
-  const FilmBuffer& film() const { return film_; }
+  const FilmBuffer& film() const { return frame_.film; }
 
   /// Returns the number of eye rays that are done. It counts those whose light is in the film, and
   /// those that converged pixels did not need. It may be called from any thread.
@@ -90,7 +92,7 @@ class DeviceWorker {
 
  private:
   struct Launch {
-    PerStage<opencl::Event> events;
+    std::vector<StageEvent> events;
     std::uint64_t rays = 0;
   };
 
@@ -103,24 +105,26 @@ class DeviceWorker {
   opencl::Context context_;
   opencl::MemoryBudget budget_;
   std::function<void(const opencl::Device&)> before_launch_;
-  std::optional<Programs> programs_;
-  KernelProgress kernel_progress_;
-  /// The programs that are being built. They outlive a render that is given up.
-  std::future<Programs> programs_to_come_;
+  /// The programs of an integrator.
+  struct Built {
+    std::optional<Programs> programs;
+    KernelProgress progress;
+    /// The programs that are being built. They outlive a render that is given up.
+    std::future<Programs> to_come;
+  };
+
+  Built& built() { return built_[static_cast<std::size_t>(integrator_.load())]; }
+  const Built& built() const { return built_[static_cast<std::size_t>(integrator_.load())]; }
+
+  std::atomic<scene::Integrator> integrator_ = scene::Integrator::local;
+  std::array<Built, scene::kIntegratorCount> built_;
   DeviceGeometry geometry_;
-  SceneBuffer scene_;
-  SkyTableBuffer sky_table_;
-  CloudChartBuffer cloud_chart_;
-  FilmBuffer film_;
+  FrameBuffers frame_;
   /// The pixels of the image that the film holds.
   Crop window_;
-  /// Tells whether the frame asks for ambient occlusion.
-  bool occlusion_ = false;
   /// Tells whether pixels of the frame may be converged.
   bool some_converged_ = false;
-  HitBuffer hits_;
-  VisibleBuffer visible_;
-  FoundBuffer found_;
+  /// The packets that the integrator has room for.
   std::uint64_t packets_capacity_ = 0;
 
   std::deque<Launch> in_flight_;

@@ -6,11 +6,13 @@
 
 namespace aerostat::render {
 
-/// The kernels of a launch, in the order in which a device runs them over a tile.
-enum class KernelStage { primary, shadow, ambient, shading };
+/// The work of a launch by its kind: eye rays, rays that surfaces reflect, rays to lights, rays
+/// towards the sky, and the light at surfaces.
+enum class KernelStage { primary, bounced, shadow, ambient, shading };
 
-inline constexpr std::array kKernelStages = {KernelStage::primary, KernelStage::shadow,
-                                             KernelStage::ambient, KernelStage::shading};
+inline constexpr std::array kKernelStages = {KernelStage::primary, KernelStage::bounced,
+                                             KernelStage::shadow, KernelStage::ambient,
+                                             KernelStage::shading};
 
 /// A value for each kernel of a launch.
 template <typename T>

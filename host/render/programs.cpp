@@ -13,11 +13,6 @@ namespace {
 
 constexpr std::size_t kGroupLanes = 64;
 
-/// The share of each step in the time of a first build, as measured with PoCL.
-struct Shares {
-  double text = 0.26, camera = 0.19, shadow = 0.20, ambient = 0.18, shade = 0.15, film = 0.01;
-};
-
 /// Returns what stands for an argument of type T in a launch without work.
 template <typename T>
 struct StandIn {
@@ -28,25 +23,65 @@ struct StandIn<opencl::Buffer<T>> {
   static const opencl::RawBuffer& of(const opencl::RawBuffer& none) { return none; }
 };
 
-/// Launches every kernel once without work.
-void warm_up(const opencl::Context& context, const Programs& programs, int lanes,
-             KernelProgress& progress) {
-  const opencl::MemoryBudget budget;
-  const opencl::RawBuffer none(context, budget, 16, "a first launch", opencl::Access::read_write);
-  const auto step = [&]<typename... Args>(double share, const opencl::TypedKernel<Args...>& typed,
-                                          const opencl::LaunchSize& range) {
-    progress.begin(share);
-    opencl::launch(context, typed.kernel, range, StandIn<Args>::of(none)...);
-    opencl::finish(context);
-  };
-  const Shares share;
-  const auto packets = packet_range(1, lanes), pixels = packet_range(1, 1);
-  step(share.camera, programs.trace_camera_rays, packets);
-  step(share.shadow, programs.trace_shadow_rays, packets);
-  step(share.ambient, programs.trace_ambient_rays, packets);
-  step(share.shade, programs.shade_hits, packets);
-  step(share.film, programs.clear_film, pixels);
-  step(share.film, programs.mark_converged, pixels);
+/// The share of the text, of a film's kernel, and of each kernel of an integrator in the time of a
+/// first build, as measured with PoCL.
+constexpr double kTextShare = 0.26, kFilmShare = 0.01;
+
+/// Takes kernels out of a program and launches each of them once without work.
+class FirstLaunches {
+ public:
+  FirstLaunches(const opencl::Context& context, const opencl::Program& program, int lanes,
+                KernelProgress& progress)
+      : context_(context),
+        program_(program),
+        none_(context, {}, 16, "a first launch", opencl::Access::read_write),
+        packets_(packet_range(1, lanes)),
+        progress_(progress) {}
+
+  /// Fills in a kernel by its name. `share` is its part of the time of a first build.
+  template <typename... Args>
+  void take(const char* name, double share, opencl::TypedKernel<Args...>& kernel) const {
+    take(name, share, kernel, packets_);
+  }
+  template <typename... Args>
+  void take_film(const char* name, opencl::TypedKernel<Args...>& kernel) const {
+    take(name, kFilmShare, kernel, packet_range(1, 1));
+  }
+
+ private:
+  template <typename... Args>
+  void take(const char* name, double share, opencl::TypedKernel<Args...>& kernel,
+            const opencl::LaunchSize& range) const {
+    progress_.begin(share);
+    kernel = {program_.kernel(name)};
+    opencl::launch(context_, kernel.kernel, range, StandIn<Args>::of(none_)...);
+    opencl::finish(context_);
+  }
+
+  const opencl::Context& context_;
+  const opencl::Program& program_;
+  opencl::RawBuffer none_;
+  opencl::LaunchSize packets_;
+  KernelProgress& progress_;
+};
+
+std::unique_ptr<Integrator> local_integrator(const FirstLaunches& first) {
+  LocalKernels kernels;
+  first.take("trace_camera_rays", 0.19, kernels.trace_camera_rays);
+  first.take("trace_shadow_rays", 0.20, kernels.trace_shadow_rays);
+  first.take("trace_ambient_rays", 0.18, kernels.trace_ambient_rays);
+  first.take("shade_hits", 0.15, kernels.shade_hits);
+  return make_integrator(std::move(kernels));
+}
+
+std::unique_ptr<Integrator> path_integrator(const FirstLaunches& first) {
+  PathKernels kernels;
+  first.take("start_paths", 0.01, kernels.start_paths);
+  first.take("extend_paths", 0.19, kernels.extend_paths);
+  first.take("scatter_at_hits", 0.30, kernels.scatter_at_hits);
+  first.take("trace_light_rays", 0.19, kernels.trace_light_rays);
+  first.take("add_paths", 0.01, kernels.add_paths);
+  return make_integrator(std::move(kernels));
 }
 
 }  // namespace
@@ -56,19 +91,19 @@ opencl::LaunchSize packet_range(std::uint64_t packets, int lanes) {
   return {(static_cast<std::size_t>(packets) + group - 1) / group * group, group};
 }
 
-Programs build_programs(const opencl::Context& context, int lanes, KernelProgress& progress) {
+Programs build_programs(const opencl::Context& context, int lanes, scene::Integrator integrator,
+                        KernelProgress& progress) {
   const Stopwatch watch;
   const opencl::DriverAbortGuard guard;
-  progress.begin(Shares{}.text);
-  const opencl::Program rendering(context, opencl::kernel_sources(), "render.cl", lanes);
+  const bool local = integrator == scene::Integrator::local;
+  progress.begin(kTextShare);
+  const opencl::Program program(context, opencl::kernel_sources(), local ? "render.cl" : "paths.cl",
+                                lanes);
+  const FirstLaunches first(context, program, lanes, progress);
   Programs programs;
-  programs.trace_camera_rays = {rendering.kernel("trace_camera_rays")};
-  programs.trace_shadow_rays = {rendering.kernel("trace_shadow_rays")};
-  programs.trace_ambient_rays = {rendering.kernel("trace_ambient_rays")};
-  programs.shade_hits = {rendering.kernel("shade_hits")};
-  programs.clear_film = {rendering.kernel("clear_film")};
-  programs.mark_converged = {rendering.kernel("mark_converged")};
-  warm_up(context, programs, lanes, progress);
+  programs.integrator = local ? local_integrator(first) : path_integrator(first);
+  first.take_film("clear_film", programs.clear_film);
+  first.take_film("mark_converged", programs.mark_converged);
   opencl::keep_compiled_kernels();
   progress.finish();
   programs.seconds = watch.seconds();

@@ -211,7 +211,7 @@ void Progressive::render(const scene::Scene& scene, const std::stop_token& stop,
   state.show = show;
   state.progress = progress;
   state.watch.restart();
-  state.coarse.begin_kernels();
+  state.coarse.begin_kernels(scene.light);
   if (!state.has_land(scene)) {
     state.show_steps(state.coarse, state.placed(scene, world::Carving::coarse), true);
     rest(kRestBeforeFineLand, stop);

@@ -173,7 +173,7 @@ void Session::State::assemble(const bvh::JoinedBvh& tree) {
 void Session::State::prepare(const scene::Scene& scene, const scene::Scene& shown, const Crop& crop,
                              Plants plants) {
   report(Stage::world, 0.0);
-  team.begin_programs();
+  team.begin_programs(scene.light);
   // For a single picture, air and clouds are computed on the cores that building the world leaves
   // idle. Previews follow each other: their worlds are small, and a stop would have to wait for
   // work that runs beside.
@@ -318,8 +318,8 @@ Session::Session(Options options) : state_(std::make_unique<State>(std::move(opt
 
 Session::~Session() = default;
 
-void Session::begin_kernels() {
-  state_->team.begin_programs();
+void Session::begin_kernels(scene::Integrator integrator) {
+  state_->team.begin_programs(integrator);
 }
 
 image::Film Session::render(const scene::Scene& scene, std::stop_token stop,

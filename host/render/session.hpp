@@ -132,9 +132,10 @@ class Session {
   Session(const Session&) = delete;
   Session& operator=(const Session&) = delete;
 
-  /// Begins to build the kernels in the background if they are not built yet. A caller that has
-  /// other work to do before `render` saves that time. `render` throws the errors of the build.
-  void begin_kernels();
+  /// Begins to build the kernels of an integrator in the background if they are not built yet. A
+  /// caller that has other work to do before `render` saves that time. `render` throws the errors of
+  /// the build.
+  void begin_kernels(scene::Integrator integrator);
 
   /// Renders all samples of `scene`, which must be resolved, and returns the film of `crop`, which
   /// is the whole picture by default. If `stop` is requested, throws Error{interrupted} within 100

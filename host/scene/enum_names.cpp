@@ -45,6 +45,12 @@ std::span<const char* const> enum_names<Shading>() {
 }
 
 template <>
+std::span<const char* const> enum_names<Integrator>() {
+  static constexpr const char* kNames[] = {"local", "path"};
+  return kNames;
+}
+
+template <>
 std::span<const char* const> enum_names<Filter>() {
   static constexpr const char* kNames[] = {"box", "tent", "gaussian"};
   return kNames;

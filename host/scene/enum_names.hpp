@@ -25,6 +25,8 @@ std::span<const char* const> enum_names<Lens>();
 template <>
 std::span<const char* const> enum_names<Shading>();
 template <>
+std::span<const char* const> enum_names<Integrator>();
+template <>
 std::span<const char* const> enum_names<Filter>();
 template <>
 std::span<const char* const> enum_names<Pattern>();

@@ -35,6 +35,17 @@ inline constexpr auto kTable<Scene> = table(
           word("Shading over a triangle: flat is the same everywhere, gouraud interpolates "
                "colours, and phong (the default) interpolates normals.")
               .control(EditGroup::picture, "Shading")),
+    field("light", &Scene::light,
+          word("How light is found. local (the default) adds up what each surface gets from sun, "
+               "sky and lamps. path follows light from surface to surface, so that surfaces light "
+               "each other, and takes longer.")
+              .control(EditGroup::picture, "Light")),
+    field(
+        "bounces", &Scene::bounces,
+        number(0, 64,
+               "How often a path of light may go on from one surface to another, {from} (surfaces "
+               "get light straight from sun, sky and lamps alone) to {to}.")
+            .slider(EditGroup::picture, "Bounces of light", 0, 16)),
     field("quality", &Scene::quality,
           word("Sets /image/spp, /image/adaptive_threshold, /sun/soft_shadows and "
                "/sky/ambient_occlusion where the scene leaves them out. Their values are 1, 0, "

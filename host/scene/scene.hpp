@@ -24,6 +24,8 @@ enum class View { outside, basket };
 /// 360 degrees of azimuth across the picture and 180 degrees of height down it.
 enum class Lens { pinhole, thin_lens, panorama, orthographic };
 enum class Shading { flat, gouraud, phong };
+enum class Integrator { local, path };
+inline constexpr std::size_t kIntegratorCount = 2;
 enum class Filter { box, tent, gaussian };
 /// The amount of work for a picture. It sets samples, the adaptive threshold, soft shadows and
 /// ambient occlusion together.
@@ -311,6 +313,8 @@ struct Scene {
   Fog fog;
   std::array<Material, kMaterialCount> materials;  // indexed by MaterialId
   Shading shading = Shading::phong;
+  Integrator light = Integrator::local;
+  int bounces = 6;  // of paths between surfaces
   Quality quality = Quality::standard;
   Image image;
   /// The point that meshes and kernels count positions from (see local_frame.hpp). It is not a

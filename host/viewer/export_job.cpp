@@ -73,7 +73,7 @@ void ExportJob::run(const std::stop_token& stop, scene::Scene scene, const QStri
     const auto cache = std::make_shared<render::SceneCache>();
     options.cache = cache;
     render::Session session(std::move(options));
-    session.begin_kernels();
+    session.begin_kernels(scene.light);
     world::resolve(scene, cache->reliefs);
     const auto film = session.render(scene, stop, [this](const render::Progress& progress) {
       const double begin = begin_of(progress.stage);

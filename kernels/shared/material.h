@@ -16,6 +16,11 @@
 #define AERO_MAX_MATERIALS 32
 #define AERO_GRID_MATERIAL 0
 
+/* What a material has to do with the light of the burners. */
+#define AERO_BURNER_NOTHING 0
+#define AERO_BURNER_LIT 1   /* the burners of its balloon light it */
+#define AERO_BURNER_FLAME 2 /* it is their flame */
+
 /* Coefficients of one material. Colours are linear Rec. 709. */
 typedef struct AeroMaterial {
   aero_uint kind; /* one of AERO_MATERIAL_... */
@@ -23,7 +28,7 @@ typedef struct AeroMaterial {
   aero_float ambient, diffuse, specular, shininess;
   aero_float translucency;
   aero_float emission[3];
-  aero_uint burner_light; /* 1 if the balloon's burners light it */
+  aero_uint burner_light; /* one of AERO_BURNER_... */
 } AeroMaterial;
 
 AERO_ASSERT_LAYOUT(AeroMaterial, 52);

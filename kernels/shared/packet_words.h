@@ -25,6 +25,12 @@ typedef struct AeroFoundWords {
 } AeroFoundWords;
 AERO_ASSERT_LAYOUT(AeroFoundWords, 8);
 
+/* PathState: the next ray, what it carries, what the path has found, and two rays to lights. */
+typedef struct AeroPathWords {
+  aero_uint words[43];
+} AeroPathWords;
+AERO_ASSERT_LAYOUT(AeroPathWords, 172);
+
 /* Fails to compile if a struct of lane vectors has other words than the host allocates for it. */
 #ifdef __OPENCL_C_VERSION__
 #define AERO_ASSERT_PACKET(type, words) \

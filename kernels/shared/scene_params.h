@@ -138,12 +138,13 @@ typedef struct AeroScene {
   aero_uint light_count;
   aero_uint balloon_count;
   aero_uint shading; /* one of AERO_SHADING_... */
+  aero_uint bounces; /* how often a path goes on from a surface to another one */
   AeroAir air;
   /* The place of the origin of positions, as seen from the terrain's centre at sea level. Positions
    * count from a point near the eye, while patterns and heights go by places. */
   aero_float place[3];
 } AeroScene;
 
-AERO_ASSERT_LAYOUT(AeroScene, (2664 + 32 * 60 + 4) + sizeof(AeroGround));
+AERO_ASSERT_LAYOUT(AeroScene, (2664 + 32 * 60 + 8) + sizeof(AeroGround));
 
 #endif

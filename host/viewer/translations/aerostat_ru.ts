@@ -579,6 +579,14 @@
         <source>no beach</source>
         <translation>нет пляжа</translation>
     </message>
+    <message>
+        <source>Light</source>
+        <translation>Свет</translation>
+    </message>
+    <message>
+        <source>Bounces of light</source>
+        <translation>Отражений света</translation>
+    </message>
 </context>
 <context>
     <name>NumberBox</name>
@@ -1260,6 +1268,14 @@
         <source>Largest wavelength of the detail in colour and relief in metres, 0 (excluded) to 100000.</source>
         <translation>Наибольшая длина волны деталей цвета и рельефа, в метрах, больше 0 и до 100000.</translation>
     </message>
+    <message>
+        <source>How light is found. local (the default) adds up what each surface gets from sun, sky and lamps. path follows light from surface to surface, so that surfaces light each other, and takes longer.</source>
+        <translation>Как находится свет. local (по умолчанию) складывает то, что каждая поверхность получает от солнца, неба и ламп. path прослеживает свет от поверхности к поверхности, так что поверхности освещают друг друга; это дольше.</translation>
+    </message>
+    <message>
+        <source>How often a path of light may go on from one surface to another, 0 (surfaces get light straight from sun, sky and lamps alone) to 64.</source>
+        <translation>Сколько раз путь света может продолжиться от одной поверхности к другой, от 0 (поверхности получают свет только прямо от солнца, неба и ламп) до 64.</translation>
+    </message>
 </context>
 <context>
     <name>Units</name>
@@ -1489,6 +1505,14 @@
     <message>
         <source>outside</source>
         <translation>снаружи</translation>
+    </message>
+    <message>
+        <source>local</source>
+        <translation>локально</translation>
+    </message>
+    <message>
+        <source>path</source>
+        <translation>по путям</translation>
     </message>
 </context>
 <context>

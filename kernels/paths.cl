@@ -1,0 +1,3 @@
+/* Includes every kernel of a render by the path integrator (see render.cl). */
+#include "film.cl"
+#include "follow_paths.cl"

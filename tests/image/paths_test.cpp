@@ -1,0 +1,149 @@
+// Tests the path integrator against closed forms and against the local one.
+#include <cmath>
+#include <cstdlib>
+
+#include <gtest/gtest.h>
+
+#include "flat_land.hpp"
+#include "lone_objects.hpp"
+
+namespace aerostat::test {
+namespace {
+
+dvec3 mean_of(const image::Film& film) {
+  dvec3 sum(0.0);
+  for (const vec3& light : film.radiance) sum += dvec3(light);
+  return sum / static_cast<double>(film.radiance.size());
+}
+
+scene::Scene path_scene(float albedo, float emission, int bounces) {
+  scene::Scene scene = lone_scene();
+  scene.light = scene::Integrator::path;
+  scene.bounces = bounces;
+  scene::Material& material = scene.material(scene::MaterialId::envelope);
+  material.albedo = vec3(albedo);
+  material.emission = vec3(emission);
+  return scene;
+}
+
+/// Inside a closed shell that shines everywhere, light of each bounce is as even as that of the
+/// first: L = E (1 + a + a^2 + ...).
+TEST(Paths, FillAClosedShellWithLight) {
+  for (const int bounces : {0, 1, 5}) {
+    scene::Scene scene = path_scene(0.5f, 1.0f, bounces);
+    scene.camera.position = {0.0, 0.0, 0.5};
+    double expected = 0.0;
+    for (int i = 0; i <= bounces + 1; ++i) expected += std::pow(0.5, i);
+    const image::Film film = lone_film({plain_object(ball(vec3(0.0f), 3.0f))}, scene, 0.0f);
+    EXPECT_NEAR(mean_of(film).y, expected, 2e-3 * expected) << bounces << " bounces";
+  }
+}
+
+/// A square plate at a height, whose normal points up if `up` is 1.
+mesh::TriangleMesh plate(float height, float up) {
+  constexpr float kHalf = 3000.0f;
+  mesh::TriangleMesh mesh;
+  for (const float x : {-kHalf, kHalf}) {
+    for (const float z : {-kHalf, kHalf}) {
+      mesh.positions.emplace_back(x, height, z);
+      mesh.normals.emplace_back(0.0f, up, 0.0f);
+      mesh.colors.emplace_back(1.0f);
+    }
+  }
+  mesh.triangles = {{0, 1, 2}, {1, 3, 2}};
+  return mesh;
+}
+
+/// Between two endless plates, of which one shines with E and both reflect a share a, the radiances
+/// are L1 = E + a L2 and L2 = a L1, so that L1 = E / (1 - a^2).
+TEST(Paths, BounceBetweenTwoPlates) {
+  constexpr float kAlbedo = 0.6f, kEmission = 2.0f;
+  scene::Scene scene = path_scene(kAlbedo, 0.0f, 40);
+  scene::Material& shining = scene.material(scene::MaterialId::basket);
+  shining = scene.material(scene::MaterialId::envelope);
+  shining.emission = vec3(kEmission);
+  scene.camera.position = {0.0, 0.0, 0.0};
+  scene.camera.target = {0.0, -1.0, 0.0};
+  scene.camera.up = {0.0, 0.0, -1.0};
+  scene.image.spp = 64;
+  world::Objects plates{plain_object(plate(-1.0f, 1.0f)), plain_object(plate(1.0f, -1.0f))};
+  plates[0].material = scene::MaterialId::basket;
+  const double below = kEmission / (1.0 - double{kAlbedo} * kAlbedo);
+  EXPECT_NEAR(mean_of(lone_film(plates, scene, 0.0f)).y, below, 0.01 * below);
+  scene.camera.target = {0.0, 1.0, 0.0};
+  const double above = kAlbedo * below;
+  EXPECT_NEAR(mean_of(lone_film(plates, scene, 0.0f)).y, above, 0.01 * above);
+}
+
+/// Returns the mean radiance of a scene by an integrator, with many samples.
+dvec3 mean_by(scene::Scene scene, scene::Integrator light, int samples) {
+  scene.sky.cloud_cover = 0.0;
+  scene.light = light;
+  scene.bounces = 0;
+  scene.image.spp = samples;
+  return mean_of(shared_session().render(scene));
+}
+
+void expect_same_mean(const scene::Scene& scene, int samples, double relative) {
+  const dvec3 local = mean_by(scene, scene::Integrator::local, samples);
+  const dvec3 path = mean_by(scene, scene::Integrator::path, samples);
+  for (int c = 0; c < 3; ++c) EXPECT_NEAR(path[c], local[c], relative * local[c]) << c;
+}
+
+TEST(Paths, WithoutBouncesSeeTheSunAsTheLocalModelDoes) {
+  auto scene = flat_land();
+  scene.sun.irradiance = 3.0;
+  scene.sun.direction = glm::normalize(dvec3(0.25, 1.0, -0.15));
+  for (const bool soft : {false, true}) {
+    scene.sun.soft_shadows = soft;
+    expect_same_mean(scene, 16, 1e-3);
+  }
+}
+
+TEST(Paths, WithoutBouncesSeeTheSunsGlossAsTheLocalModelDoes) {
+  auto scene = flat_land();
+  scene.sun.irradiance = 3.0;
+  scene.sun.direction = glm::normalize(dvec3(0.25, 1.0, -0.15));
+  scene.material(scene::MaterialId::terrain).specular = 0.7;
+  scene.material(scene::MaterialId::terrain).shininess = 2000.0;
+  for (const bool soft : {false, true}) {
+    scene.sun.soft_shadows = soft;
+    expect_same_mean(scene, 64, 0.01);
+  }
+}
+
+TEST(Paths, WithoutBouncesSeeLampsAsTheLocalModelDoes) {
+  auto scene = flat_land();
+  scene.lights = {{{4.0, 6.0, -3.0}, vec3(1.0f), 250.0, true},
+                  {{-5.0, 3.0, 2.0}, vec3(1.0f), 90.0, true},
+                  {{0.0, 9.0, 8.0}, vec3(1.0f), 400.0, true}};
+  expect_same_mean(scene, 256, 0.01);
+}
+
+/// The local model takes the sky by nine spherical harmonics, paths take it from its table.
+TEST(Paths, WithoutBouncesSeeTheSkyAsTheLocalModelDoes) {
+  expect_same_mean(flat_land_under_a_sky(), 64, 0.02);
+}
+
+TEST(Paths, BringLightThatSurfacesReflect) {
+  scene::Scene scene = path_scene(0.8f, 0.0f, 0);
+  scene.image.spp = 64;
+  const world::Objects balls{plain_object(ball({-1.05f, 0.0f, 0.0f})),
+                             plain_object(ball({1.05f, 0.0f, 0.0f}))};
+  const dvec3 direct = mean_of(lone_film(balls, scene, 1.0f));
+  scene.bounces = 4;
+  EXPECT_GT(mean_of(lone_film(balls, scene, 1.0f)).y, 1.002 * direct.y);
+}
+
+/// Whether the picture is made in one tile or in many, and at every width of packets.
+TEST(Paths, DependOnNeitherTilesNorTheOtherPathsOfAPacket) {
+  scene::Scene scene = planted_scene("tropical-basket", {64, 48, 4, 64});
+  scene.light = scene::Integrator::path;
+  const image::Film whole = shared_session().render(scene);
+  render::Options tiled = options();
+  tiled.tile_pixels = 700;
+  EXPECT_TRUE(same_bits(render::Session(tiled).render(scene), whole));
+}
+
+}  // namespace
+}  // namespace aerostat::test
