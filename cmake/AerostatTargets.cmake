@@ -11,9 +11,9 @@ if(PROJECT_IS_TOP_LEVEL AND NOT CMAKE_BUILD_TYPE AND NOT CMAKE_CONFIGURATION_TYP
 endif()
 
 option(AEROSTAT_WERROR "Treat warnings as errors" OFF)
-# Precompiled headers are off unless they are asked for, because ccache does not cache a file that
-# reads one.
-if(NOT DEFINED CMAKE_DISABLE_PRECOMPILE_HEADERS)
+# Large headers are precompiled. ccache does not cache a file that reads a precompiled header, so a build
+# with ccache goes without them.
+if(NOT DEFINED CMAKE_DISABLE_PRECOMPILE_HEADERS AND CMAKE_CXX_COMPILER_LAUNCHER MATCHES "ccache")
   set(CMAKE_DISABLE_PRECOMPILE_HEADERS ON)
 endif()
 
