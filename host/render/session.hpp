@@ -133,8 +133,8 @@ class Session {
   Session& operator=(const Session&) = delete;
 
   /// Begins to build the kernels of an integrator in the background if they are not built yet. A
-  /// caller that has other work to do before `render` saves that time. `render` throws the errors of
-  /// the build.
+  /// caller that has other work to do before `render` saves that time. `render` throws the errors
+  /// of the build.
   void begin_kernels(scene::Integrator integrator);
 
   /// Renders all samples of `scene`, which must be resolved, and returns the film of `crop`, which

@@ -97,7 +97,8 @@ INSTANTIATE_TEST_SUITE_P(
              "flame, floor, frame, plant, rim, skirt, stone, terrain, water"},
         Case{R"("a/b~c\u001b": 5)",
              "/a~1b~0c\\u001b: found an unknown key, expected one of $schema, air, balloon, "
-             "balloons, biome, bounces, camera, fog, haze, image, light, lights, materials, quality, shading, sky, "
+             "balloons, biome, bounces, camera, fog, haze, image, light, lights, materials, "
+             "quality, shading, sky, "
              "sun, "
              "terrain, "
              "vegetation, "
