@@ -135,14 +135,36 @@ TEST(Paths, BringLightThatSurfacesReflect) {
   EXPECT_GT(mean_of(lone_film(balls, scene, 1.0f)).y, 1.002 * direct.y);
 }
 
-/// Whether the picture is made in one tile or in many, and at every width of packets.
-TEST(Paths, DependOnNeitherTilesNorTheOtherPathsOfAPacket) {
+scene::Scene followed_scene() {
   scene::Scene scene = planted_scene("tropical-basket", {64, 48, 4, 64});
   scene.light = scene::Integrator::path;
-  const image::Film whole = shared_session().render(scene);
+  return scene;
+}
+
+TEST(Paths, AreTheSameInAnyTile) {
   render::Options tiled = options();
   tiled.tile_pixels = 700;
-  EXPECT_TRUE(same_bits(render::Session(tiled).render(scene), whole));
+  EXPECT_TRUE(same_bits(render::Session(tiled).render(followed_scene()),
+                        shared_session().render(followed_scene())));
+}
+
+TEST(Paths, AreTheSameInACrop) {
+  const render::Crop crop{17, 5, 50, 41};
+  EXPECT_TRUE(same_bits(shared_session().render(followed_scene(), {}, {}, crop),
+                        cut(shared_session().render(followed_scene()), crop)));
+}
+
+/// Tests that a session goes from one integrator to the other and back.
+TEST(Paths, LeaveTheLocalIntegratorAsItWas) {
+  scene::Scene local = followed_scene();
+  local.light = scene::Integrator::local;
+  render::Session session(options());
+  const image::Film before = session.render(local);
+  const image::Film followed = session.render(followed_scene());
+  EXPECT_FALSE(same_bits(followed, before));
+  EXPECT_TRUE(same_bits(session.render(local), before));
+  EXPECT_EQ(session.stats().programs_built, 0) << "both programs are kept";
+  EXPECT_TRUE(same_bits(session.render(followed_scene()), followed));
 }
 
 }  // namespace
