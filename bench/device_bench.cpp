@@ -9,6 +9,7 @@
 #include "opencl/launch.hpp"
 #include "pack/pack_scene.hpp"
 #include "render/programs.hpp"
+#include "scene/scene.hpp"
 
 namespace aerostat::bench {
 namespace {
@@ -41,7 +42,7 @@ std::uint64_t RaySet::active() const {
   return count;
 }
 
-DeviceBench::DeviceBench(const opencl::Device& device, int lanes, const scene::Scene& shown,
+DeviceBench::DeviceBench(const opencl::Device& device, int lanes, const scene::ResolvedScene& shown,
                          const render::Frame& frame, const opencl::SourceTree& kernels)
     : lanes_(lanes != 0 ? lanes : device.lanes), context_(device) {
   device_ = render::upload(context_, budget_, frame.tree, frame.arrays);
@@ -57,13 +58,13 @@ DeviceBench::DeviceBench(const opencl::Device& device, int lanes, const scene::S
   trace_rays_ = bench.kernel("trace_rays");
   count_rays_ = opencl::Program(context_, sources, "count_rays.cl", lanes_).kernel("count_rays");
 
-  scene::Scene scene = shown;
-  scene.image.spp = 1;
-  launch_.frame = pack::pack_frame(scene);
-  const render::Crop all{0, 0, scene.image.width, scene.image.height};
+  scene::Image image = shown->image;
+  image.spp = 1;
+  launch_.frame = pack::pack_frame(shown.with_image(image));
+  const render::Crop all{0, 0, image.width, image.height};
   launch_.tile = render::tile_of(all, render::packet_shape(lanes_, 1), 0);
   launch_.film = render::window_of(all);
-  const auto packed = pack::pack_scene(scene);
+  const auto packed = pack::pack_scene(shown);
   scene_ = {context_, budget_, std::span(&packed.numbers, 1), "the scene"};
   const std::vector<AeroFilmPixel> film(std::size_t{launch_.frame.width} * launch_.frame.height);
   film_ = {context_, budget_, std::span(film), "the film"};

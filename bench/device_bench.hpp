@@ -10,7 +10,7 @@
 #include "opencl/program.hpp"
 #include "render/geometry.hpp"
 #include "render/tiles.hpp"
-#include "scene/scene.hpp"
+#include "scene/resolved_scene.hpp"
 #include "scene_params.h"
 
 namespace aerostat::bench {
@@ -34,7 +34,7 @@ struct PacketCounts {
 class DeviceBench {
  public:
   /// Uploads the frame and compiles the product's `kernels` together with those of the bench.
-  DeviceBench(const opencl::Device& device, int lanes, const scene::Scene& shown,
+  DeviceBench(const opencl::Device& device, int lanes, const scene::ResolvedScene& shown,
               const render::Frame& frame, const opencl::SourceTree& kernels);
 
   const render::DeviceGeometry& geometry() const { return device_; }

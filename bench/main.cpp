@@ -11,7 +11,7 @@
 #include "report.hpp"
 #include "scene/io.hpp"
 #include "soup.hpp"
-#include "world/world.hpp"
+#include "world/resolve.hpp"
 #ifdef AEROSTAT_EMBREE
 #include "embree_peer.hpp"
 #endif
@@ -81,10 +81,9 @@ render::BuiltGeometry build(const Arguments& arguments) {
   scene.image.height = arguments.height;
   scene.vegetation.enabled = false;  // Embree gets no instances here
   world::ReliefCache reliefs;
-  world::resolve(scene, reliefs);
   render::GeometryOptions options;
   options.reliefs = &reliefs;
-  return render::build_geometry(scene, nullptr, options);
+  return render::build_geometry(world::resolve(scene, reliefs), nullptr, options);
 }
 
 ordered_json describe(const Arguments& arguments, const bench::DeviceBench& device,
@@ -180,7 +179,7 @@ void run(const Arguments& arguments) {
   const auto device = opencl::select_device(opencl::effective_selector(arguments.device));
   render::BuiltGeometry built = build(arguments);
   const auto geometry = built.geometry;
-  const scene::Scene& scene = geometry->world.scene;
+  const scene::ResolvedScene& scene = geometry->world.scene;
   const render::Frame frame = render::only_frame(std::move(built));
   bench::DeviceBench own(device, arguments.lanes, scene, frame, opencl::kernel_sources());
   const bench::RaySet camera = own.camera_rays(), shadow = own.shadow_rays();

@@ -8,6 +8,7 @@
 #include "core/stopwatch.hpp"
 #include "model/balloon.hpp"
 #include "scene/io.hpp"
+#include "world/resolve.hpp"
 
 namespace aerostat::bench {
 namespace {
@@ -124,17 +125,18 @@ world::HeightGrid floor_below() {
 }  // namespace
 
 render::BuiltGeometry build_soup(std::size_t triangles, int width, int height) {
-  world::World world;
-  scene::Scene& scene = world.scene;
-  scene = scene::defaults(scene::BiomeKind::snow, scene::View::outside);
+  scene::Scene scene = scene::defaults(scene::BiomeKind::snow, scene::View::outside);
   scene.image.width = width;
   scene.image.height = height;
   scene.balloon.position = {0.0, -0.5 * model::balloon_height(scene.balloon), 0.0};
+  scene.balloon.height_above = scene::HeightReference::sea;
   scene.camera.position = {0.0, 10.0, 2.2 * static_cast<double>(kExtent)};
   scene.camera.target = {0.0, 0.0, 0.0};
+  scene.camera.height_above = scene::HeightReference::sea;
   const Stopwatch watch;
   world::Objects objects{
       {scene::ObjectId::frame, scene::MaterialId::frame, soup_mesh(triangles, scene.balloon)}};
+  world::World world{world::resolve(scene), {}};
   world.groups.push_back(world::make_group(world::kLand, floor_below()));
   world.groups.push_back(world::make_group(kSoup, std::move(objects)));
   return render::pack_world(std::move(world), nullptr, render::Meshes::keep, watch.seconds());

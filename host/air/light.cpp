@@ -42,14 +42,15 @@ std::shared_ptr<const Scattering> scattering_of(const scene::Scene& scene, Scatt
 
 }  // namespace
 
-Light::Light(const scene::Scene& scene)
-    : Light(scene, Scattering(atmosphere_of(scene), glm::normalize(scene.sun.direction))) {}
+Light::Light(const scene::ResolvedScene& scene)
+    : Light(scene.eye().y,
+            Scattering(atmosphere_of(*scene), glm::normalize(scene->sun.direction))) {}
 
-Light::Light(const scene::Scene& scene, ScatteringCache& cache)
-    : Light(scene, *scattering_of(scene, cache)) {}
+Light::Light(const scene::ResolvedScene& scene, ScatteringCache& cache)
+    : Light(scene.eye().y, *scattering_of(*scene, cache)) {}
 
-Light::Light(const scene::Scene& scene, const Scattering& air)
-    : atmosphere(air.atmosphere()), sky(air, scene.camera.position->y) {
+Light::Light(double eye_height, const Scattering& air)
+    : atmosphere(air.atmosphere()), sky(air, eye_height) {
   const double sun = air.sun().y;
   const double elevation = std::asin(std::clamp(sun, -1.0, 1.0));
   const double height = reference_height(elevation);
@@ -66,7 +67,7 @@ Light::Light(const scene::Scene& scene, const Scattering& air)
   depth_ozone = atmosphere.ozone * way.ozone;
   sun_heights[0] = height_of_sight(elevation + kSunRadius);
   sun_heights[1] = std::max(sun_heights[0] + 1.0, height_of_sight(elevation - kSunRadius));
-  take_around(air, scene.camera.position->y);
+  take_around(air, eye_height);
   ambient = ambient_light(sky);
 }
 

@@ -4,6 +4,7 @@
 
 #include "air/sky.hpp"
 #include "core/last_made.hpp"
+#include "scene/resolved_scene.hpp"
 
 namespace aerostat::air {
 
@@ -15,10 +16,10 @@ using ScatteringCache = LastMade<std::pair<Atmosphere, dvec3>, Scattering>;
 /// some kilometres, and uses closed forms in the height and the sky of one eye. All light is per
 /// irradiance of the sun outside the air.
 struct Light {
-  explicit Light(const scene::Scene& scene);
+  explicit Light(const scene::ResolvedScene& scene);
 
   /// Takes the scattering from a cache, or computes it and leaves it there.
-  Light(const scene::Scene& scene, ScatteringCache& cache);
+  Light(const scene::ResolvedScene& scene, ScatteringCache& cache);
 
   Atmosphere atmosphere;
   /// The optical depth towards the sun at height h is
@@ -44,7 +45,7 @@ struct Light {
   static constexpr double kAroundTop = 9000.0;
 
  private:
-  Light(const scene::Scene& scene, const Scattering& air);
+  Light(double eye_height, const Scattering& air);
   void take_around(const Scattering& air, double eye_height);
 };
 

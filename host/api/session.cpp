@@ -6,7 +6,7 @@
 #include "opencl/device.hpp"
 #include "render/scene_cache.hpp"
 #include "render/session.hpp"
-#include "world/world.hpp"
+#include "world/resolve.hpp"
 
 namespace aerostat {
 namespace {
@@ -87,8 +87,8 @@ Session& Session::operator=(Session&&) noexcept = default;
 
 Film Session::render(const Scene& scene, const std::function<void(const Progress&)>& progress,
                      std::stop_token stop) {
-  scene::Scene resolved = scene.state().source.scene();
-  world::resolve(resolved, state_->options.cache->reliefs);
+  const scene::ResolvedScene resolved =
+      world::resolve(scene.state().source.scene(), state_->options.cache->reliefs);
   render::ProgressCallback report;
   if (progress) {
     report = [&progress](const render::Progress& now) {
@@ -96,7 +96,7 @@ Film Session::render(const Scene& scene, const std::function<void(const Progress
     };
   }
   image::Film film = state_->session.render(resolved, std::move(stop), report);
-  return Film(std::make_shared<Film::State>(Film::State{std::move(film), resolved.image}));
+  return Film(std::make_shared<Film::State>(Film::State{std::move(film), resolved->image}));
 }
 
 std::vector<DeviceInfo> Session::devices() const {

@@ -72,14 +72,15 @@ class SheetRender {
       const auto label = fmt::format("seed {}, {} of {}", seeds[i], i + 1, seeds.size());
       bar_.set_label(label);
       show(i, seeds.size(), 0.0);
-      resolve_scene(tile, input, cache_->reliefs);
-      const image::Film film = session_.render(tile, stop, [&](const render::Progress& progress) {
-        const bool is_compiling = progress.stage == render::Stage::kernels;
-        bar_.set_label(is_compiling ? "" : label);
-        if (is_compiling) return show_compiling(progress);
-        const bool is_traced = progress.stage >= render::Stage::rays;
-        show(i, seeds.size(), is_traced ? progress.fraction : 0.0);
-      });
+      const scene::ResolvedScene resolved = resolve_scene(tile, input, cache_->reliefs);
+      const image::Film film =
+          session_.render(resolved, stop, [&](const render::Progress& progress) {
+            const bool is_compiling = progress.stage == render::Stage::kernels;
+            bar_.set_label(is_compiling ? "" : label);
+            if (is_compiling) return show_compiling(progress);
+            const bool is_traced = progress.stage >= render::Stage::rays;
+            show(i, seeds.size(), is_traced ? progress.fraction : 0.0);
+          });
       warn_of_nan(film);
       sheet.place(static_cast<int>(i), develop(film, tile.image), std::to_string(seeds[i]));
     }

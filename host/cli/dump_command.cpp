@@ -6,7 +6,7 @@ namespace aerostat::cli {
 
 int dump(const SceneOptions& options) {
   world::ReliefCache reliefs;
-  write_stdout(scene::write_text(load_scene(options, reliefs)));
+  write_stdout(scene::write_text(*load_scene(options, reliefs)));
   return 0;
 }
 

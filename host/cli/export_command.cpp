@@ -13,8 +13,8 @@ int export_world(const ExportOptions& options) {
   const std::filesystem::path output =
       output_file(options.output, options.input, format == MeshFormat::ply);
   world::ReliefCache reliefs;
-  scene::Scene scene = load_scene(options.input, reliefs);
-  scene.origin = scene::origin_for_export(scene);
+  const scene::ResolvedScene loaded = load_scene(options.input, reliefs);
+  const scene::ResolvedScene scene = loaded.counted_from(scene::origin_for_export(loaded));
   const world::World world = world::build(scene, {.reliefs = &reliefs});
   const world::Objects triangles = world::as_triangles(
       world, options.plants ? world::Placed::included : world::Placed::left_out);
@@ -23,8 +23,8 @@ int export_world(const ExportOptions& options) {
     objects.push_back(
         {static_cast<std::uint32_t>(object.id), scene::object_name(object.id), &object.mesh});
   }
-  const auto file = format == MeshFormat::ply ? mesh::ply_bytes(objects, scene.origin)
-                                              : mesh::obj_bytes(objects, scene.origin);
+  const auto file = format == MeshFormat::ply ? mesh::ply_bytes(objects, scene.origin())
+                                              : mesh::obj_bytes(objects, scene.origin());
   write_file(output, file);
   return 0;
 }

@@ -102,7 +102,7 @@ int render(const RenderOptions& options) {
 
   CommandSeconds seconds;
   Stopwatch phase;
-  scene::Scene scene = scene_to_render(options);
+  const scene::Scene scene = scene_to_render(options);
   seconds.reading = phase.restart();
   require_encodable(options, scene.image, format);
   // Drivers are loaded while the ground is laid out. oneTBB is started first. Otherwise the
@@ -113,13 +113,13 @@ int render(const RenderOptions& options) {
   auto opening = std::async(std::launch::async, [&, light = scene.light] {
     return open_session(options, format, light, cache);
   });
-  resolve_scene(scene, options.input, cache->reliefs);
+  const scene::ResolvedScene resolved = resolve_scene(scene, options.input, cache->reliefs);
   seconds.placing = phase.seconds();
   Opened opened = opening.get();
   seconds.device = opened.seconds;
   const image::Film film = opened.session->render(
-      scene, interrupt.token(), [&bar](const render::Progress& progress) { bar.update(progress); },
-      options.crop);
+      resolved, interrupt.token(),
+      [&bar](const render::Progress& progress) { bar.update(progress); }, options.crop);
   bar.clear();
   warn_of_nan(film);
   phase.restart();

@@ -14,7 +14,7 @@
 #include "core/file.hpp"
 #include "scene/installed.hpp"
 #include "scene/io.hpp"
-#include "world/world.hpp"
+#include "world/resolve.hpp"
 
 namespace aerostat::cli {
 
@@ -67,19 +67,18 @@ std::string name_of_scene(const SceneOptions& options) {
   return is_standard(options.scene) ? kStandardInput : options.scene.string();
 }
 
-void resolve_scene(scene::Scene& scene, const SceneOptions& options, world::ReliefCache& reliefs) {
+scene::ResolvedScene resolve_scene(const scene::Scene& scene, const SceneOptions& options,
+                                   world::ReliefCache& reliefs) {
   try {
-    world::resolve(scene, reliefs);
+    return world::resolve(scene, reliefs);
   } catch (const Error& error) {
     if (error.kind() != ErrorKind::bad_data) throw;
     throw Error(error.kind(), fmt::format("{}: {}", name_of_scene(options), error.what()));
   }
 }
 
-scene::Scene load_scene(const SceneOptions& options, world::ReliefCache& reliefs) {
-  scene::Scene scene = read_scene(options);
-  resolve_scene(scene, options, reliefs);
-  return scene;
+scene::ResolvedScene load_scene(const SceneOptions& options, world::ReliefCache& reliefs) {
+  return resolve_scene(read_scene(options), options, reliefs);
 }
 
 std::filesystem::path output_file(const std::filesystem::path& output, const SceneOptions& input,

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "cli/options.hpp"
+#include "scene/resolved_scene.hpp"
 #include "scene/scene.hpp"
 #include "world/surface.hpp"
 
@@ -18,11 +19,12 @@ std::string name_of_scene(const SceneOptions& options);
 
 /// Resolves a scene that was read by `options`. Throws the errors of world::resolve. A message
 /// about the scene's data begins with the scene's name.
-void resolve_scene(scene::Scene& scene, const SceneOptions& options, world::ReliefCache& reliefs);
+scene::ResolvedScene resolve_scene(const scene::Scene& scene, const SceneOptions& options,
+                                   world::ReliefCache& reliefs);
 
 /// Reads the scene, applies the overrides and resolves it. Throws the errors of read_scene and
 /// resolve_scene.
-scene::Scene load_scene(const SceneOptions& options, world::ReliefCache& reliefs);
+scene::ResolvedScene load_scene(const SceneOptions& options, world::ReliefCache& reliefs);
 
 /// Returns the file to write for a name on the command line, which is standard output for "-".
 /// Throws Error{usage} if standard output is a terminal and `is_binary` is true. Throws

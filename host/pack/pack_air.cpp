@@ -38,7 +38,7 @@ std::vector<AeroSkyCell> pack_sky_table(const air::SkyTable& table) {
 
 }  // namespace
 
-PackedAir pack_air(const scene::Scene& scene, air::ScatteringCache& cache) {
+PackedAir pack_air(const scene::ResolvedScene& scene, air::ScatteringCache& cache) {
   const air::Light light(scene, cache);
   const air::Atmosphere& from = light.atmosphere;
   PackedAir packed;
@@ -64,7 +64,7 @@ PackedAir pack_air(const scene::Scene& scene, air::ScatteringCache& cache) {
   air.around_top = static_cast<float>(light.around_top);
   air.thick_haze = light.thick_haze ? 1.0f : 0.0f;
   for (std::size_t i = 0; i < 9; ++i) copy(air.ambient[i], light.ambient[i]);
-  air.fog = pack_fog(scene.fog, from.fog, glm::normalize(scene.sun.direction).y);
+  air.fog = pack_fog(scene->fog, from.fog, glm::normalize(scene->sun.direction).y);
   air.horizon_sine = static_cast<float>(light.sky.horizon_sine());
   packed.sky_table = pack_sky_table(light.sky);
   return packed;

@@ -4,7 +4,7 @@
 
 #include "air/light.hpp"
 #include "air_params.h"
-#include "scene/scene.hpp"
+#include "scene/resolved_scene.hpp"
 
 namespace aerostat::pack {
 
@@ -16,6 +16,6 @@ struct PackedAir {
 
 /// Solves the air of a scene (air::Light) for the eye of its camera and lays it out for the device.
 /// The scattering is taken from the cache or left there.
-PackedAir pack_air(const scene::Scene& scene, air::ScatteringCache& cache);
+PackedAir pack_air(const scene::ResolvedScene& scene, air::ScatteringCache& cache);
 
 }  // namespace aerostat::pack

@@ -24,10 +24,10 @@ dvec3 mean_cloth(const scene::Scene& scene, const scene::Balloon& balloon) {
 
 }  // namespace
 
-AeroBalloon pack_balloon(const scene::Scene& scene, const scene::Balloon& from) {
+AeroBalloon pack_balloon(const scene::ResolvedScene& scene, const scene::Balloon& from) {
   AeroBalloon balloon{};
-  const scene::Material& cloth = scene.material(scene::MaterialId::envelope);
-  const dvec3 color = mean_cloth(scene, from);
+  const scene::Material& cloth = scene->material(scene::MaterialId::envelope);
+  const dvec3 color = mean_cloth(*scene, from);
   const dvec3 reflected = glm::min(color * cloth.diffuse, dvec3(0.95));
   const dvec3 kept = 1.0 / (1.0 - reflected);
   const dvec3 share = color * cloth.translucency * kept;
@@ -36,7 +36,7 @@ AeroBalloon pack_balloon(const scene::Scene& scene, const scene::Balloon& from) 
   const dvec3 flame = kFlameColor * (from.burner * kFlameIntensity / std::numbers::pi);
   const double radius = 0.5 * from.diameter_m;
   copy(balloon.glow_flame, flame * reflected * kept / (radius * radius));
-  copy(balloon.flame, model::flame_middle(from) - scene.origin);
+  copy(balloon.flame, model::flame_middle(from) - scene.origin());
   copy(balloon.flame_light, flame);
   return balloon;
 }

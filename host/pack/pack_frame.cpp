@@ -71,16 +71,16 @@ double aperture_radius(const scene::Camera& camera) {
   return 0.25 * kSensorHeightM / tangent / camera.f_number;
 }
 
-AeroCamera pack_camera(const scene::Scene& scene, const bvh::Bounds& world) {
-  const scene::Camera& from = scene.camera;
-  const int width = scene.image.width, height = scene.image.height;
+AeroCamera pack_camera(const scene::ResolvedScene& scene, const bvh::Bounds& world) {
+  const scene::Camera& from = scene->camera;
+  const int width = scene->image.width, height = scene->image.height;
   const auto [right, up, forward] = scene::view_axes(from);
   const bool parallel = from.lens == scene::Lens::orthographic;
   const double half_height =
       parallel ? 0.5 * from.view_height_m : std::tan(from.fov_y_deg * (std::numbers::pi / 360.0));
   const double pixel = 2.0 * half_height / height;
   AeroCamera camera{};
-  const dvec3 eye = *from.position - scene.origin;
+  const dvec3 eye = scene.eye() - scene.origin();
   const double depth = parallel ? depth_of(world, eye, forward) : 0.0;
   const bool far = depth >= kFarM && std::isfinite(depth);
   camera.lead = far ? static_cast<float>(depth - kBeforeWorldM) : 0.0f;
@@ -94,24 +94,24 @@ AeroCamera pack_camera(const scene::Scene& scene, const bvh::Bounds& world) {
   copy(camera.forward, forward);
   camera.lens = lens_of(from.lens);
   camera.aperture = static_cast<float>(aperture_radius(from));
-  const double focus = from.focus_m.value_or(glm::length(*from.target - *from.position));
+  const double focus = from.focus_m.value_or(glm::length(scene.target() - scene.eye()));
   camera.focus = static_cast<float>(std::max(focus, kNearestFocusM));
   return camera;
 }
 
 }  // namespace
 
-AeroFrame pack_frame(const scene::Scene& scene, const bvh::Bounds& world) {
+AeroFrame pack_frame(const scene::ResolvedScene& scene, const bvh::Bounds& world) {
   AeroFrame frame{};
   frame.camera = pack_camera(scene, world);
-  frame.width = static_cast<std::uint32_t>(scene.image.width);
-  frame.height = static_cast<std::uint32_t>(scene.image.height);
-  frame.filter = filter_of(scene.image.filter);
-  frame.samples = static_cast<std::uint32_t>(scene.image.spp);
+  frame.width = static_cast<std::uint32_t>(scene->image.width);
+  frame.height = static_cast<std::uint32_t>(scene->image.height);
+  frame.filter = filter_of(scene->image.filter);
+  frame.samples = static_cast<std::uint32_t>(scene->image.spp);
   frame.sample_stride = spreading_stride(frame.samples);
-  frame.progressive = scene.image.adaptive_threshold > 0.0 ? 1u : 0u;
-  frame.sample_shift = scene.image.seed * 0x9e3779b9u;
-  const scene::PixelSize pixel = scene::pixel_size(scene);
+  frame.progressive = scene->image.adaptive_threshold > 0.0 ? 1u : 0u;
+  frame.sample_shift = scene->image.seed * 0x9e3779b9u;
+  const scene::PixelSize pixel = scene::pixel_size(*scene);
   frame.pixel_angle = static_cast<float>(pixel.angle_rad);
   frame.pixel_width = static_cast<float>(pixel.width_m);
   frame.filter_scale = 1.0f;

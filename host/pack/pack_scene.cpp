@@ -82,8 +82,8 @@ AeroPointLight pack_light(const scene::PointLight& from, const dvec3& origin) {
 }
 
 /// Packs all balloons that are there, in the order of scene::balloons_of().
-void pack_balloons(const scene::Scene& scene, AeroScene& numbers) {
-  const auto balloons = scene::balloons_of(scene);
+void pack_balloons(const scene::ResolvedScene& scene, AeroScene& numbers) {
+  const auto balloons = scene::balloons_of(*scene);
   if (balloons.size() > AERO_MAX_BALLOONS) {
     throw Error(ErrorKind::bad_data,
                 fmt::format("/balloons: found {} balloons with the first one, expected at most {}",
@@ -109,36 +109,36 @@ std::uint32_t shading_of(scene::Shading shading) {
 
 }  // namespace
 
-PackedScene pack_scene(const scene::Scene& scene) {
+PackedScene pack_scene(const scene::ResolvedScene& scene) {
   PackCache cache;
   return pack_scene(scene, cache);
 }
 
-PackedScene pack_scene(const scene::Scene& scene, PackCache& cache) {
-  if (scene.lights.size() > AERO_MAX_POINT_LIGHTS) {
+PackedScene pack_scene(const scene::ResolvedScene& scene, PackCache& cache) {
+  if (scene->lights.size() > AERO_MAX_POINT_LIGHTS) {
     throw Error(ErrorKind::bad_data, fmt::format("/lights: found {} lights, expected at most {}",
-                                                 scene.lights.size(), AERO_MAX_POINT_LIGHTS));
+                                                 scene->lights.size(), AERO_MAX_POINT_LIGHTS));
   }
   PackedScene packed;
   AeroScene& numbers = packed.numbers;
-  numbers.sky = pack_sky(scene);
-  const vec3 eye(scene::place_of(scene, *scene.camera.position));
+  numbers.sky = pack_sky(*scene);
+  const vec3 eye(scene::place_of(*scene, scene.eye()));
   packed.cloud_chart = cloud_chart(numbers.sky.cumulus, eye, cache.clouds);
   if (packed.cloud_chart) numbers.sky.cumulus.chart = packed.cloud_chart->place;
-  numbers.ground = ground::ground_numbers(scene);
-  numbers.water = pack_water(scene.biome.water);
+  numbers.ground = ground::ground_numbers(*scene);
+  numbers.water = pack_water(scene->biome.water);
   pack_balloons(scene, numbers);
-  pack_materials(scene, numbers.materials);
-  for (std::size_t i = 0; i < scene.lights.size(); ++i) {
-    numbers.lights[i] = pack_light(scene.lights[i], scene.origin);
+  pack_materials(*scene, numbers.materials);
+  for (std::size_t i = 0; i < scene->lights.size(); ++i) {
+    numbers.lights[i] = pack_light(scene->lights[i], scene.origin());
   }
-  numbers.light_count = static_cast<std::uint32_t>(scene.lights.size());
-  numbers.shading = shading_of(scene.shading);
-  numbers.bounces = static_cast<std::uint32_t>(scene.bounces);
+  numbers.light_count = static_cast<std::uint32_t>(scene->lights.size());
+  numbers.shading = shading_of(scene->shading);
+  numbers.bounces = static_cast<std::uint32_t>(scene->bounces);
   PackedAir air = pack_air(scene, cache.air);
   numbers.air = air.numbers;
   packed.sky_table = std::move(air.sky_table);
-  copy(numbers.place, scene::place_of(scene, scene.origin));
+  copy(numbers.place, scene::place_of(*scene, scene.origin()));
   return packed;
 }
 

@@ -7,7 +7,7 @@
 #include "bvh/bvh.hpp"
 #include "camera.h"
 #include "pack/cloud_chart.hpp"
-#include "scene/scene.hpp"
+#include "scene/resolved_scene.hpp"
 #include "scene_params.h"
 
 namespace aerostat::pack {
@@ -23,7 +23,7 @@ struct PackedScene {
 
 /// Packs a scene. Throws Error{bad_data} for more than AERO_MAX_POINT_LIGHTS point lights or
 /// AERO_MAX_BALLOONS balloons.
-PackedScene pack_scene(const scene::Scene& scene);
+PackedScene pack_scene(const scene::ResolvedScene& scene);
 
 /// What packing a scene keeps for the next one.
 struct PackCache {
@@ -32,11 +32,10 @@ struct PackCache {
 };
 
 /// Packs a scene with what a cache has of the air and the clouds, and leaves its own there.
-PackedScene pack_scene(const scene::Scene& scene, PackCache& cache);
+PackedScene pack_scene(const scene::ResolvedScene& scene, PackCache& cache);
 
 /// Camera, image size and sampling. Parallel rays begin shortly before `world`, the bounds of all
-/// that they can meet, if the eye is far away from it: single precision would bend them. Throws
-/// Error{bad_data} if the camera's target is its position.
-AeroFrame pack_frame(const scene::Scene& scene, const bvh::Bounds& world = {});
+/// that they can meet, if the eye is far away from it: single precision would bend them.
+AeroFrame pack_frame(const scene::ResolvedScene& scene, const bvh::Bounds& world = {});
 
 }  // namespace aerostat::pack

@@ -18,7 +18,8 @@ namespace {
 /// Packs the groups of the world, or takes them from the former geometry.
 class Packer {
  public:
-  Packer(const HostGeometry& old, Meshes meshes) : old_(old), meshes_(meshes) {}
+  /// Makes a packer that knows the groups of `old`, which may be null.
+  Packer(const HostGeometry* old, Meshes meshes) : old_(old), meshes_(meshes) {}
 
   /// Fills in the packed groups and returns the arrays of those that are new. Groups are packed
   /// from the last one to the first, each with room for those behind it: a frame then takes the
@@ -39,8 +40,8 @@ class Packer {
 
  private:
   std::shared_ptr<const pack::PackedGroup> known(std::uint64_t revision) const {
-    for (std::size_t i = 0; i < old_.groups.size(); ++i) {
-      if (old_.world.groups[i].revision == revision) return old_.groups[i];
+    for (std::size_t i = 0; old_ != nullptr && i < old_->groups.size(); ++i) {
+      if (old_->world.groups[i].revision == revision) return old_->groups[i];
     }
     return nullptr;
   }
@@ -56,21 +57,18 @@ class Packer {
     return std::make_shared<const pack::PackedGroup>(std::move(packed.group));
   }
 
-  const HostGeometry& old_;
+  const HostGeometry* old_;
   Meshes meshes_;
   GroupArrays arrays_;
 };
 
-const HostGeometry& or_nothing(const HostGeometry* geometry) {
-  static const HostGeometry nothing;
-  return geometry != nullptr ? *geometry : nothing;
-}
-
-/// Returns the number of groups of a world that hold something and are not in the old world.
-int count_built(const world::World& world, const world::World& old) {
+/// Returns the number of groups of a world that hold something and are not in the old one, which
+/// may be null.
+int count_built(const world::World& world, const HostGeometry* old) {
   return static_cast<int>(
       std::count_if(world.groups.begin(), world.groups.end(), [&](const world::Group& group) {
-        return !has_group(old, group.revision) && !world::is_empty(*group.shape);
+        const bool is_kept = old != nullptr && has_group(old->world, group.revision);
+        return !is_kept && !world::is_empty(*group.shape);
       }));
 }
 
@@ -99,14 +97,12 @@ pack::PackedArrays copy_of(const pack::PackedArrays& arrays, const pack::Room& b
 
 BuiltGeometry pack_world(world::World world, const HostGeometry* previous, Meshes meshes,
                          double world_seconds) {
-  auto geometry = std::make_shared<HostGeometry>();
-  geometry->world = std::move(world);
+  auto geometry = std::make_shared<HostGeometry>(std::move(world));
   geometry->world_seconds = world_seconds;
-  const HostGeometry& old = or_nothing(previous);
-  geometry->worlds_built = count_built(geometry->world, old.world);
+  geometry->worlds_built = count_built(geometry->world, previous);
   const Stopwatch watch;
   try {
-    GroupArrays arrays = Packer(old, meshes).run(*geometry);
+    GroupArrays arrays = Packer(previous, meshes).run(*geometry);
     geometry->tree_seconds = watch.seconds();
     return {std::move(geometry), std::move(arrays)};
   } catch (const std::bad_alloc&) {
@@ -115,14 +111,11 @@ BuiltGeometry pack_world(world::World world, const HostGeometry* previous, Meshe
   }
 }
 
-BuiltGeometry build_geometry(const scene::Scene& scene, const HostGeometry* previous,
+BuiltGeometry build_geometry(const scene::ResolvedScene& scene, const HostGeometry* previous,
                              const GeometryOptions& options) {
-  scene::Scene seen = scene;
-  if (options.plants == Plants::as_they_stand && previous != nullptr) {
-    // Only plants and the detail of balloons depend on the eye.
-    seen.camera = previous->world.scene.camera;
-    seen.image = previous->world.scene.image;
-  }
+  // Only plants and the detail of balloons depend on the eye.
+  const bool keeps_eye = options.plants == Plants::as_they_stand && previous != nullptr;
+  const scene::ResolvedScene seen = keeps_eye ? scene.seen_as(previous->world.scene) : scene;
   world::BuildOptions build;
   build.where = options.where;
   build.carving = options.carving;

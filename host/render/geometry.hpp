@@ -4,6 +4,7 @@
 #include <functional>
 #include <map>
 #include <memory>
+#include <utility>
 #include <vector>
 
 #include "pack/pack_geometry.hpp"
@@ -16,6 +17,8 @@ namespace aerostat::render {
 /// The world and its trees on the host. Groups that an edit of the scene leaves alone are shared
 /// with the former state.
 struct HostGeometry {
+  explicit HostGeometry(world::World built) : world(std::move(built)) {}
+
   /// The world, without the shapes that were given up.
   world::World world;
   /// The packed groups of the world.
@@ -50,9 +53,9 @@ struct GeometryOptions {
   world::ReliefCache* reliefs = nullptr;
 };
 
-/// Builds the geometry of a resolved scene. Groups that `previous` (may be null) has already are
+/// Builds the geometry of a scene. Groups that `previous` (may be null) has already are
 /// kept. Throws Error{exhausted} if memory does not suffice.
-BuiltGeometry build_geometry(const scene::Scene& scene, const HostGeometry* previous,
+BuiltGeometry build_geometry(const scene::ResolvedScene& scene, const HostGeometry* previous,
                              const GeometryOptions& options = {});
 
 /// Packs a world, which took so many seconds to build. Groups that `previous` (may be null) has

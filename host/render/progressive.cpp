@@ -10,7 +10,8 @@
 #include "core/stopwatch.hpp"
 #include "render/abandonable.hpp"
 #include "render/scene_cache.hpp"
-#include "world/world.hpp"
+#include "scene/scene.hpp"
+#include "world/resolve.hpp"
 
 namespace aerostat::render {
 namespace {
@@ -96,10 +97,11 @@ struct Progressive::State {
   explicit State(const Options& options)
       : cache(options.cache), fine(promptly(options)), coarse(coarsely(options)) {}
 
-  scene::Scene placed(const scene::Scene& scene, world::Carving carving);
-  void show_steps(Session& session, const scene::Scene& resolved, bool rough);
-  void show_step(Session& session, const scene::Scene& resolved, const Step& step, bool rough);
-  void measure(const Step& step, const scene::Scene& resolved, bool rough, const Stats& stats);
+  void find_surface(const scene::Scene& scene, world::Carving carving);
+  scene::ResolvedScene resolved(const scene::Scene& scene, bool rough) const;
+  void show_steps(Session& session, const scene::Scene& scene, bool rough);
+  void show_step(Session& session, const scene::Scene& scene, const Step& step, bool rough);
+  void measure(const Step& step, const scene::Scene& scene, bool rough, const Stats& stats);
   bool has_land(const scene::Scene& scene) const {
     return built && world::same_land(*built, scene);
   }
@@ -113,8 +115,8 @@ struct Progressive::State {
   /// The scene whose land `fine` holds, and the surface of this land.
   std::optional<scene::Scene> built;
   std::shared_ptr<const world::Surface> built_surface;
-  // ^ The drafted pixels per second that were measured for each biome, fine or rough. Woods and
-  // waves take longer than dunes.
+  /// The drafted pixels per second that were measured for each biome, fine or rough. Woods and
+  /// waves take longer than dunes.
   std::map<std::pair<scene::BiomeKind, bool>, double> draft_rates;
   AbandonableWork background;
 
@@ -128,49 +130,57 @@ struct Progressive::State {
   Stopwatch watch;
 };
 
-/// Returns the scene with all heights known. Uses the present land if it fits the scene, else
-/// carves a new one first.
-scene::Scene Progressive::State::placed(const scene::Scene& scene, world::Carving carving) {
-  const auto known = has_land(scene) ? built_surface : nullptr;
-  const auto resolve = [scene, carving, known, kept = cache] {
-    scene::Scene copy = scene;
-    auto ground =
-        known ? known : std::make_shared<const world::Surface>(copy, carving, kept->reliefs);
-    world::resolve(copy, *ground);
-    if (carving == world::Carving::coarse) world::unbury_eye(copy, *ground, kRoughCells);
-    return std::pair(std::move(copy), std::move(ground));
+/// Takes the present surface if it is that of the scene, else carves a new one.
+void Progressive::State::find_surface(const scene::Scene& scene, world::Carving carving) {
+  if (has_land(scene)) {
+    surface = built_surface;
+    return;
+  }
+  const auto carve = [scene, carving, kept = cache] {
+    return std::make_shared<const world::Surface>(scene, carving, kept->reliefs);
   };
-  const auto waiting = [this] {
+  surface = background.run(carve, stop, [this] {
     if (progress) progress({Stage::world, 0.0, 0, watch.seconds(), 0});
-  };
-  auto [placed_scene, its_surface] = known ? resolve() : background.run(resolve, stop, waiting);
-  surface = std::move(its_surface);
-  return placed_scene;
+  });
 }
 
-void Progressive::State::show_steps(Session& session, const scene::Scene& resolved, bool rough) {
-  auto steps = steps_to(pixels_of(resolved.image), draft_rate(resolved, rough),
-                        rough ? kFirstRoughLook_s : kFirstLook_s, is_draft(resolved));
+/// Resolves a scene on the present surface.
+scene::ResolvedScene Progressive::State::resolved(const scene::Scene& scene, bool rough) const {
+  const scene::ResolvedScene result = world::resolve(scene, *surface);
+  return rough ? world::with_eye_unburied(result, *surface, kRoughCells) : result;
+}
+
+void Progressive::State::show_steps(Session& session, const scene::Scene& scene, bool rough) {
+  auto steps = steps_to(pixels_of(scene.image), draft_rate(scene, rough),
+                        rough ? kFirstRoughLook_s : kFirstLook_s, is_draft(scene));
   // Only two looks at a coarse land are shown, because the fine land is worth more than further
   // pixels of the coarse one.
   if (rough) steps.resize(std::min<std::size_t>(steps.size(), 2));
   world_shrink = rough ? steps.back().shrink : 1;
-  for (const Step& step : steps) show_step(session, resolved, step, rough);
+  for (const Step& step : steps) show_step(session, scene, step, rough);
 }
 
-void Progressive::State::show_step(Session& session, const scene::Scene& resolved, const Step& step,
+void Progressive::State::show_step(Session& session, const scene::Scene& scene, const Step& step,
                                    bool rough) {
-  scene::Scene scene = step.draft ? drafted(resolved) : resolved;
-  if (rough) scene = roughened(scene, world_shrink);
-  const bool last = step.shrink == 1 && !rough && step.draft == is_draft(resolved);
+  scene::Scene shown = step.draft ? drafted(scene) : scene;
+  if (rough) shown = roughened(shown, world_shrink);
+  const bool last = step.shrink == 1 && !rough && step.draft == is_draft(scene);
   // Until the view rests, the plants stay as they were placed for a former eye.
   const Plants plants = last ? Plants::as_seen : Plants::as_they_stand;
-  Preview preview{image::Film(), resolved,   surface, step.shrink, 0,
-                  rough,         step.draft, false,   {},          0.0};
+  Preview preview{image::Film(),
+                  resolved(scene, rough),
+                  surface,
+                  step.shrink,
+                  0,
+                  rough,
+                  step.draft,
+                  false,
+                  {},
+                  0.0};
   const auto watch_passes = [&](const Progress& now) {
     if (progress) progress(now);
     if (!rough && now.stage >= Stage::upload) {
-      built = resolved;
+      built = scene;
       built_surface = surface;
     }
     if (now.stage != Stage::rays || now.samples_done <= preview.samples) return;
@@ -180,20 +190,21 @@ void Progressive::State::show_step(Session& session, const scene::Scene& resolve
     preview.seconds = watch.seconds();
     show(preview);
   };
-  preview.film = session.render(scene, stop, watch_passes, {}, plants, step.shrink / world_shrink);
-  preview.samples = scene.image.spp;
+  preview.film = session.render(resolved(shown, rough), stop, watch_passes, {}, plants,
+                                step.shrink / world_shrink);
+  preview.samples = shown.image.spp;
   preview.complete = last;
   preview.stats = session.stats();
   preview.seconds = watch.seconds();
-  if (step.draft) measure(step, resolved, rough, preview.stats);
+  if (step.draft) measure(step, scene, rough, preview.stats);
   show(preview);
 }
 
-void Progressive::State::measure(const Step& step, const scene::Scene& resolved, bool rough,
+void Progressive::State::measure(const Step& step, const scene::Scene& scene, bool rough,
                                  const Stats& stats) {
   if (stats.rays_seconds <= 0.0) return;
-  const double pixels = pixels_of(resolved.image) / (step.shrink * step.shrink);
-  double& rate = draft_rate(resolved, rough);
+  const double pixels = pixels_of(scene.image) / (step.shrink * step.shrink);
+  double& rate = draft_rate(scene, rough);
   rate = 0.5 * rate + 0.5 * pixels / stats.rays_seconds;
 }
 
@@ -213,10 +224,12 @@ void Progressive::render(const scene::Scene& scene, const std::stop_token& stop,
   state.watch.restart();
   state.coarse.begin_kernels(scene.light);
   if (!state.has_land(scene)) {
-    state.show_steps(state.coarse, state.placed(scene, world::Carving::coarse), true);
+    state.find_surface(scene, world::Carving::coarse);
+    state.show_steps(state.coarse, scene, true);
     rest(kRestBeforeFineLand, stop);
   }
-  state.show_steps(state.fine, state.placed(scene, world::Carving::fine), false);
+  state.find_surface(scene, world::Carving::fine);
+  state.show_steps(state.fine, scene, false);
 }
 
 }  // namespace aerostat::render

@@ -7,7 +7,7 @@
 
 #include "image/film.hpp"
 #include "render/session.hpp"
-#include "scene/scene.hpp"
+#include "scene/resolved_scene.hpp"
 #include "world/surface.hpp"
 
 namespace aerostat::render {
@@ -15,8 +15,8 @@ namespace aerostat::render {
 /// One of the pictures that a progressive render shows. Each is better than the one before.
 struct Preview {
   image::Film film;
-  /// The scene, resolved and at the size of the whole picture.
-  scene::Scene scene;
+  /// The scene at the size of the whole picture.
+  scene::ResolvedScene scene;
   /// The surface of the scene.
   std::shared_ptr<const world::Surface> surface;
   /// A pixel of the film is as wide as this number of pixels of the picture.
@@ -61,7 +61,7 @@ class Progressive {
   Progressive(const Progressive&) = delete;
   Progressive& operator=(const Progressive&) = delete;
 
-  /// Renders `scene`, which is not resolved, and shows each preview on this thread up to the last.
+  /// Resolves and renders `scene`, and shows each preview on this thread up to the last.
   /// Throws Error{interrupted} soon after `stop` is requested. Throws as Session::render does.
   void render(const scene::Scene& scene, const std::stop_token& stop, const PreviewCallback& show,
               const ProgressCallback& progress = {});

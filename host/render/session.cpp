@@ -60,13 +60,13 @@ struct Session::State {
   }
 
   void await_programs();
-  void build(const scene::Scene& scene, Plants plants);
+  void build(const scene::ResolvedScene& scene, Plants plants);
   void upload();
   void assemble(const bvh::JoinedBvh& tree);
-  void prepare(const scene::Scene& scene, const scene::Scene& shown, const Crop& crop,
-               Plants plants);
+  void prepare(const scene::ResolvedScene& scene, const scene::ResolvedScene& shown,
+               const Crop& crop, Plants plants);
   void meter(const AeroFrame& metering);
-  image::Film trace(const scene::Scene& scene, const Crop& crop);
+  image::Film trace(const scene::ResolvedScene& resolved, const Crop& crop);
   void trace_pass(const Pass& pass, RowQueue& queue, const PassPlan& plan);
   image::Film read_passes(const scene::Scene& scene, const FilmArea& area, const RowQueue& queue);
   void publish(image::Film read);
@@ -123,7 +123,7 @@ void Session::State::await_programs() {
   stats.programs_built = team.await_programs(waiting, stats.kernel_seconds);
 }
 
-void Session::State::build(const scene::Scene& scene, Plants plants) {
+void Session::State::build(const scene::ResolvedScene& scene, Plants plants) {
   const auto old = geometry;
   const auto where =
       options.plants_in_sight_alone ? scatter::Where::in_sight : scatter::Where::everywhere;
@@ -170,10 +170,10 @@ void Session::State::assemble(const bvh::JoinedBvh& tree) {
 
 /// Prepares the first ray: builds the world, trees, kernels and buffers that are missing. `shown`
 /// is the scene at the size of the film.
-void Session::State::prepare(const scene::Scene& scene, const scene::Scene& shown, const Crop& crop,
-                             Plants plants) {
+void Session::State::prepare(const scene::ResolvedScene& scene, const scene::ResolvedScene& shown,
+                             const Crop& crop, Plants plants) {
   report(Stage::world, 0.0);
-  team.begin_programs(scene.light);
+  team.begin_programs(scene->light);
   // For a single picture, air and clouds are computed on the cores that building the world leaves
   // idle. Previews follow each other: their worlds are small, and a stop would have to wait for
   // work that runs beside.
@@ -187,9 +187,9 @@ void Session::State::prepare(const scene::Scene& scene, const scene::Scene& show
   const Stopwatch upload_watch;
   upload();
   const auto packed = packing.get();
-  const std::size_t pixels = PassPlan(shown.image, crop, team.lanes()).area_from(0).pixels();
+  const std::size_t pixels = PassPlan(shown->image, crop, team.lanes()).area_from(0).pixels();
   team.begin_frame(packed, std::max(pixels, static_cast<std::size_t>(kMeteringPixels)));
-  daylight = vec3(pack::daylight(packed.numbers, scene.camera.position->y));
+  daylight = vec3(pack::daylight(packed.numbers, scene.eye().y));
   stats.upload_seconds = upload_watch.seconds();
 }
 
@@ -225,8 +225,9 @@ void Session::State::meter(const AeroFrame& metering) {
   stats.metering_seconds = metering_watch.seconds();
 }
 
-image::Film Session::State::trace(const scene::Scene& scene, const Crop& crop) {
-  const AeroFrame whole = pack::pack_frame(scene, bounds);
+image::Film Session::State::trace(const scene::ResolvedScene& resolved, const Crop& crop) {
+  const AeroFrame whole = pack::pack_frame(resolved, bounds);
+  const scene::Scene& scene = *resolved;
   const AeroFrame metering = metering_frame(whole);
   const PassPlan plan(scene.image, crop, team.lanes());
   const bool is_metered = options.meters && !scene.image.exposure_ev;
@@ -300,8 +301,8 @@ void Session::State::collect_stats() {
 
 namespace {
 
-Crop checked_crop(const scene::Scene& scene, const std::optional<Crop>& crop) {
-  const Crop all{0, 0, scene.image.width, scene.image.height};
+Crop checked_crop(const scene::Image& image, const std::optional<Crop>& crop) {
+  const Crop all{0, 0, image.width, image.height};
   if (!crop) return all;
   if (crop->x0 < 0 || crop->y0 < 0 || crop->x1 > all.x1 || crop->y1 > all.y1 ||
       crop->x0 >= crop->x1 || crop->y0 >= crop->y1) {
@@ -310,6 +311,13 @@ Crop checked_crop(const scene::Scene& scene, const std::optional<Crop>& crop) {
                             crop->y0, crop->x1, crop->y1, all.x1, all.y1));
   }
   return *crop;
+}
+
+/// Returns the picture's settings for a film whose sides have `shrink` times fewer pixels.
+scene::Image shrunk(scene::Image image, int shrink) {
+  image.width = (image.width + shrink - 1) / shrink;
+  image.height = (image.height + shrink - 1) / shrink;
+  return image;
 }
 
 }  // namespace
@@ -322,14 +330,12 @@ void Session::begin_kernels(scene::Integrator integrator) {
   state_->team.begin_programs(integrator);
 }
 
-image::Film Session::render(const scene::Scene& scene, std::stop_token stop,
+image::Film Session::render(const scene::ResolvedScene& scene, std::stop_token stop,
                             const ProgressCallback& progress, std::optional<Crop> crop,
                             Plants plants, int shrink) {
   State& state = *state_;
-  scene::Scene shown = scene;
-  shown.image.width = (scene.image.width + shrink - 1) / shrink;
-  shown.image.height = (scene.image.height + shrink - 1) / shrink;
-  const Crop area = checked_crop(shown, crop);
+  const scene::ResolvedScene shown = scene.with_image(shrunk(scene->image, shrink));
+  const Crop area = checked_crop(shown->image, crop);
   state.stop = std::move(stop);
   state.progress = progress;
   state.stats = {};

@@ -13,6 +13,7 @@
 #include "image/film.hpp"
 #include "opencl/device.hpp"
 #include "render/kernel_stage.hpp"
+#include "scene/resolved_scene.hpp"
 #include "scene/scene.hpp"
 #include "world/surface.hpp"
 
@@ -137,14 +138,14 @@ class Session {
   /// of the build.
   void begin_kernels(scene::Integrator integrator);
 
-  /// Renders all samples of `scene`, which must be resolved, and returns the film of `crop`, which
-  /// is the whole picture by default. If `stop` is requested, throws Error{interrupted} within 100
+  /// Renders all samples of `scene` and returns the film of `crop`, which is the whole picture by
+  /// default. If `stop` is requested, throws Error{interrupted} within 100
   /// ms of device work, and `snapshot` returns what was done until then. Throws the errors of its
   /// parts. With `shrink` > 1, the sides of the film have that many times fewer pixels, rounded up,
   /// and crops count in these pixels. The world is that of the whole picture, so that a larger
   /// picture afterwards builds nothing. If the scene gives no exposure, the picture is metered
   /// first at pixels all over it, so that its parts agree.
-  image::Film render(const scene::Scene& scene, std::stop_token stop = {},
+  image::Film render(const scene::ResolvedScene& scene, std::stop_token stop = {},
                      const ProgressCallback& progress = {}, std::optional<Crop> crop = {},
                      Plants plants = Plants::as_seen, int shrink = 1);
 

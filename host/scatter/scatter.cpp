@@ -25,16 +25,16 @@ std::vector<plant::ModelKey> all_models() {
   return models;
 }
 
-std::vector<KeepOut> kept_out(const scene::Scene& scene, const Surface& surface,
+std::vector<KeepOut> kept_out(const scene::ResolvedScene& scene, const Surface& surface,
                               std::span<const Obstacle> obstacles) {
   std::vector<KeepOut> circles;
   const auto add = [&](const dvec3& at, double radius_m) {
     const double above = at.y - static_cast<double>(surface.height(at.x, at.z));
     if (above < kClearM) circles.push_back({{at.x, at.z}, radius_m});
   };
-  add(scene::place_of(scene, *scene.camera.position), 5.0);
+  add(scene::place_of(*scene, scene.eye()), 5.0);
   for (const Obstacle& obstacle : obstacles) {
-    add(scene::place_of(scene, obstacle.position), 0.6 * obstacle.width_m + 3.0);
+    add(scene::place_of(*scene, obstacle.position), 0.6 * obstacle.width_m + 3.0);
   }
   return circles;
 }
@@ -83,24 +83,23 @@ Axes axes_of(const Instance& instance) {
   return {right * instance.scale, up * instance.scale, glm::cross(right, up) * instance.scale};
 }
 
-Growth scatter(const scene::Scene& scene, const mesh::GridMesh& ground, Where where,
+Growth scatter(const scene::ResolvedScene& scene, const mesh::GridMesh& ground, Where where,
                std::span<const Obstacle> obstacles) {
   Growth growth;
-  const scene::Vegetation& vegetation = scene.vegetation;
+  const scene::Vegetation& vegetation = scene->vegetation;
   if (!vegetation.enabled || !(vegetation.density > 0.0)) return growth;
   growth.models = all_models();
-  const Surface surface(ground, scene::place_of(scene, scene.origin));
-  const ground::GroundRule rule(ground::ground_numbers(scene), kFootprintM);
+  const Surface surface(ground, scene::place_of(*scene, scene.origin()));
+  const ground::GroundRule rule(ground::ground_numbers(*scene), kFootprintM);
   const std::vector<KeepOut> circles = kept_out(scene, surface, obstacles);
-  const Nature nature{scene, surface, rule};
+  const Nature nature{*scene, surface, rule};
   const std::vector<Layer> layers = biome_layers(nature);
-  const double tallest_m = tallest_of(growth.models, scene);
+  const double tallest_m = tallest_of(growth.models, *scene);
   std::optional<Sight> sight;
   if (where == Where::in_sight) {
-    sight.emplace(scene::counted_from_origin(scene), ground, vegetation.reach_m,
-                  extent_of(layers, tallest_m), obstacles);
+    sight.emplace(scene, ground, vegetation.reach_m, extent_of(layers, tallest_m), obstacles);
   }
-  const dvec3 middle = scene::place_of(scene, scene::point_of_view(scene.camera));
+  const dvec3 middle = scene::place_of(*scene, scene::point_of_view(scene->camera));
   const Place place{surface,
                     rule,
                     sea_level(nature),

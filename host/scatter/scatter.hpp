@@ -8,7 +8,7 @@
 #include "plant/plant.hpp"
 #include "scatter/obstacle.hpp"
 #include "scene/pixel_size.hpp"
-#include "scene/scene.hpp"
+#include "scene/resolved_scene.hpp"
 
 /// Determines where plants and stones stand.
 namespace aerostat::scatter {
@@ -48,13 +48,13 @@ struct Growth {
 /// whose shade it can show. The second way is much less work and gives the same picture.
 enum class Where { everywhere, in_sight };
 
-/// Returns the plants and stones of a resolved scene. `ground` must be its terrain_mesh. Species
+/// Returns the plants and stones of a scene. `ground` must be its terrain_mesh. Species
 /// and places follow from the biome and the rules of the ground. The woods have the density of the
 /// trees painted on the ground, and they thin out over the outer half of /vegetation/reach_m from
 /// the camera, where the painted trees replace them. The obstacles and the camera are kept free. A
 /// place has the same plants wherever the camera is. It runs on all cores, and the bits do not
 /// depend on their number. The result is empty if the vegetation is disabled.
-Growth scatter(const scene::Scene& scene, const mesh::GridMesh& ground,
+Growth scatter(const scene::ResolvedScene& scene, const mesh::GridMesh& ground,
                Where where = Where::everywhere, std::span<const Obstacle> obstacles = {});
 
 /// Returns the level of detail that suffices for `eye`: near if the plant is more than 120 pixels

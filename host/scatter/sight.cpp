@@ -5,6 +5,7 @@
 
 #include <tbb/parallel_for.h>
 
+#include "scene/local_frame.hpp"
 #include "scene/view_axes.hpp"
 
 namespace aerostat::scatter {
@@ -28,12 +29,13 @@ double cross(const dvec2& a, const dvec2& b) {
   return a.x * b.y - a.y * b.x;
 }
 
-/// Determines for each tile whether it matters.
+/// Determines for each tile whether it matters. The positions of the scene count from `origin`.
 class Survey {
  public:
-  Survey(const scene::Scene& scene, const mesh::GridMesh& ground, const TileMap& map,
-         const Extent& extent, std::span<const Obstacle> obstacles)
+  Survey(const scene::Scene& scene, const dvec3& origin, const mesh::GridMesh& ground,
+         const TileMap& map, const Extent& extent, std::span<const Obstacle> obstacles)
       : scene_(scene),
+        origin_(origin),
         map_(map),
         extent_(extent),
         obstacles_(obstacles),
@@ -88,7 +90,7 @@ class Survey {
 
   bool holds_obstacle(const dvec2& middle) const {
     return std::any_of(obstacles_.begin(), obstacles_.end(), [&](const Obstacle& obstacle) {
-      const dvec3 foot = obstacle.position - scene_.origin;
+      const dvec3 foot = obstacle.position - origin_;
       const dvec2 away = glm::abs(middle - dvec2(foot.x, foot.z));
       return std::max(away.x, away.y) < obstacle.width_m + extent_.aside_m + map_.tile_m;
     });
@@ -154,6 +156,7 @@ class Survey {
   }
 
   const scene::Scene& scene_;
+  dvec3 origin_;
   const TileMap& map_;
   Extent extent_;
   std::span<const Obstacle> obstacles_;
@@ -206,17 +209,19 @@ std::optional<PlanView> plan_view(const scene::Camera& camera, const scene::Imag
   return view;
 }
 
-Sight::Sight(const scene::Scene& scene, const mesh::GridMesh& ground, double reach_m,
+Sight::Sight(const scene::ResolvedScene& scene, const mesh::GridMesh& ground, double reach_m,
              const Extent& extent, std::span<const Obstacle> obstacles) {
-  if (knows_no_bounds(scene)) return;
-  const dvec3& eye = *scene.camera.position;
+  if (knows_no_bounds(*scene)) return;
+  const scene::Scene local = scene::counted_from_origin(scene);
+  const dvec3& eye = *local.camera.position;
   map_.tile_m = std::max({kLeastTile_m, extent.aside_m, reach_m / 256.0});
   map_.side = 2 * static_cast<int>(std::ceil(reach_m / map_.tile_m)) + 1;
   map_.corner = dvec2(eye.x, eye.z) - 0.5 * map_.tile_m * map_.side;
-  matters_ = Survey(scene, ground, map_, extent, obstacles).run();
+  matters_ = Survey(local, scene.origin(), ground, map_, extent, obstacles).run();
 }
 
-bool same_sight(const scene::Scene& a, const scene::Scene& b) {
+bool same_sight(const scene::ResolvedScene& now, const scene::ResolvedScene& before) {
+  const scene::Scene &a = *now, &b = *before;
   const auto same_lights = [&] { return knows_no_bounds(a) == knows_no_bounds(b); };
   return a.camera.position == b.camera.position && a.camera.target == b.camera.target &&
          a.camera.up == b.camera.up && a.camera.lens == b.camera.lens &&

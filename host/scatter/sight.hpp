@@ -6,6 +6,7 @@
 
 #include "scatter/height_tiles.hpp"
 #include "scatter/obstacle.hpp"
+#include "scene/resolved_scene.hpp"
 #include "scene/scene.hpp"
 
 namespace aerostat::scatter {
@@ -22,9 +23,9 @@ struct Extent {
 /// them.
 class Sight {
  public:
-  /// Computes the sight of a resolved scene as far as `reach_m` from the eye. The scene and
-  /// `ground` must have the same origin.
-  Sight(const scene::Scene& scene, const mesh::GridMesh& ground, double reach_m,
+  /// Computes the sight of a scene as far as `reach_m` from the eye. `ground` counts from the
+  /// scene's origin.
+  Sight(const scene::ResolvedScene& scene, const mesh::GridMesh& ground, double reach_m,
         const Extent& extent, std::span<const Obstacle> obstacles = {});
 
   /// The sight along a row of tiles.
@@ -62,7 +63,7 @@ class Sight {
 };
 
 /// Returns whether two scenes with the same land, plants and obstacles have the same sight.
-bool same_sight(const scene::Scene& a, const scene::Scene& b);
+bool same_sight(const scene::ResolvedScene& now, const scene::ResolvedScene& before);
 
 /// The directions of a picture in plan. They lie between two directions that are less than half a
 /// turn apart.

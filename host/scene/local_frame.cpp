@@ -28,11 +28,11 @@ dvec3 origin_for(const Scene& scene) {
   return origin_near(scene, point_of_view(scene.camera));
 }
 
-dvec3 origin_for_export(const Scene& scene) {
-  const Terrain& terrain = scene.terrain;
+dvec3 origin_for_export(const ResolvedScene& scene) {
+  const Terrain& terrain = scene->terrain;
   const dvec3 center(terrain.center.x, terrain.base_m, terrain.center.y);
-  const auto balloons = balloons_of(scene);
-  return origin_near(scene, balloons.empty() ? center : balloons.front()->position);
+  const auto balloons = balloons_of(*scene);
+  return origin_near(*scene, balloons.empty() ? center : balloons.front()->position);
 }
 
 dvec3 place_of(const Scene& scene, const dvec3& position) {
@@ -40,16 +40,17 @@ dvec3 place_of(const Scene& scene, const dvec3& position) {
   return position - dvec3(center.x, 0.0, center.y);
 }
 
-Scene counted_from_origin(Scene scene) {
-  const dvec3& origin = scene.origin;
-  scene.terrain.center -= dvec2(origin.x, origin.z);
-  scene.terrain.base_m -= origin.y;
-  scene.biome.water.level_m -= origin.y;
-  for (Balloon* balloon : all_balloons(scene)) balloon->position -= origin;
-  *scene.camera.position -= origin;
-  *scene.camera.target -= origin;
-  for (PointLight& light : scene.lights) light.position -= origin;
-  return scene;
+Scene counted_from_origin(const ResolvedScene& scene) {
+  const dvec3& origin = scene.origin();
+  Scene local = *scene;
+  local.terrain.center -= dvec2(origin.x, origin.z);
+  local.terrain.base_m -= origin.y;
+  local.biome.water.level_m -= origin.y;
+  for (Balloon* balloon : all_balloons(local)) balloon->position -= origin;
+  *local.camera.position -= origin;
+  *local.camera.target -= origin;
+  for (PointLight& light : local.lights) light.position -= origin;
+  return local;
 }
 
 }  // namespace aerostat::scene

@@ -14,10 +14,11 @@ struct PixelSize {
   bool operator==(const PixelSize&) const = default;
 };
 
+/// Returns the size of a pixel. The scene need not be resolved.
 PixelSize pixel_size(const Scene& scene);
 
 /// Returns the point around which the world has most detail and precision. It is the eye, or the
-/// target of an orthographic camera.
+/// target of an orthographic camera. The camera must have both.
 dvec3 point_of_view(const Camera& camera);
 
 }  // namespace aerostat::scene

@@ -317,9 +317,6 @@ struct Scene {
   int bounces = 6;  // of paths between surfaces
   Quality quality = Quality::standard;
   Image image;
-  /// The point that meshes and kernels count positions from (see local_frame.hpp). It is not a
-  /// field of the file. world::resolve sets it.
-  dvec3 origin{0.0};
 
   Material& material(MaterialId id) { return materials[static_cast<std::size_t>(id)]; }
   const Material& material(MaterialId id) const { return materials[static_cast<std::size_t>(id)]; }

@@ -11,7 +11,7 @@ struct ViewAxes {
   dvec3 right{1.0, 0.0, 0.0}, up{0.0, 1.0, 0.0}, forward{0.0, 0.0, -1.0};
 };
 
-/// Returns the axes of a camera whose position and target are resolved. An up vector within a
+/// Returns the axes of a camera that has a position and a target. An up vector within a
 /// millionth of a radian of the view says nothing about the picture, and y is up instead. For a
 /// view straight down or up, the picture is that of somebody who looks north and tilts the head.
 /// North is then at the top for a view down and south for a view up, and east is on the right.

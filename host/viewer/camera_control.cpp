@@ -86,14 +86,14 @@ std::optional<Pose> CameraControl::pose() const {
   const scene::Camera& camera = document_.scene().camera;
   if (is_absolute()) return Pose{*camera.position, *camera.target};
   if (!shown_) return std::nullopt;
-  const scene::Camera& seen = shown_->preview.scene.camera;
+  const scene::Camera& seen = shown_->preview.scene->camera;
   Pose pose{*seen.position, *seen.target};
   // The passenger was turned in the meantime. In the view from the basket, heights count from the
   // basket's floor.
   if (camera.view == scene::View::basket && camera.target &&
       camera.height_above == HeightReference::balloon) {
     pose.target = *camera.target;
-    pose.target.y += shown_->preview.scene.balloon.position.y;
+    pose.target.y += shown_->preview.scene->balloon.position.y;
   }
   return pose;
 }
@@ -109,7 +109,7 @@ std::optional<double> CameraControl::height_above_ground() const {
 void CameraControl::move_to(const QString& what, Pose pose, bool keep_basket) {
   const scene::Camera& camera = document_.scene().camera;
   if (keep_basket && camera.view == scene::View::basket && !camera.position && shown_) {
-    pose.target.y -= shown_->preview.scene.balloon.position.y;
+    pose.target.y -= shown_->preview.scene->balloon.position.y;
     document_.change(what,
                      {{"/camera/height_above", "balloon"}, {"/camera/target", point(pose.target)}});
     return;
@@ -170,7 +170,7 @@ void CameraControl::fly_by(const Flight& flight, double seconds, bool fast) {
 std::optional<dvec3> CameraControl::point_at(const QPointF& place) const {
   if (!shown_) return std::nullopt;
   const image::Film& film = shown_->preview.film;
-  const scene::Scene& seen = shown_->preview.scene;
+  const scene::Scene& seen = *shown_->preview.scene;
   const int x = std::clamp(static_cast<int>(place.x() * film.width), 0, film.width - 1);
   const int y = std::clamp(static_cast<int>(place.y() * film.height), 0, film.height - 1);
   const double aspect = static_cast<double>(seen.image.width) / seen.image.height;
@@ -186,7 +186,7 @@ void CameraControl::aim_at(const QPointF& place) {
   const auto now = pose();
   if (!now || !shown_) return;
   document_.end_gesture();
-  const scene::Scene& seen = shown_->preview.scene;
+  const scene::Scene& seen = *shown_->preview.scene;
   const double aspect = static_cast<double>(seen.image.width) / seen.image.height;
   const Sight sight = sight_at(seen.camera, aspect, place.x(), place.y());
   const dvec3 far = sight.origin + kSkyDistance_m * sight.direction;
@@ -198,7 +198,7 @@ void CameraControl::put_balloon(const QPointF& place, const QString& pointer) {
   const auto at = point_at(place);
   const auto now = pose();
   if (!at || !now) return;
-  const scene::Scene& scene = shown_->preview.scene;
+  const scene::Scene& scene = *shown_->preview.scene;
   const bool first = pointer == QLatin1String("/balloon");
   const auto index = pointer.section(QLatin1Char('/'), 2, 2).toUInt();
   if (!first && index >= scene.balloons.size()) return;
@@ -222,7 +222,7 @@ void CameraControl::put_balloon(const QPointF& place, const QString& pointer) {
 }
 
 dvec3 CameraControl::balloon_place() const {
-  return shown_ ? shown_->preview.scene.balloon.position : document_.scene().balloon.position;
+  return shown_ ? shown_->preview.scene->balloon.position : document_.scene().balloon.position;
 }
 
 void CameraControl::take_camera_of(const QString& name, const scene::SceneSource& other) {

@@ -10,7 +10,7 @@
 #include "render/development.hpp"
 #include "render/scene_cache.hpp"
 #include "render/session.hpp"
-#include "world/world.hpp"
+#include "world/resolve.hpp"
 
 namespace aerostat::viewer {
 namespace {
@@ -59,7 +59,7 @@ void ExportJob::cancel() {
   thread_.request_stop();
 }
 
-void ExportJob::run(const std::stop_token& stop, scene::Scene scene, const QString& path,
+void ExportJob::run(const std::stop_token& stop, const scene::Scene& scene, const QString& path,
                     const QString& device) {
   try {
     const std::filesystem::path file = path.toStdString();
@@ -74,8 +74,8 @@ void ExportJob::run(const std::stop_token& stop, scene::Scene scene, const QStri
     options.cache = cache;
     render::Session session(std::move(options));
     session.begin_kernels(scene.light);
-    world::resolve(scene, cache->reliefs);
-    const auto film = session.render(scene, stop, [this](const render::Progress& progress) {
+    const scene::ResolvedScene resolved = world::resolve(scene, cache->reliefs);
+    const auto film = session.render(resolved, stop, [this](const render::Progress& progress) {
       const double begin = begin_of(progress.stage);
       const bool traces = progress.stage == render::Stage::rays;
       Q_EMIT progressed(traces ? begin + (1.0 - begin) * progress.fraction : begin,

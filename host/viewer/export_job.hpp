@@ -41,7 +41,7 @@ class ExportJob : public QObject {
   void obstructed();
 
  private:
-  void run(const std::stop_token& stop, scene::Scene scene, const QString& path,
+  void run(const std::stop_token& stop, const scene::Scene& scene, const QString& path,
            const QString& device);
 
   /// The stamp of the picture's file before the render.

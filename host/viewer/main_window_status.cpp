@@ -51,9 +51,9 @@ void MainWindow::show_look(std::shared_ptr<const Shown> shown) {
   const render::Preview& preview = shown->preview;
   shown_ = shown;
   camera_.note(shown);
-  view_->show_image(shown->image, QSize(preview.scene.image.width, preview.scene.image.height));
+  view_->show_image(shown->image, QSize(preview.scene->image.width, preview.scene->image.height));
   QStringList parts;
-  parts << tr("%1 × %2").arg(preview.scene.image.width).arg(preview.scene.image.height);
+  parts << tr("%1 × %2").arg(preview.scene->image.width).arg(preview.scene->image.height);
   if (preview.shrink > 1) {
     parts << tr("1/%1 of the size").arg(preview.shrink);
   } else {

@@ -16,7 +16,7 @@ QImage image_of(const image::Pixels& pixels) {
 }
 
 QImage picture_of(const render::Preview& preview) {
-  const scene::Image& image = preview.scene.image;
+  const scene::Image& image = preview.scene->image;
   return image_of(image::develop(preview.film, render::development_of(image, preview.film)));
 }
 

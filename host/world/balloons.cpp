@@ -15,13 +15,12 @@ namespace {
 
 constexpr double kCoarseEnvelope_m = 0x1p-5, kCoarseBasket_m = 0x1p-8;
 
-/// Returns the detail of a balloon. On a coarse land the balloon is coarse as well, even around an
-/// eye in its basket.
-model::Detail detail_of(const scene::Balloon& balloon, const scene::Scene& scene,
-                        terrain::Carving carving) {
-  model::Detail detail =
-      model::detail_for(balloon, *scene.camera.position, scene::pixel_size(scene));
-  if (carving == terrain::Carving::coarse) {
+/// Returns the detail of a balloon for an eye whose position counts from where the balloon's does.
+/// On a coarse land the balloon is coarse as well, even around an eye in its basket.
+model::Detail detail_of(const scene::Balloon& balloon, const dvec3& eye,
+                        const GroupRequest& request) {
+  model::Detail detail = model::detail_for(balloon, eye, scene::pixel_size(*request.scene));
+  if (request.carving == terrain::Carving::coarse) {
     detail.envelope_m = std::max(detail.envelope_m, kCoarseEnvelope_m);
     detail.basket_m = std::max(detail.basket_m, kCoarseBasket_m);
   }
@@ -30,10 +29,11 @@ model::Detail detail_of(const scene::Balloon& balloon, const scene::Scene& scene
 
 Shape build(const GroupInput& input) {
   const auto balloons = scene::balloons_of(input.local);
+  const dvec3 eye = input.request.scene.eye() - input.request.scene.origin();
   std::vector<Objects> built(balloons.size());
   tbb::parallel_for(std::size_t{0}, balloons.size(), [&, stop = current_stop()](std::size_t i) {
     stop_if_asked(stop);
-    const model::Detail detail = detail_of(*balloons[i], input.local, input.request.carving);
+    const model::Detail detail = detail_of(*balloons[i], eye, input.request);
     for (auto& part : model::balloon(*balloons[i], detail)) {
       built[i].push_back({part.id, part.material, std::move(part.mesh), i});
     }
@@ -46,17 +46,17 @@ Shape build(const GroupInput& input) {
 }
 
 bool same(const GroupRequest& now, const GroupRequest& before) {
-  const auto a = scene::balloons_of(now.scene), b = scene::balloons_of(before.scene);
+  const auto a = scene::balloons_of(*now.scene), b = scene::balloons_of(*before.scene);
   return std::equal(a.begin(), a.end(), b.begin(), b.end(),
                     [&](const scene::Balloon* one, const scene::Balloon* other) {
-                      return *one == *other && detail_of(*one, now.scene, now.carving) ==
-                                                   detail_of(*other, before.scene, before.carving);
+                      return *one == *other && detail_of(*one, now.scene.eye(), now) ==
+                                                   detail_of(*other, before.scene.eye(), before);
                     });
 }
 
-std::vector<scatter::Obstacle> obstacles(const scene::Scene& scene) {
+std::vector<scatter::Obstacle> obstacles(const scene::ResolvedScene& scene) {
   std::vector<scatter::Obstacle> found;
-  for (const scene::Balloon* balloon : scene::balloons_of(scene)) {
+  for (const scene::Balloon* balloon : scene::balloons_of(*scene)) {
     found.push_back({balloon->position, balloon->diameter_m});
   }
   return found;

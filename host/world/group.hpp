@@ -9,6 +9,7 @@
 #include "mesh/grid_mesh.hpp"
 #include "mesh/mesh.hpp"
 #include "scatter/scatter.hpp"
+#include "scene/resolved_scene.hpp"
 #include "scene/scene.hpp"
 #include "terrain/carving.hpp"
 #include "terrain/relief_cache.hpp"
@@ -48,8 +49,7 @@ bool is_empty(const Shape& shape);
 
 /// The scene and the detail that groups are built for.
 struct GroupRequest {
-  /// The resolved scene.
-  const scene::Scene& scene;
+  const scene::ResolvedScene& scene;
   scatter::Where where = scatter::Where::everywhere;
   terrain::Carving carving = terrain::Carving::fine;
   /// The obstacles of all kinds of groups.
@@ -78,14 +78,14 @@ struct GroupKind {
   /// The name for messages.
   const char* name = "";
   Footing footing = Footing::none;
-  /// Builds the group. Positions count from Scene::origin. Runs on all cores; throws
+  /// Builds the group. Positions count from the scene's origin. Runs on all cores; throws
   /// Error{interrupted} if core/stop_scope.hpp asks to stop.
   Shape (*build)(const GroupInput& input) = nullptr;
   /// Returns whether a group that was built for `before` is also what `now` asks for. Both scenes
   /// have the same origin and, for a group on the ground, the same ground.
   bool (*same)(const GroupRequest& now, const GroupRequest& before) = nullptr;
   /// Returns where the objects stand that plants leave room for. Null means that they leave none.
-  std::vector<scatter::Obstacle> (*obstacles)(const scene::Scene& scene) = nullptr;
+  std::vector<scatter::Obstacle> (*obstacles)(const scene::ResolvedScene& scene) = nullptr;
 };
 
 /// A group of a world. Two groups of the same revision are the same; a build gives a revision that

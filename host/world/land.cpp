@@ -13,7 +13,7 @@ Shape build(const GroupInput& input) {
 }
 
 bool same(const GroupRequest& now, const GroupRequest& before) {
-  return now.scene.terrain == before.scene.terrain;
+  return now.scene->terrain == before.scene->terrain;
 }
 
 }  // namespace

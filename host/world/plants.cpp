@@ -24,10 +24,10 @@ Object object_of(plant::Species species) {
 
 /// Makes each instance's model that of its detail: details of a model are numbered one after the
 /// other.
-void choose_details(const scene::Scene& scene, const std::vector<plant::ModelKey>& models,
+void choose_details(const scene::ResolvedScene& scene, const std::vector<plant::ModelKey>& models,
                     std::vector<scatter::Instance>& instances) {
-  const scene::PixelSize pixel = scene::pixel_size(scene);
-  const dvec3 eye = *scene.camera.position - scene.origin;
+  const scene::PixelSize pixel = scene::pixel_size(*scene);
+  const dvec3 eye = scene.eye() - scene.origin();
   tbb::parallel_for(std::size_t{0}, instances.size(), [&](std::size_t i) {
     scatter::Instance& instance = instances[i];
     const plant::Detail detail = scatter::detail_of(instance, models[instance.model], eye, pixel);
@@ -36,7 +36,7 @@ void choose_details(const scene::Scene& scene, const std::vector<plant::ModelKey
 }
 
 Shape build(const GroupInput& input) {
-  const scene::Scene& scene = input.request.scene;
+  const scene::ResolvedScene& scene = input.request.scene;
   scatter::Growth growth =
       scatter::scatter(scene, *input.ground, input.request.where, input.request.obstacles);
   choose_details(scene, growth.models, growth.instances);
@@ -62,8 +62,10 @@ Shape build(const GroupInput& input) {
 }
 
 bool same(const GroupRequest& now, const GroupRequest& before) {
-  const scene::Scene &a = now.scene, &b = before.scene;
-  if (now.where == scatter::Where::in_sight && !scatter::same_sight(a, b)) return false;
+  if (now.where == scatter::Where::in_sight && !scatter::same_sight(now.scene, before.scene)) {
+    return false;
+  }
+  const scene::Scene &a = *now.scene, &b = *before.scene;
   return a.vegetation == b.vegetation && a.biome == b.biome &&
          a.camera.position == b.camera.position &&
          scene::point_of_view(a.camera) == scene::point_of_view(b.camera) &&

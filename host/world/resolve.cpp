@@ -1,6 +1,9 @@
+#include "world/resolve.hpp"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 #include <optional>
 #include <string>
 #include <utility>
@@ -14,11 +17,12 @@
 #include "scene/local_frame.hpp"
 #include "scene/view_axes.hpp"
 #include "terrain/terrain_mesh.hpp"
-#include "world/surface.hpp"
-#include "world/world.hpp"
 
 namespace aerostat::world {
 namespace {
+
+/// Returns the height in metres above the sea on which one stands at a place.
+using HeightAt = std::function<double(double x, double z)>;
 
 /// The distance at which the passenger looks, and how far the view dips below the horizon.
 constexpr double kBasketLookAhead_m = 100.0;
@@ -43,13 +47,13 @@ double mesh_height(const std::array<double, 4>& corners, double u, double v) {
 }
 
 /// Returns the height from which heights at a point count. The balloon's height must be known.
-double reference_height(const scene::Scene& scene, const Surface& surface,
+double reference_height(const scene::Scene& scene, const HeightAt& ground,
                         scene::HeightReference reference, const dvec3& at) {
   switch (reference) {
     case scene::HeightReference::sea:
       return 0.0;
     case scene::HeightReference::ground:
-      return surface.height(at.x, at.z);
+      return ground(at.x, at.z);
     case scene::HeightReference::balloon:
       return scene.balloon.position.y;
   }
@@ -76,9 +80,9 @@ void check_places(const scene::Scene& scene) {
   check_place("/camera/target", *scene.camera.target);
 }
 
-void settle_height(const Surface& surface, scene::Balloon& balloon) {
+void settle_height(const HeightAt& ground, scene::Balloon& balloon) {
   if (balloon.height_above != scene::HeightReference::ground) return;
-  balloon.position.y += surface.height(balloon.position.x, balloon.position.z);
+  balloon.position.y += ground(balloon.position.x, balloon.position.z);
   balloon.height_above = scene::HeightReference::sea;
 }
 
@@ -94,50 +98,78 @@ void look_from_basket(scene::Scene& scene) {
   }
 }
 
-}  // namespace
-
-void resolve(scene::Scene& scene) {
-  resolve(scene, Surface(scene));
-}
-
-void resolve(scene::Scene& scene, ReliefCache& reliefs) {
-  resolve(scene, Surface(scene, Carving::fine, reliefs));
-}
-
-void resolve(scene::Scene& scene, const Surface& surface) {
-  for (scene::Balloon* balloon : scene::all_balloons(scene)) settle_height(surface, *balloon);
-  scene::Camera& camera = scene.camera;
-  for (std::optional<dvec3>* point : {&camera.position, &camera.target}) {
-    if (*point) (*point)->y += reference_height(scene, surface, camera.height_above, **point);
-  }
-  camera.height_above = scene::HeightReference::sea;
-  look_from_basket(scene);
-  check_places(scene);
-  scene::view_axes(camera);  // Throws if the camera has no view.
-  scene.origin = scene::origin_for(scene);
-}
-
-void unbury_eye(scene::Scene& scene, const Surface& surface, int cells) {
-  const scene::Terrain& terrain = scene.terrain;
-  scene::Camera& camera = scene.camera;
+/// Returns the height of the land's mesh of at most `cells` cells a side at a place.
+double mesh_height_at(const scene::Terrain& terrain, const Surface& surface, int cells,
+                      const dvec2& position) {
   const auto axis =
       terrain::graded_axis(std::min(terrain.cells, cells), terrain.size_m, terrain.grading);
-  const dvec2 place(camera.position->x - terrain.center.x, camera.position->z - terrain.center.y);
+  const dvec2 place = position - terrain.center;
   const auto [x0, x1] = cell_at(axis, place.x);
   const auto [z0, z1] = cell_at(axis, place.y);
   const auto corner = [&, spacing = std::max(x1 - x0, z1 - z0)](double x, double z) {
     return surface.height(x + terrain.center.x, z + terrain.center.y, spacing);
   };
-  const double ground =
-      mesh_height({corner(x0, z0), corner(x1, z0), corner(x0, z1), corner(x1, z1)},
-                  std::clamp((place.x - x0) / (x1 - x0), 0.0, 1.0),
-                  std::clamp((place.y - z0) / (z1 - z0), 0.0, 1.0));
-  const double least =
-      kEyeClearance_m + std::max(ground, surface.height(camera.position->x, camera.position->z));
-  const double lift = std::max(0.0, least - camera.position->y);
-  camera.position->y += lift;
-  camera.target->y += lift;
-  scene.origin = scene::origin_for(scene);
+  return mesh_height({corner(x0, z0), corner(x1, z0), corner(x0, z1), corner(x1, z1)},
+                     std::clamp((place.x - x0) / (x1 - x0), 0.0, 1.0),
+                     std::clamp((place.y - z0) / (z1 - z0), 0.0, 1.0));
+}
+
+}  // namespace
+
+/// The only maker of resolved scenes.
+class Resolver {
+ public:
+  static scene::ResolvedScene resolve(scene::Scene scene, const HeightAt& ground) {
+    for (scene::Balloon* balloon : scene::all_balloons(scene)) settle_height(ground, *balloon);
+    scene::Camera& camera = scene.camera;
+    for (std::optional<dvec3>* point : {&camera.position, &camera.target}) {
+      if (*point) (*point)->y += reference_height(scene, ground, camera.height_above, **point);
+    }
+    camera.height_above = scene::HeightReference::sea;
+    look_from_basket(scene);
+    check_places(scene);
+    scene::view_axes(camera);  // Throws if the camera has no view.
+    return with_origin(std::move(scene));
+  }
+
+  static scene::ResolvedScene lifted(scene::Scene scene, double lift_m) {
+    scene.camera.position->y += lift_m;
+    scene.camera.target->y += lift_m;
+    return with_origin(std::move(scene));
+  }
+
+ private:
+  static scene::ResolvedScene with_origin(scene::Scene scene) {
+    const dvec3 origin = scene::origin_for(scene);
+    return {std::move(scene), origin};
+  }
+};
+
+scene::ResolvedScene resolve(scene::Scene scene) {
+  ReliefCache reliefs;
+  return resolve(std::move(scene), reliefs);
+}
+
+scene::ResolvedScene resolve(scene::Scene scene, ReliefCache& reliefs) {
+  std::optional<Surface> surface;
+  const auto ground = [&surface, &reliefs, land = scene](double x, double z) {
+    if (!surface) surface.emplace(land, Carving::fine, reliefs);
+    return surface->height(x, z);
+  };
+  return Resolver::resolve(std::move(scene), ground);
+}
+
+scene::ResolvedScene resolve(scene::Scene scene, const Surface& surface) {
+  return Resolver::resolve(std::move(scene),
+                           [&surface](double x, double z) { return surface.height(x, z); });
+}
+
+scene::ResolvedScene with_eye_unburied(const scene::ResolvedScene& scene, const Surface& surface,
+                                       int cells) {
+  const dvec3& eye = scene.eye();
+  const double mesh = mesh_height_at(scene->terrain, surface, cells, {eye.x, eye.z});
+  const double least = kEyeClearance_m + std::max(mesh, surface.height(eye.x, eye.z));
+  return Resolver::lifted(*scene, std::max(0.0, least - eye.y));
 }
 
 }  // namespace aerostat::world

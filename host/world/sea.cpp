@@ -16,7 +16,7 @@ Shape build(const GroupInput& input) {
 }
 
 bool same(const GroupRequest& now, const GroupRequest& before) {
-  const scene::Water &a = now.scene.biome.water, &b = before.scene.biome.water;
+  const scene::Water &a = now.scene->biome.water, &b = before.scene->biome.water;
   return a.enabled == b.enabled && a.level_m == b.level_m;
 }
 

@@ -24,4 +24,9 @@ double Surface::height(double x, double z, double spacing) const {
   return state_->water.enabled ? std::max(ground, state_->water.level_m) : ground;
 }
 
+bool same_land(const scene::Scene& a, const scene::Scene& b) {
+  const scene::Water &one = a.biome.water, &other = b.biome.water;
+  return a.terrain == b.terrain && one.enabled == other.enabled && one.level_m == other.level_m;
+}
+
 }  // namespace aerostat::world

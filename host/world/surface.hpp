@@ -15,7 +15,7 @@ using terrain::ReliefCache;
 /// data. It may be used from any thread.
 class Surface {
  public:
-  /// Prepares the relief, which takes some tenths of a second.
+  /// Prepares the relief, which takes some tenths of a second. The scene need not be resolved.
   explicit Surface(const scene::Scene& scene, Carving carving = Carving::fine);
 
   /// Takes the relief from a cache, or prepares it and leaves it there.
@@ -28,5 +28,9 @@ class Surface {
   struct State;
   std::shared_ptr<const State> state_;
 };
+
+/// Returns whether two scenes have the same land and sea, whatever their meshes count from. They
+/// need not be resolved.
+bool same_land(const scene::Scene& a, const scene::Scene& b);
 
 }  // namespace aerostat::world

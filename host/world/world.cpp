@@ -12,7 +12,8 @@
 namespace aerostat::world {
 namespace {
 
-std::vector<scatter::Obstacle> obstacles_of(const scene::Scene& scene, const GroupKinds& kinds) {
+std::vector<scatter::Obstacle> obstacles_of(const scene::ResolvedScene& scene,
+                                            const GroupKinds& kinds) {
   std::vector<scatter::Obstacle> obstacles;
   for (const GroupKind* kind : kinds) {
     if (kind->obstacles == nullptr) continue;
@@ -21,7 +22,7 @@ std::vector<scatter::Obstacle> obstacles_of(const scene::Scene& scene, const Gro
   return obstacles;
 }
 
-GroupRequest request_for(const scene::Scene& scene, const BuildOptions& options) {
+GroupRequest request_for(const scene::ResolvedScene& scene, const BuildOptions& options) {
   return {scene, options.where, options.carving, obstacles_of(scene, options.kinds)};
 }
 
@@ -33,7 +34,7 @@ std::optional<GroupRequest> previous_request(const BuildOptions& options) {
 /// Builds groups, or takes them from the previous world.
 class Builder {
  public:
-  Builder(const scene::Scene& scene, const BuildOptions& options)
+  Builder(const scene::ResolvedScene& scene, const BuildOptions& options)
       : request_(request_for(scene, options)),
         before_(previous_request(options)),
         options_(options),
@@ -73,7 +74,7 @@ class Builder {
 
   /// Returns the previous group of a kind if it is still what the scene asks for, else null.
   const Group* kept_group(const GroupKind& kind) const {
-    if (!before_ || before_->scene.origin != request_.scene.origin) return nullptr;
+    if (!before_ || before_->scene.origin() != request_.scene.origin()) return nullptr;
     if (kind.footing == Footing::on_ground && !ground_is_kept_) return nullptr;
     for (const Group& group : options_.previous->groups) {
       if (group.kind == &kind) return kind.same(request_, *before_) ? &group : nullptr;
@@ -95,17 +96,13 @@ class Builder {
 
 }  // namespace
 
-World build(const scene::Scene& scene, const BuildOptions& options) {
+World build(const scene::ResolvedScene& scene, const BuildOptions& options) {
   try {
     return {scene, Builder(scene, options).run()};
   } catch (const std::bad_alloc&) {
     throw Error(ErrorKind::exhausted,
                 "not enough memory for the world's meshes; a smaller /terrain/cells needs less");
   }
-}
-
-bool same_land(const scene::Scene& a, const scene::Scene& b) {
-  return kLand.same({a}, {b}) && kSea.same({a}, {b});
 }
 
 }  // namespace aerostat::world

@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "scatter/scatter.hpp"
-#include "scene/scene.hpp"
+#include "scene/resolved_scene.hpp"
 #include "world/group.hpp"
 #include "world/kinds.hpp"
 #include "world/surface.hpp"
@@ -11,10 +11,10 @@
 /// Builds the triangles of a scene, which are rendered and exported.
 namespace aerostat::world {
 
-/// The groups of objects that a scene shows. Positions count from Scene::origin.
+/// The groups of objects that a scene shows. Positions count from the origin of the scene.
 struct World {
-  /// The resolved scene that the world was built for.
-  scene::Scene scene;
+  /// The scene that the world was built for.
+  scene::ResolvedScene scene;
   /// One group of each kind, in the order of the kinds.
   std::vector<Group> groups;
 };
@@ -42,9 +42,9 @@ struct BuildOptions {
   const World* previous = nullptr;
 };
 
-/// Builds the world of a resolved scene. It runs on all cores and may be given up
+/// Builds the world of a scene. It runs on all cores and may be given up
 /// (core/stop_scope.hpp). Throws Error{exhausted} if memory does not suffice.
-World build(const scene::Scene& scene, const BuildOptions& options = {});
+World build(const scene::ResolvedScene& scene, const BuildOptions& options = {});
 
 /// Says whether instances are among what is written out as triangles.
 enum class Placed { left_out, included };
@@ -52,25 +52,5 @@ enum class Placed { left_out, included };
 /// Returns the world as triangles, group by group. Instances, if asked for, are written out one by
 /// one, into one mesh for each object and material. Groups whose shape was given up are left out.
 Objects as_triangles(const World& world, Placed instances = Placed::left_out);
-
-/// Returns whether two scenes have the same land and sea, whatever their meshes count from.
-bool same_land(const scene::Scene& a, const scene::Scene& b);
-
-/// Fills in what depends on the terrain: positions given above the ground become positions above
-/// the sea, the basket view gets its camera, and Scene::origin is chosen. Throws Error{bad_data} if
-/// a place is beyond the 1000 km that a scene may ask for, or if that puts the camera's target at
-/// its position.
-void resolve(scene::Scene& scene);
-
-/// Resolves a scene on the relief of a cache, where it is left for the build of the world.
-void resolve(scene::Scene& scene, ReliefCache& reliefs);
-
-/// Resolves a scene on a surface that is already there, which must be that of its terrain.
-void resolve(scene::Scene& scene, const Surface& surface);
-
-/// Lifts the eye of a resolved scene and its target to at least 2 m above the land's mesh of at
-/// most `cells` cells a side. On another land than the one it was set up for, or on a coarser mesh,
-/// the eye can be inside a mountain.
-void unbury_eye(scene::Scene& scene, const Surface& surface, int cells);
 
 }  // namespace aerostat::world

@@ -23,12 +23,12 @@ std::uint64_t samples_of(const image::Film& film) {
 }
 
 TEST(Adaptive, WithoutAThresholdAllPixelsGetAllSamples) {
-  const image::Film film = shared_session().render(adaptive_scene(0.0));
+  const image::Film film = shared_session().render(resolved(adaptive_scene(0.0)));
   for (const auto samples : film.samples) ASSERT_EQ(samples, 64u);
 }
 
 TEST(Adaptive, MarksPixelsInWholeRounds) {
-  const image::Film film = shared_session().render(adaptive_scene(0.01));
+  const image::Film film = shared_session().render(resolved(adaptive_scene(0.01)));
   std::uint64_t least = 0, most = 0;
   for (std::size_t i = 0; i < film.samples.size(); ++i) {
     ASSERT_EQ(film.samples[i] % 16u, 0u) << "pixel " << i;
@@ -44,7 +44,8 @@ TEST(Adaptive, MarksPixelsInWholeRounds) {
 TEST(Adaptive, TakesFewerSamplesForMoreNoise) {
   std::uint64_t before = 64u * 64u * 48u + 1u;
   for (const double threshold : {1e-6, 0.003, 0.02, 1.0}) {
-    const std::uint64_t samples = samples_of(shared_session().render(adaptive_scene(threshold)));
+    const std::uint64_t samples =
+        samples_of(shared_session().render(resolved(adaptive_scene(threshold))));
     EXPECT_LT(samples, before) << threshold;
     before = samples;
   }
@@ -54,8 +55,8 @@ TEST(Adaptive, TakesFewerSamplesForMoreNoise) {
 /// Tests that the picture is nearly that of all samples, because few samples are taken only where
 /// few suffice.
 TEST(Adaptive, IsNearThePictureOfAllSamples) {
-  const image::Film film = shared_session().render(adaptive_scene(0.01));
-  const image::Film all = shared_session().render(adaptive_scene(1e-9));
+  const image::Film film = shared_session().render(resolved(adaptive_scene(0.01)));
+  const image::Film all = shared_session().render(resolved(adaptive_scene(1e-9)));
   double square = 0.0, light = 0.0;
   for (std::size_t i = 0; i < film.radiance.size(); ++i) {
     const double off = static_cast<double>(film.radiance[i].y - all.radiance[i].y);
@@ -84,9 +85,9 @@ TEST(Adaptive, LosesNoLight) {
   for (int seed = 1; seed <= kSeeds; ++seed) {
     scene.image.seed = static_cast<std::uint32_t>(seed);
     scene.image.adaptive_threshold = 1e-9;
-    const double all = mean_light(shared_session().render(scene));
+    const double all = mean_light(shared_session().render(resolved(scene)));
     scene.image.adaptive_threshold = 0.01;
-    const double less = all - mean_light(shared_session().render(scene));
+    const double less = all - mean_light(shared_session().render(resolved(scene)));
     light += all / kSeeds;
     lost += less / kSeeds;
     square += less * less / kSeeds;
@@ -100,7 +101,7 @@ TEST(Adaptive, LosesNoLight) {
 
 TEST(Adaptive, DependsOnNoTileOrDevice) {
   const scene::Scene scene = adaptive_scene(0.006);
-  const image::Film expected = shared_session().render(scene);
+  const image::Film expected = shared_session().render(resolved(scene));
   const auto same = [&](const image::Film& film, const image::Film& other) {
     EXPECT_TRUE(same_bits(film, other));
     EXPECT_EQ(film.samples, other.samples);
@@ -108,18 +109,18 @@ TEST(Adaptive, DependsOnNoTileOrDevice) {
   render::Options options = test::options();
   options.tile_pixels = 333;
   render::Session tiled(options);
-  same(expected, tiled.render(scene));
+  same(expected, tiled.render(resolved(scene)));
   options.tile_pixels = 0;
   options.devices = opencl::select_devices("Portable Computing Language/2");
   render::Session halves(options);
-  same(expected, halves.render(scene));
+  same(expected, halves.render(resolved(scene)));
 }
 
 TEST(Adaptive, TakesTheSameSamplesAtAnotherWidth) {
   const scene::Scene scene = adaptive_scene(0.006);
-  const image::Film expected = shared_session().render(scene);
+  const image::Film expected = shared_session().render(resolved(scene));
   render::Session narrow(options(4));
-  const image::Film film = narrow.render(scene);
+  const image::Film film = narrow.render(resolved(scene));
   int different = 0;
   for (std::size_t i = 0; i < film.samples.size(); ++i) {
     different += film.samples[i] == expected.samples[i] ? 0 : 1;

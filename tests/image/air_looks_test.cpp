@@ -22,7 +22,7 @@ struct Shown {
   image::Film film;
   image::Pixels pixels;
 
-  explicit Shown(const scene::Scene& scene) : film(shared_session().render(scene)) {
+  explicit Shown(const scene::Scene& scene) : film(shared_session().render(resolved(scene))) {
     pixels = image::develop(film, render::development_of(scene.image, film));
   }
 

@@ -78,7 +78,7 @@ TEST(Lamp, AddsToTheOthers) {
                                                 {{0.0, 9.0, 8.0}, vec3(1.0f), 400.0, true}};
   const auto render_with = [&](std::vector<scene::PointLight> lights) {
     scene.lights = std::move(lights);
-    return shared_session().render(scene);
+    return shared_session().render(resolved(scene));
   };
   const image::Film all = render_with(lamps);
   std::vector<image::Film> single;
@@ -116,7 +116,7 @@ TEST(Burners, LightTheEnvelopeOfTheirOwnBalloon) {
   for (const bool left : {false, true}) {
     scene.balloon.burner = left ? 1.0 : 0.0;
     scene.balloons[0].burner = left ? 0.0 : 1.0;
-    const dvec2 light = light_of_envelopes(shared_session().render(scene));
+    const dvec2 light = light_of_envelopes(shared_session().render(resolved(scene)));
     EXPECT_GT(left ? light.x : light.y, 1e-5);
     EXPECT_EQ(left ? light.y : light.x, 0.0);
   }
@@ -139,9 +139,9 @@ void expect_transmittance(double visibility_m, double scale_height_m) {
   const dvec3 lamp(0.0, 8.0, 0.0);
   scene.lights = {{lamp, vec3(1.0f), 100.0, false}};
   paint(scene, vec3(1.0f));
-  const image::Film white = shared_session().render(scene);
+  const image::Film white = shared_session().render(resolved(scene));
   paint(scene, vec3(0.0f));
-  const image::Film black = shared_session().render(scene);
+  const image::Film black = shared_session().render(resolved(scene));
   for (int y = 0; y < 48; ++y) {
     for (int x = 0; x < 64; ++x) {
       const auto i = static_cast<std::size_t>(y * 64 + x);
@@ -175,9 +175,9 @@ TEST(Haze, HidesTheGroundWhereItIsDense) {
   scene.haze.scale_height_m = 30.0;
   scene.haze.albedo = vec3(0.9f);
   paint(scene, vec3(1.0f));
-  const image::Film white = shared_session().render(scene);
+  const image::Film white = shared_session().render(resolved(scene));
   paint(scene, vec3(0.0f));
-  const image::Film black = shared_session().render(scene);
+  const image::Film black = shared_session().render(resolved(scene));
   for (std::size_t i = 0; i < white.radiance.size(); ++i) {
     ASSERT_GT(black.radiance[i].y, 0.0f);
     ASSERT_NEAR(white.radiance[i].y, black.radiance[i].y, 1e-2f * black.radiance[i].y);

@@ -22,7 +22,7 @@ std::vector<double> outline(const scene::Scene& scene, Measure measure) {
   // The number of steps along an edge.
   constexpr int kSteps = 16;
   std::vector<double> largest(kSectors, 0.0);
-  const world::World built = world::build(scene);
+  const world::World built = world::build(resolved(scene));
   for (const world::Object& object : *world::shape_of<world::Objects>(built, world::kBalloons)) {
     for (const uvec3& corners : object.mesh.triangles) {
       for (int i = 0; i < 3 * kSteps; ++i) {
@@ -99,7 +99,7 @@ TEST(SoftShadow, CanBeHard) {
 image::Film render_with(scene::Scene scene, bool occlusion, double reach_m) {
   scene.sky.ambient_occlusion = occlusion;
   scene.sky.occlusion_m = reach_m;
-  return shared_session().render(scene);
+  return shared_session().render(resolved(scene));
 }
 
 /// Tests ambient occlusion straight below the balloon. A body of revolution that reaches up to the

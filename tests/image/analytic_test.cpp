@@ -12,7 +12,7 @@ constexpr double kPi64 = std::numbers::pi;
 
 TEST(FlatLand, LiesWhereItLies) {
   const auto scene = flat_land();
-  const image::Film film = shared_session().render(scene);
+  const image::Film film = shared_session().render(resolved(scene));
   for (int y = 0; y < film.height; ++y) {
     for (int x = 0; x < film.width; ++x) {
       const auto i = static_cast<std::size_t>(y) * 64 + static_cast<std::size_t>(x);
@@ -33,7 +33,7 @@ TEST(FlatLand, IsBlackWithoutLight) {
 TEST(Sky, HasNoSurface) {
   auto scene = flat_land();
   scene.camera.target = {0.0, 2.0 * kEyeHeight, 0.0};
-  const image::Film film = shared_session().render(scene);
+  const image::Film film = shared_session().render(resolved(scene));
   for (std::size_t i = 0; i < film.alpha.size(); ++i) {
     ASSERT_EQ(film.alpha[i], 0.0f);
     ASSERT_EQ(film.distance_m[i], kInfinity);
@@ -116,7 +116,7 @@ TEST(Shadings, DifferOnACurvedSurface) {
   for (const auto shading :
        {scene::Shading::flat, scene::Shading::gouraud, scene::Shading::phong}) {
     scene.shading = shading;
-    films.push_back(shared_session().render(scene));
+    films.push_back(shared_session().render(resolved(scene)));
   }
   EXPECT_FALSE(same_bits(films[0], films[1]));
   EXPECT_FALSE(same_bits(films[0], films[2]));

@@ -12,7 +12,7 @@
 #include <fmt/format.h>
 
 #include "pictures.hpp"
-#include "world/world.hpp"
+#include "world/resolve.hpp"
 
 namespace aerostat::test {
 namespace {
@@ -32,11 +32,9 @@ std::vector<int> numbers(const std::string& list) {
 }
 
 scene::Scene standard_scene(const std::string& name, const Asked& asked) {
-  scene::Scene scene = scene::read_file(
+  return *world::resolve(scene::read_file(
       std::string(AEROSTAT_SOURCE_DIR "/scenes/") + name + ".json",
-      {{"/image/width", asked.width}, {"/image/height", asked.height}, {"/quality", "standard"}});
-  world::resolve(scene);
-  return scene;
+      {{"/image/width", asked.width}, {"/image/height", asked.height}, {"/quality", "standard"}}));
 }
 
 /// Returns the FNV-1a hash of the radiance and the distances.
@@ -74,7 +72,7 @@ bool print_table(const Asked& asked) {
     chosen.plants_in_sight_alone = true;
     render::Session session(chosen);
     for (const std::string& name : asked.scenes) {
-      image::Film film = session.render(standard_scene(name, asked));
+      image::Film film = session.render(resolved(standard_scene(name, asked)));
       const std::uint64_t hash = hash_of(film);
       const auto [at, is_first] = first.try_emplace(name, std::move(film));
       const std::string verdict = is_first ? "same" : difference(at->second, film);

@@ -50,10 +50,10 @@ std::string text_of(const Crop& crop) {
 
 class CropAt : public testing::TestWithParam<scene::Quality> {
  protected:
-  CropAt() : scene_(scene_of(GetParam())), whole_(shared_session().render(scene_)) {}
+  CropAt() : scene_(scene_of(GetParam())), whole_(shared_session().render(resolved(scene_))) {}
 
   void expect_the_same(Session& session, const Crop& crop) const {
-    const image::Film film = session.render(scene_, {}, {}, crop);
+    const image::Film film = session.render(resolved(scene_), {}, {}, crop);
     EXPECT_TRUE(same_bits(cut(whole_, crop), film)) << text_of(crop);
     EXPECT_TRUE(developed(scene_, film).rgb == cut_bytes(developed(scene_, whole_), crop))
         << text_of(crop);
@@ -86,7 +86,8 @@ TEST_P(CropAt, BesideOthersMakesTheWhole) {
   for (int y0 = 0; y0 < kHeight; y0 += kRow) {
     for (int x0 = 0; x0 < kWidth; x0 += kColumn) {
       const Crop crop{x0, y0, std::min(x0 + kColumn, kWidth), std::min(y0 + kRow, kHeight)};
-      const image::Pixels part = developed(scene_, shared_session().render(scene_, {}, {}, crop));
+      const image::Pixels part =
+          developed(scene_, shared_session().render(resolved(scene_), {}, {}, crop));
       for (int y = 0; y < part.height; ++y) {
         const auto row = part.rgb.begin() + static_cast<std::ptrdiff_t>(3 * y) * part.width;
         std::copy_n(row, 3 * part.width,
@@ -109,13 +110,13 @@ INSTANTIATE_TEST_SUITE_P(Qualities, CropAt,
 
 TEST(CropAtFinal, HoldsPixelsThatTheirNeighboursDecide) {
   // The tests above need both pixels that converge early and pixels that do not.
-  const image::Film film = shared_session().render(scene_of(scene::Quality::final));
+  const image::Film film = shared_session().render(resolved(scene_of(scene::Quality::final)));
   EXPECT_TRUE(std::count(film.samples.begin(), film.samples.end(), 16u) > 100);
   EXPECT_TRUE(std::count(film.samples.begin(), film.samples.end(), 80u) > 100);
 }
 
 TEST(Metering, OfASmallDraftTakesNoRaysOfItsOwn) {
-  const image::Film film = shared_session().render(scene_of(scene::Quality::draft));
+  const image::Film film = shared_session().render(resolved(scene_of(scene::Quality::draft)));
   EXPECT_EQ(film.metered_ev, image::automatic_exposure_ev(film));
   EXPECT_EQ(shared_session().snapshot().metered_ev, film.metered_ev);
   EXPECT_EQ(shared_session().stats().metering_seconds, 0.0);
@@ -123,7 +124,7 @@ TEST(Metering, OfASmallDraftTakesNoRaysOfItsOwn) {
 
 TEST(Metering, IsNearThatByAllPixels) {
   scene::Scene scene = planted_scene("tropical", {400, 225, 1, 128});
-  const image::Film film = shared_session().render(scene);
+  const image::Film film = shared_session().render(resolved(scene));
   EXPECT_NEAR(film.metered_ev, image::automatic_exposure_ev(film), 0.02);
   EXPECT_NE(film.metered_ev, image::automatic_exposure_ev(film)) << "by fewer rays";
   EXPECT_EQ(shared_session().snapshot().metered_ev, film.metered_ev);
@@ -132,7 +133,7 @@ TEST(Metering, IsNearThatByAllPixels) {
 TEST(Metering, IsLeftOutWhereTheExposureIsGiven) {
   scene::Scene scene = scene_of(scene::Quality::draft);
   scene.image.exposure_ev = 0.0;
-  EXPECT_EQ(shared_session().render(scene).metered_ev, 0.0);
+  EXPECT_EQ(shared_session().render(resolved(scene)).metered_ev, 0.0);
   EXPECT_EQ(shared_session().stats().metering_seconds, 0.0);
 }
 
@@ -140,7 +141,7 @@ TEST(Metering, IsLeftOutWhereNobodyDevelopsTheFilm) {
   render::Options options = test::options();
   options.meters = false;
   render::Session session(std::move(options));
-  EXPECT_EQ(session.render(scene_of(scene::Quality::draft)).metered_ev, 0.0);
+  EXPECT_EQ(session.render(resolved(scene_of(scene::Quality::draft))).metered_ev, 0.0);
   EXPECT_EQ(session.stats().metering_seconds, 0.0);
 }
 
@@ -180,7 +181,8 @@ TEST(Crop, TakesTheMemoryOfItself) {
   scene::Scene scene = scene_of(scene::Quality::draft);
   scene.image.width = scene.image.height = 32768;
   Session session(options());
-  const image::Film film = session.render(scene, {}, {}, Crop{32704, 32732, 32768, 32768});
+  const image::Film film =
+      session.render(resolved(scene), {}, {}, Crop{32704, 32732, 32768, 32768});
   EXPECT_EQ(film.width, 64);
   EXPECT_LT(session.stats().device_bytes, 200u << 20) << "the whole film alone has 52 GiB";
 }

@@ -62,8 +62,8 @@ TEST(Devices, GiveTheBitsOfOneInPassesOfAnyShape) {
   // rows.
   for (const int spp : {1, 4, 5, 16, 37}) {
     const auto scene = planted_scene("snow", {97, 61, spp, 128});
-    const image::Film expected = whole().render(scene);
-    EXPECT_TRUE(same_bits(expected, halves().render(scene))) << spp << " spp";
+    const image::Film expected = whole().render(resolved(scene));
+    EXPECT_TRUE(same_bits(expected, halves().render(resolved(scene)))) << spp << " spp";
     EXPECT_TRUE(same_bits(expected, halves().snapshot())) << spp << " spp";
     EXPECT_EQ(rays_and_workers(halves()).first, 97u * 61u * static_cast<unsigned>(spp));
     EXPECT_EQ(halves().stats().rays[render::KernelStage::shadow],
@@ -73,12 +73,12 @@ TEST(Devices, GiveTheBitsOfOneInPassesOfAnyShape) {
 
 TEST(Devices, GiveTheBitsOfOneWhateverTheTiles) {
   const auto scene = planted_scene("snow", {97, 61, 21, 128});
-  const image::Film expected = whole().render(scene);
+  const image::Film expected = whole().render(resolved(scene));
   for (const int pixels : {1, 777}) {
     auto options = on(kPocl + "/3");
     options.tile_pixels = pixels;
     Session session(options);
-    EXPECT_TRUE(same_bits(expected, session.render(scene))) << pixels << " pixels a tile";
+    EXPECT_TRUE(same_bits(expected, session.render(resolved(scene)))) << pixels << " pixels a tile";
     EXPECT_EQ(rays_and_workers(session).first, 97u * 61u * 21u);
     if (pixels > 1) continue;
     EXPECT_EQ(rays_and_workers(session).second, 3) << "all had something to do";
@@ -87,22 +87,22 @@ TEST(Devices, GiveTheBitsOfOneWhateverTheTiles) {
 
 TEST(Devices, GiveTheBitsOfOneInACrop) {
   const auto scene = small_scene("tropical", {97, 61, 18, 128});
-  const image::Film all = whole().render(scene);
+  const image::Film all = whole().render(resolved(scene));
   for (const Crop crop : {Crop{13, 7, 61, 44}, Crop{96, 60, 97, 61}, Crop{0, 30, 97, 31}}) {
-    EXPECT_TRUE(same_bits(cut(all, crop), halves().render(scene, {}, {}, crop)))
+    EXPECT_TRUE(same_bits(cut(all, crop), halves().render(resolved(scene), {}, {}, crop)))
         << "crop " << crop.x0 << "," << crop.y0 << "," << crop.x1 << "," << crop.y1;
   }
 }
 
 TEST(Devices, KeepWhatTheNextSceneCanUse) {
   auto scene = small_scene("snow");
-  halves().render(scene);
+  halves().render(resolved(scene));
   *scene.camera.position += dvec3(-3.0, -1.0, 5.0);
-  EXPECT_TRUE(same_bits(whole().render(scene), halves().render(scene)));
+  EXPECT_TRUE(same_bits(whole().render(resolved(scene)), halves().render(resolved(scene))));
   EXPECT_EQ(halves().stats().worlds_built, 0);
   EXPECT_EQ(halves().stats().programs_built, 0);
   scene.balloon.position += dvec3(4.0, 2.0, 1.0);
-  EXPECT_TRUE(same_bits(whole().render(scene), halves().render(scene)));
+  EXPECT_TRUE(same_bits(whole().render(resolved(scene)), halves().render(resolved(scene))));
 }
 
 TEST(Devices, OfDifferentWidthsGiveRowsOfOneOrTheOther) {
@@ -111,14 +111,14 @@ TEST(Devices, OfDifferentWidthsGiveRowsOfOneOrTheOther) {
   std::vector<image::Film> alone;
   for (const int lanes : {16, 1}) {
     options.lanes = lanes;
-    alone.push_back(Session(options).render(scene));
+    alone.push_back(Session(options).render(resolved(scene)));
   }
   options.lanes = 0;
   options.devices[0].lanes = 16;
   options.devices[1].lanes = 1;
   options.tile_pixels = 1;
   Session session(options);
-  const image::Film mixed = session.render(scene);
+  const image::Film mixed = session.render(resolved(scene));
   EXPECT_EQ(rays_and_workers(session), (std::pair{std::uint64_t{97u * 61u * 8u}, 2}));
   for (int y = 0; y < 61; ++y) {
     const Crop row{0, y, 97, y + 1};
@@ -133,7 +133,7 @@ TEST(Devices, AreNamedWhenOneFails) {
   auto options = on(kPocl + "/2");
   options.tile_pixels = 1;
   Session frugal(options);
-  const image::Film expected = frugal.render(scene);
+  const image::Film expected = frugal.render(resolved(scene));
   // The limit is enough for all buffers except the hits of larger launches, which are allocated
   // while rays are traced.
   std::uint64_t most = 0;
@@ -142,7 +142,7 @@ TEST(Devices, AreNamedWhenOneFails) {
   options.tile_pixels = 1 << 20;
   Session session(options);
   try {
-    session.render(scene);
+    session.render(resolved(scene));
     FAIL() << "it fitted";
   } catch (const Error& error) {
     EXPECT_EQ(error.kind(), ErrorKind::exhausted);
@@ -153,7 +153,8 @@ TEST(Devices, AreNamedWhenOneFails) {
   }
   auto smaller = scene;
   smaller.image.width = smaller.image.height = 32;
-  EXPECT_TRUE(same_bits(session.render(smaller), frugal.render(smaller))) << "the session goes on";
+  EXPECT_TRUE(same_bits(session.render(resolved(smaller)), frugal.render(resolved(smaller))))
+      << "the session goes on";
 }
 
 /// Throws the error of a launch on a device that is lost.
@@ -165,7 +166,7 @@ void fail_as_lost() {
 /// Renders until `lost` is set, which happens in the middle, and returns the message of the error.
 std::string last_words(Session& session, const scene::Scene& scene, std::atomic<bool>& lost) {
   try {
-    session.render(scene, {}, [&](const render::Progress& progress) {
+    session.render(resolved(scene), {}, [&](const render::Progress& progress) {
       if (progress.samples_done > 0) lost = true;
     });
   } catch (const Error& error) {
@@ -187,9 +188,10 @@ TEST(Devices, AreLostInWords) {
             "while starting the kernel trace_camera_rays: the device was lost or stopped working "
             "(CL_DEVICE_NOT_AVAILABLE from clEnqueueNDRangeKernel)");
   EXPECT_EQ(session.snapshot().width, 640) << "what was done stays readable";
-  EXPECT_THROW(session.render(small_scene("snow")), Error) << "it is still lost";
+  EXPECT_THROW(session.render(resolved(small_scene("snow"))), Error) << "it is still lost";
   lost = false;
-  EXPECT_TRUE(same_bits(session.render(small_scene("snow")), whole().render(small_scene("snow"))));
+  EXPECT_TRUE(same_bits(session.render(resolved(small_scene("snow"))),
+                        whole().render(resolved(small_scene("snow")))));
 }
 
 TEST(Devices, AreNamedWhenOneIsLost) {
@@ -209,9 +211,10 @@ TEST(Devices, AreNamedWhenOneIsLost) {
     EXPECT_EQ(session.snapshot().width, 640) << "what was done stays readable";
     lost = false;
     const auto next = small_scene("snow");
-    EXPECT_TRUE(same_bits(session.render(next), whole().render(next))) << "the session goes on";
+    EXPECT_TRUE(same_bits(session.render(resolved(next)), whole().render(resolved(next))))
+        << "the session goes on";
     options.devices.erase(options.devices.begin() + static_cast<std::ptrdiff_t>(which));
-    EXPECT_TRUE(same_bits(Session(options).render(next), whole().render(next)))
+    EXPECT_TRUE(same_bits(Session(options).render(resolved(next)), whole().render(resolved(next))))
         << "and so does one of the device that is left";
   }
 }
@@ -219,14 +222,15 @@ TEST(Devices, AreNamedWhenOneIsLost) {
 TEST(Devices, StopTogether) {
   const auto endless = small_scene("sand-empty", {640, 360, 4096, 64});
   std::stop_source stop;
-  EXPECT_THROW(halves().render(endless, stop.get_token(),
+  EXPECT_THROW(halves().render(resolved(endless), stop.get_token(),
                                [&](const render::Progress& progress) {
                                  if (progress.samples_done > 0) stop.request_stop();
                                }),
                Error);
   EXPECT_EQ(halves().snapshot().width, 640) << "what was done stays readable";
   const auto scene = small_scene("snow");
-  EXPECT_TRUE(same_bits(whole().render(scene), halves().render(scene))) << "nothing is left of it";
+  EXPECT_TRUE(same_bits(whole().render(resolved(scene)), halves().render(resolved(scene))))
+      << "nothing is left of it";
 }
 
 TEST(Devices, NoneIsAnError) {

@@ -11,12 +11,13 @@
 
 #include "mesh/export.hpp"
 #include "scene/io.hpp"
+#include "support/resolved.hpp"
 
 namespace aerostat::test {
 namespace {
 
 std::vector<std::uint8_t> ply_of(const scene::Scene& scene, world::Placed instances) {
-  const world::Objects world = world::as_triangles(world::build(scene), instances);
+  const world::Objects world = world::as_triangles(world::build(resolved(scene)), instances);
   std::vector<mesh::ExportObject> objects;
   for (const world::Object& object : world) {
     objects.push_back(

@@ -4,7 +4,7 @@
 
 #include "flat_land.hpp"
 #include "scene/local_frame.hpp"
-#include "world/world.hpp"
+#include "world/resolve.hpp"
 
 namespace aerostat::test {
 namespace {
@@ -40,9 +40,8 @@ scene::Scene moved(scene::Scene scene, const dvec3& by) {
   return scene;
 }
 
-image::Film render_resolved(scene::Scene scene) {
-  world::resolve(scene);
-  return shared_session().render(scene);
+image::Film render_resolved(const scene::Scene& scene) {
+  return shared_session().render(world::resolve(scene));
 }
 
 class FarScene : public testing::TestWithParam<const char*> {};
@@ -68,11 +67,9 @@ double difference(const image::Film& a, const image::Film& b) {
 // places, so the origin changes nothing except the rounding. In a few places, rounding moves an
 // edge or a shadow by a pixel.
 TEST_P(FarScene, LooksTheSameFromAnotherOrigin) {
-  scene::Scene scene = unresolved(GetParam());
-  world::resolve(scene);
+  const scene::ResolvedScene scene = world::resolve(unresolved(GetParam()));
   const image::Film film = shared_session().render(scene);
-  scene.origin = {4096.0, -4096.0, 8192.0};
-  const image::Film other = shared_session().render(scene);
+  const image::Film other = shared_session().render(scene.counted_from({4096.0, -4096.0, 8192.0}));
   EXPECT_FALSE(same_bits(film, other)) << "the origin is not used";
   EXPECT_LT(difference(film, other), 0.005);
 }

@@ -62,7 +62,7 @@ scene::Scene flat_land_under_a_sky() {
 }
 
 dvec3 sky_light(const scene::Scene& scene) {
-  const auto& c = air::Light(scene).ambient;
+  const auto& c = air::Light(resolved(scene)).ambient;
   return (c[0] + c[1] - c[6] - c[8]) * dvec3(scene.sun.color) * scene.sun.irradiance;
 }
 

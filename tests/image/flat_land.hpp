@@ -31,7 +31,7 @@ dvec3 point_under(const scene::Scene& scene, int x, int y);
 /// pixel that fails.
 template <typename Check>
 void for_pixels(const scene::Scene& scene, Check check) {
-  const image::Film film = shared_session().render(scene);
+  const image::Film film = shared_session().render(resolved(scene));
   for (int y = 0; y < film.height; ++y) {
     for (int x = 0; x < film.width; ++x) {
       SCOPED_TRACE("pixel " + std::to_string(x) + ", " + std::to_string(y));

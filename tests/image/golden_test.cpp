@@ -113,7 +113,8 @@ image::Pixels tiles_of(const image::Pixels& picture) {
 // What is finer than a pixel is filtered, and models are as fine as they are large in the picture.
 // In the small pictures nearly all of that is gone.
 TEST(Golden, LooksAsItDidInALargerPicture) {
-  const image::Film film = shared_session().render(planted_scene("tropical", {480, 320, 4, 512}));
+  const image::Film film =
+      shared_session().render(resolved(planted_scene("tropical", {480, 320, 4, 512})));
   expect_golden(tiles_of(image::develop(film, image::automatic_exposure_ev(film))),
                 "tropical-large");
 }
@@ -127,7 +128,8 @@ TEST(GoldenTolerance, LetsNoChangedColourPass) {
   // a change.
   const double exposure_ev = image::automatic_exposure_ev(small_film("snow"));
   const auto off = [&](const scene::Scene& scene) {
-    return difference(expected, image::develop(shared_session().render(scene), exposure_ev));
+    return difference(expected,
+                      image::develop(shared_session().render(resolved(scene)), exposure_ev));
   };
   const PixelDifference none = off(usual);
   EXPECT_TRUE(within_tolerance(none)) << "the scene itself: " << in_words(none);

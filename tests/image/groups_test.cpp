@@ -44,8 +44,7 @@ std::vector<vec3> places_in(const scene::Scene& local) {
 }
 
 bool same_camera(const world::GroupRequest& now, const world::GroupRequest& before) {
-  return now.scene.camera.position == before.scene.camera.position &&
-         now.scene.camera.target == before.scene.camera.target;
+  return now.scene.eye() == before.scene.eye() && now.scene.target() == before.scene.target();
 }
 
 const world::GroupKind kCubes{.name = "cubes",
@@ -88,25 +87,25 @@ std::size_t pixels_of(scene::ObjectId id, const image::Film& film) {
 TEST(Groups, AFifthKindIsRenderedAndKept) {
   auto scene = small_scene("sand-empty");
   render::Session session(with(kCubes));
-  const image::Film film = session.render(scene);
+  const image::Film film = session.render(resolved(scene));
   EXPECT_EQ(session.stats().worlds_built, 2) << "the land and the cubes";
   EXPECT_EQ(session.stats().trees_built, 2);
   EXPECT_GT(pixels_of(kId, film), 100u);
-  EXPECT_EQ(pixels_of(kId, shared_session().render(scene)), 0u);
+  EXPECT_EQ(pixels_of(kId, shared_session().render(resolved(scene))), 0u);
   scene.sun.irradiance *= 0.5;
-  session.render(scene);
+  session.render(resolved(scene));
   EXPECT_EQ(session.stats().worlds_built, 0);
   scene.camera.target->y += 0.5;
-  const image::Film turned = session.render(scene);
+  const image::Film turned = session.render(resolved(scene));
   EXPECT_EQ(session.stats().worlds_built, 1);
-  EXPECT_TRUE(same_bits(turned, render::Session(with(kCubes)).render(scene)));
+  EXPECT_TRUE(same_bits(turned, render::Session(with(kCubes)).render(resolved(scene))));
 }
 
 TEST(Groups, AFifthKindIsExported) {
   const auto scene = small_scene("sand-empty");
   world::GroupKinds kinds = world::all_kinds();
   kinds.push_back(&kInstancedCubes);
-  const world::World world = world::build(scene, {.kinds = kinds});
+  const world::World world = world::build(resolved(scene), {.kinds = kinds});
   EXPECT_EQ(world::as_triangles(world).size(), 1u) << "the land";
   const world::Objects objects = world::as_triangles(world, world::Placed::included);
   ASSERT_EQ(objects.size(), 2u);
@@ -119,8 +118,8 @@ TEST(Groups, InstancesOfAFurtherKindStandBesideThePlants) {
   for (const char* name : {"snow-basket", "tropical"}) {
     const auto scene = planted_scene(name);
     render::Options both = with(kCubes), instanced = with(kInstancedCubes);
-    const image::Film expected = render::Session(both).render(scene);
-    const image::Film film = render::Session(instanced).render(scene);
+    const image::Film expected = render::Session(both).render(resolved(scene));
+    const image::Film film = render::Session(instanced).render(resolved(scene));
     const auto differ =
         std::inner_product(film.object_id.begin(), film.object_id.end(), expected.object_id.begin(),
                            std::size_t{0}, std::plus<>(), std::not_equal_to<>());
@@ -135,13 +134,14 @@ TEST(Groups, InstancesOfAFurtherKindStandBesideThePlants) {
 TEST(Groups, MayComeAndGoInAnyOrder) {
   auto scene = planted_scene("tropical");
   render::Session session(with(kCubes));
-  session.render(scene);
+  session.render(resolved(scene));
   for (int step = 0; step < 5; ++step) {
     if (step == 0 || step == 3) scene.balloon.enabled = !scene.balloon.enabled;
     if (step == 1 || step == 3) scene.biome.water.enabled = !scene.biome.water.enabled;
     if (step == 2) scene.balloon.heading_deg += 90.0;
     if (step == 4) scene.vegetation.enabled = false;
-    EXPECT_TRUE(same_bits(session.render(scene), render::Session(with(kCubes)).render(scene)))
+    EXPECT_TRUE(same_bits(session.render(resolved(scene)),
+                          render::Session(with(kCubes)).render(resolved(scene))))
         << "step " << step;
   }
 }

@@ -77,8 +77,8 @@ const std::vector<image::Film>& films(int lanes) {
   auto& these = all[lanes];
   if (these.empty()) {
     render::Session session(options(lanes));
-    for (const char* name : kScenes) these.push_back(session.render(planted_scene(name)));
-    for (const auto lens : kLenses) these.push_back(session.render(scene_through(lens)));
+    for (const char* name : kScenes) these.push_back(session.render(resolved(planted_scene(name))));
+    for (const auto lens : kLenses) these.push_back(session.render(resolved(scene_through(lens))));
   }
   return these;
 }

@@ -15,7 +15,7 @@ const world::GroupKind kLone{.name = "lone objects"};
 
 /// Returns light of the same radiance from everywhere, without sun and air.
 pack::PackedScene even_light(const scene::Scene& scene, float sky) {
-  pack::PackedScene packed = pack::pack_scene(scene);
+  pack::PackedScene packed = pack::pack_scene(resolved(scene));
   AeroAir& air = packed.numbers.air;
   const AeroSkyCell cell{{sky, sky, sky}, {0.0f, 0.0f, 0.0f}};
   std::fill(packed.sky_table.begin(), packed.sky_table.end(), cell);
@@ -74,7 +74,7 @@ scene::Scene lone_scene() {
 }
 
 image::Film lone_film(world::Objects objects, const scene::Scene& scene, float sky) {
-  world::World world = world::build(scene);
+  world::World world = world::build(resolved(scene));
   world.groups.push_back(world::make_group(kLone, std::move(objects)));
   const auto [tree, arrays] =
       render::only_frame(render::pack_world(std::move(world), nullptr, render::Meshes::release));
@@ -89,7 +89,7 @@ image::Film lone_film(world::Objects objects, const scene::Scene& scene, float s
   render::RowQueue queue(0, all.y1, 1);
   for (int sample = 0; sample < scene.image.spp; ++sample) {
     queue.begin_pass();
-    worker.trace({pack::pack_frame(scene), all, sample, 1, 0}, queue, 0,
+    worker.trace({pack::pack_frame(resolved(scene)), all, sample, 1, 0}, queue, 0,
                  [&](int) -> const render::FilmBuffer& { return worker.film(); }, {});
   }
   const render::FilmRows rows{0, all.y1, &worker.film()};

@@ -36,7 +36,7 @@ TEST_P(CleanFilm, HoldsNumbersThatCanBe) {
 TEST_P(CleanFilm, AtTheFinalQuality) {
   scene::Scene scene = planted_scene(GetParam(), kGoldenSize);
   scene::set_quality(scene, scene::Quality::final);
-  expect_clean(shared_session().render(scene));
+  expect_clean(shared_session().render(resolved(scene)));
 }
 
 TEST_P(CleanFilm, ThroughEveryLens) {
@@ -46,7 +46,7 @@ TEST_P(CleanFilm, ThroughEveryLens) {
        {scene::Lens::thin_lens, scene::Lens::panorama, scene::Lens::orthographic}) {
     SCOPED_TRACE("lens " + std::to_string(static_cast<int>(lens)));
     scene.camera.lens = lens;
-    expect_clean(shared_session().render(scene));
+    expect_clean(shared_session().render(resolved(scene)));
   }
 }
 
@@ -55,15 +55,14 @@ INSTANTIATE_TEST_SUITE_P(Scenes, CleanFilm, testing::ValuesIn(kScenes), scene_te
 /// Tests a land without any height, which is a plane.
 TEST(CleanFilm, SurvivesALandOfNoHeight) {
   for (const char* name : {"snow", "tropical", "sand"}) {
-    scene::Scene scene =
+    const scene::ResolvedScene scene = world::resolve(
         scene::read_file(std::string(AEROSTAT_SOURCE_DIR "/scenes/") + name + ".json",
                          {{"/image/width", "96"},
                           {"/image/height", "64"},
                           {"/terrain/cells", "64"},
                           {"/terrain/height_m", "0"},
-                          {"/terrain/dunes/height_m", "0"}});
-    world::resolve(scene);
-    ASSERT_TRUE(std::isfinite(scene.camera.position->y)) << name;
+                          {"/terrain/dunes/height_m", "0"}}));
+    ASSERT_TRUE(std::isfinite(scene.eye().y)) << name;
     const image::Film film = shared_session().render(scene);
     EXPECT_EQ(film.nan_pixels, 0u) << name;
     EXPECT_EQ(shared_session().stats().tree.dropped_non_finite, 0u) << name;
@@ -85,7 +84,7 @@ TEST(CleanFilm, LooksStraightDownAndUpThroughEveryLens) {
                             scene::Lens::orthographic}) {
       SCOPED_TRACE(std::to_string(above) + " m, lens " + std::to_string(static_cast<int>(lens)));
       scene.camera.lens = lens;
-      const image::Film film = shared_session().render(scene);
+      const image::Film film = shared_session().render(resolved(scene));
       expect_clean(film);
       if (lens == scene::Lens::panorama) continue;
       int upper = 0, lower = 0;
@@ -101,7 +100,7 @@ TEST(CleanFilm, LooksStraightDownAndUpThroughEveryLens) {
 /// Tests lights and cameras at the limits of what a scene may ask for.
 TEST(CleanFilm, SurvivesExtremeLight) {
   const auto count_bad = [](const scene::Scene& scene) {
-    return shared_session().render(scene).nan_pixels;
+    return shared_session().render(resolved(scene)).nan_pixels;
   };
   auto scene = small_scene("tropical", {96, 64, 4, 128});
   scene.sun.direction = {0.0, 1.0, 0.0};

@@ -48,7 +48,7 @@ class OracleAgrees : public testing::TestWithParam<const char*> {};
 
 TEST_P(OracleAgrees, OnDistancesAndObjects) {
   const auto scene = small_scene(GetParam(), {320, 180, 1, 256});
-  const Count count = compare(scene, shared_session().render(scene));
+  const Count count = compare(scene, shared_session().render(resolved(scene)));
   std::printf("%d pixels: %.3f %% of the distances, %.3f %% of the objects agree\n", count.asked,
               100.0 * count.share(count.distances), 100.0 * count.share(count.objects));
   EXPECT_GE(count.share(count.distances), kAgree);
@@ -60,7 +60,7 @@ TEST(Oracle, WithPlants) {
   for (const char* name : {"snow-basket", "tropical"}) {
     auto scene = planted_scene(name, {320, 180, 1, 256});
     scene.vegetation.reach_m = 1200.0;
-    const image::Film film = shared_session().render(scene);
+    const image::Film film = shared_session().render(resolved(scene));
     const Count count = compare(scene, film, world::Placed::included);
     const auto plants =
         std::count_if(film.object_id.begin(), film.object_id.end(), [](std::uint32_t id) {
@@ -79,7 +79,7 @@ TEST(Oracle, WithATiltedCameraOffTheMiddle) {
   auto scene = small_scene("snow", {173, 251, 1, 128});
   scene.camera.up = glm::normalize(dvec3(0.4, 1.0, 0.2));
   scene.camera.fov_y_deg = 95.0;
-  const Count count = compare(scene, shared_session().render(scene));
+  const Count count = compare(scene, shared_session().render(resolved(scene)));
   EXPECT_GE(count.share(count.distances), kAgree);
   EXPECT_GE(count.share(count.objects), kAgree);
 }
@@ -88,7 +88,7 @@ TEST(Oracle, WithAPanorama) {
   for (const char* name : {"snow", "tropical-basket"}) {
     auto scene = small_scene(name, {320, 160, 1, 128});
     scene.camera.lens = scene::Lens::panorama;
-    const Count count = compare(scene, shared_session().render(scene));
+    const Count count = compare(scene, shared_session().render(resolved(scene)));
     EXPECT_GE(count.share(count.distances), kAgree) << name;
     EXPECT_GE(count.share(count.objects), kAgree) << name;
   }
@@ -100,7 +100,7 @@ TEST(Oracle, WithParallelRays) {
   for (const double height_m : {40.0, 900.0}) {
     scene.camera.view_height_m = height_m;
     scene.camera.position->y += height_m;
-    const Count count = compare(scene, shared_session().render(scene));
+    const Count count = compare(scene, shared_session().render(resolved(scene)));
     EXPECT_GE(count.share(count.distances), kAgree) << height_m;
     EXPECT_GE(count.share(count.objects), kAgree) << height_m;
   }
@@ -108,7 +108,7 @@ TEST(Oracle, WithParallelRays) {
 
 TEST(Oracle, NotWithAnotherPicture) {
   auto scene = small_scene("snow", {160, 90, 1, 64});
-  const image::Film film = shared_session().render(scene);
+  const image::Film film = shared_session().render(resolved(scene));
   scene.camera.fov_y_deg *= 1.02;
   const Count count = compare(scene, film);
   EXPECT_LT(count.share(count.distances), kAgree) << "the comparison sees nothing";

@@ -81,7 +81,7 @@ dvec3 mean_by(scene::Scene scene, scene::Integrator light, int samples) {
   scene.light = light;
   scene.bounces = 0;
   scene.image.spp = samples;
-  return mean_of(shared_session().render(scene));
+  return mean_of(shared_session().render(resolved(scene)));
 }
 
 void expect_same_mean(const scene::Scene& scene, int samples, double relative) {
@@ -144,14 +144,14 @@ scene::Scene followed_scene() {
 TEST(Paths, AreTheSameInAnyTile) {
   render::Options tiled = options();
   tiled.tile_pixels = 700;
-  EXPECT_TRUE(same_bits(render::Session(tiled).render(followed_scene()),
-                        shared_session().render(followed_scene())));
+  EXPECT_TRUE(same_bits(render::Session(tiled).render(resolved(followed_scene())),
+                        shared_session().render(resolved(followed_scene()))));
 }
 
 TEST(Paths, AreTheSameInACrop) {
   const render::Crop crop{17, 5, 50, 41};
-  EXPECT_TRUE(same_bits(shared_session().render(followed_scene(), {}, {}, crop),
-                        cut(shared_session().render(followed_scene()), crop)));
+  EXPECT_TRUE(same_bits(shared_session().render(resolved(followed_scene()), {}, {}, crop),
+                        cut(shared_session().render(resolved(followed_scene())), crop)));
 }
 
 /// Tests that a session goes from one integrator to the other and back.
@@ -159,12 +159,12 @@ TEST(Paths, LeaveTheLocalIntegratorAsItWas) {
   scene::Scene local = followed_scene();
   local.light = scene::Integrator::local;
   render::Session session(options());
-  const image::Film before = session.render(local);
-  const image::Film followed = session.render(followed_scene());
+  const image::Film before = session.render(resolved(local));
+  const image::Film followed = session.render(resolved(followed_scene()));
   EXPECT_FALSE(same_bits(followed, before));
-  EXPECT_TRUE(same_bits(session.render(local), before));
+  EXPECT_TRUE(same_bits(session.render(resolved(local)), before));
   EXPECT_EQ(session.stats().programs_built, 0) << "both programs are kept";
-  EXPECT_TRUE(same_bits(session.render(followed_scene()), followed));
+  EXPECT_TRUE(same_bits(session.render(resolved(followed_scene())), followed));
 }
 
 }  // namespace

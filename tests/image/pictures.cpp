@@ -3,7 +3,7 @@
 #include <cstring>
 
 #include "render/scene_cache.hpp"
-#include "world/world.hpp"
+#include "world/resolve.hpp"
 
 namespace aerostat::test {
 namespace {
@@ -46,14 +46,13 @@ namespace {
 
 scene::Scene read_small(const std::string& name, const Size& size) {
   const auto text = [](int value) { return std::to_string(value); };
-  scene::Scene scene =
+  const scene::Scene scene =
       scene::read_file(std::string(AEROSTAT_SOURCE_DIR "/scenes/") + name + ".json",
                        {{"/image/width", text(size.width)},
                         {"/image/height", text(size.height)},
                         {"/image/spp", text(size.spp)},
                         {"/terrain/cells", text(size.cells)}});
-  world::resolve(scene, shared_cache()->reliefs);
-  return scene;
+  return *world::resolve(scene, shared_cache()->reliefs);
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 
 #include "render/session.hpp"
 #include "scene/io.hpp"
+#include "support/resolved.hpp"
 
 /// Provides the seven scenes at a small size and sessions on the device that aerostat would choose,
 /// for all tests of whole pictures.
@@ -25,10 +26,11 @@ struct Size {
   int cells = 128;
 };
 
-/// Returns scenes/<name>.json, resolved, at another size and without plants.
+/// Returns scenes/<name>.json at another size and without plants. All its heights count from the
+/// sea, so that `resolved` makes it what world::resolve would make of the file.
 scene::Scene small_scene(const std::string& name, const Size& size = {});
 
-/// Returns scenes/<name>.json, resolved, at another size and with plants near the camera.
+/// Returns scenes/<name>.json in the same way, but with plants near the camera.
 scene::Scene planted_scene(const std::string& name, const Size& size = {});
 
 /// Returns the devices of AEROSTAT_DEVICE, or the automatic one if it is not set. Throws if there

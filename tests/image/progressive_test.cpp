@@ -4,7 +4,7 @@
 
 #include "core/error.hpp"
 #include "pictures.hpp"
-#include "world/world.hpp"
+#include "world/resolve.hpp"
 
 namespace aerostat::test {
 namespace {
@@ -35,7 +35,7 @@ std::vector<Seen> seen_of(render::Progressive& progressive, const scene::Scene& 
                     preview.draft, preview.complete});
     last = preview.film;
     stats = preview.stats;
-    EXPECT_EQ(preview.scene.camera.height_above, scene::HeightReference::sea);
+    EXPECT_EQ(preview.scene->camera.height_above, scene::HeightReference::sea);
   });
   return seen;
 }
@@ -67,8 +67,7 @@ TEST(Progressive, LooksGetFinerAndTheLastIsThePicture) {
     EXPECT_EQ(first[i].width, (150 + first[i].shrink - 1) / first[i].shrink);
   }
   EXPECT_EQ(first.back().samples, 4);
-  world::resolve(scene);
-  EXPECT_TRUE(same_bits(last, shared_session().render(scene)));
+  EXPECT_TRUE(same_bits(last, shared_session().render(world::resolve(scene))));
 }
 
 TEST(Progressive, ALandThatIsThereIsNotBuiltAgain) {
@@ -96,9 +95,9 @@ TEST(Progressive, AnotherOriginNeedsNoRoughLook) {
   seen_of(progressive, scene, last, stats);
   scene.camera.position->x = 8200.0;
   for (const Seen& preview : seen_of(progressive, scene, last, stats)) EXPECT_FALSE(preview.rough);
-  world::resolve(scene);
-  EXPECT_EQ(scene.origin, dvec3(8192.0, 0.0, 0.0));
-  EXPECT_TRUE(same_bits(last, shared_session().render(scene)));
+  const scene::ResolvedScene resolved = world::resolve(scene);
+  EXPECT_EQ(resolved.origin(), dvec3(8192.0, 0.0, 0.0));
+  EXPECT_TRUE(same_bits(last, shared_session().render(resolved)));
 }
 
 /// Returns for each preview whether it was rough. The render is stopped at the first fine preview.
@@ -135,12 +134,12 @@ TEST(Progressive, ACoarseLandDoesNotBuryTheEye) {
   scene.camera.target = {2500.0, -400.0, 1100.0};
   int rough = 0;
   progressive.render(scene, {}, [&](const Preview& preview) {
-    const dvec3 eye = *preview.scene.camera.position;
+    const dvec3 eye = preview.scene.eye();
     rough += preview.rough ? 1 : 0;
     if (preview.rough) {
       EXPECT_GE(eye.y, preview.surface->height(eye.x, eye.z) + 1.99);
       EXPECT_LT(std::abs(preview.film.distance_m.back()), 1e9f) << "it sees the ground";
-      EXPECT_EQ(preview.scene.camera.target->y, eye.y) << "it looks where it did";
+      EXPECT_EQ(preview.scene.target().y, eye.y) << "it looks where it did";
     } else {
       EXPECT_EQ(eye.y, -400.0) << "as the scene says";
     }

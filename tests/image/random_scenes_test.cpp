@@ -8,7 +8,7 @@
 
 #include "core/error.hpp"
 #include "pictures.hpp"
-#include "world/world.hpp"
+#include "world/resolve.hpp"
 
 namespace aerostat::test {
 namespace {
@@ -17,9 +17,8 @@ namespace {
 /// a clear message.
 std::optional<scene::Scene> checked(const std::string& text) {
   try {
-    scene::Scene scene = scene::read_text(text, "random.json");
-    world::resolve(scene, world::Surface(scene, world::Carving::coarse));
-    return scene;
+    const scene::Scene scene = scene::read_text(text, "random.json");
+    return *world::resolve(scene, world::Surface(scene, world::Carving::coarse));
   } catch (const Error& error) {
     EXPECT_EQ(error.kind(), ErrorKind::bad_data) << error.what();
     EXPECT_NE(std::string(error.what()).find(": found "), std::string::npos) << error.what();
@@ -65,7 +64,7 @@ TEST(RandomScenes, AreRefusedOrRenderedInNumbers) {
     }
     expect_dump_reads_back(*scene);
     try {
-      expect_finite(session.render(made_quick(*scene)));
+      expect_finite(session.render(resolved(made_quick(*scene))));
     } catch (const std::exception& error) {
       ADD_FAILURE() << error.what();
     }

@@ -44,7 +44,7 @@ double seconds_to_stop(Session& session, const scene::Scene& scene, Stage stage,
     reached.set_value();
   };
   try {
-    session.render(scene, stop.get_token(), watch);
+    session.render(resolved(scene), stop.get_token(), watch);
     if (!told) reached.set_value();
     ADD_FAILURE() << "the render ended before it could be stopped";
     return 0.0;
@@ -79,7 +79,7 @@ TEST(Cancel, WhileTheWorldIsBuiltAndKernelsCompile) {
   const auto small = small_scene("sand-empty", {96, 64, 1, 32});
   EXPECT_LT(seconds_to_stop(session, small, Stage::kernels, 0.05), kPatience_s);
   EXPECT_EQ(session.snapshot().width, 0);
-  EXPECT_EQ(session.render(small).width, 96) << "the session goes on";
+  EXPECT_EQ(session.render(resolved(small)).width, 96) << "the session goes on";
   EXPECT_EQ(session.stats().programs_built, render::kProgramCount)
       << "what compiled meanwhile is used";
 }
@@ -96,10 +96,11 @@ TEST(Cancel, WhileRaysAreTraced) {
 
   auto scene = small_scene("snow");
   scene.balloon.enabled = false;
-  const image::Film after = session.render(scene);
+  const image::Film after = session.render(resolved(scene));
   EXPECT_EQ(session.stats().worlds_built, 0);
   Session fresh(options());
-  EXPECT_TRUE(same_bits(after, fresh.render(scene))) << "nothing of the stopped render is left";
+  EXPECT_TRUE(same_bits(after, fresh.render(resolved(scene))))
+      << "nothing of the stopped render is left";
 }
 
 TEST(Cancel, WhileSeveralDevicesTrace) {
@@ -118,7 +119,7 @@ TEST(Cancel, WhileBuffersAreUploaded) {
 
   auto same_world = large;
   same_world.image.spp = 1;
-  EXPECT_EQ(session.render(same_world).nan_pixels, 0u);
+  EXPECT_EQ(session.render(resolved(same_world)).nan_pixels, 0u);
   EXPECT_EQ(session.stats().worlds_built, 0) << "what was built before the stop is kept";
 }
 
@@ -126,10 +127,11 @@ TEST(Progress, IsReportedAgainAndAgain) {
   Session session(options());
   std::vector<double> gaps;
   double before = 0.0;
-  session.render(small_scene("snow", {320, 180, 64, 128}), {}, [&](const Progress& progress) {
-    if (progress.stage == Stage::rays) gaps.push_back(progress.seconds - before);
-    before = progress.seconds;
-  });
+  session.render(resolved(small_scene("snow", {320, 180, 64, 128})), {},
+                 [&](const Progress& progress) {
+                   if (progress.stage == Stage::rays) gaps.push_back(progress.seconds - before);
+                   before = progress.seconds;
+                 });
   ASSERT_GT(gaps.size(), 4u);
   std::sort(gaps.begin(), gaps.end());
   std::printf("%zu reports, one after %.0f ms (median), %.0f ms (worst)\n", gaps.size(),
@@ -142,7 +144,7 @@ TEST(Cancel, BeforeItBegins) {
   stop.request_stop();
   const Stopwatch watch;
   try {
-    shared_session().render(small_scene("sand-empty"), stop.get_token());
+    shared_session().render(resolved(small_scene("sand-empty")), stop.get_token());
     FAIL() << "rendered";
   } catch (const Error& error) {
     EXPECT_EQ(error.kind(), ErrorKind::interrupted);
@@ -153,7 +155,7 @@ TEST(Cancel, FromTheProgressCallback) {
   std::stop_source stop;
   int samples = -1;
   const auto scene = small_scene("sand-empty", {96, 64, 256, 64});
-  EXPECT_THROW(shared_session().render(scene, stop.get_token(),
+  EXPECT_THROW(shared_session().render(resolved(scene), stop.get_token(),
                                        [&](const Progress& progress) {
                                          samples = progress.samples_done;
                                          if (progress.samples_done > 0) stop.request_stop();

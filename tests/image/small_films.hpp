@@ -12,7 +12,7 @@ inline constexpr Size kGoldenSize = {96, 64, 4, 256};
 inline const image::Film& small_film(const std::string& name) {
   static std::map<std::string, image::Film> films;
   const auto [at, missing] = films.try_emplace(name);
-  if (missing) at->second = shared_session().render(planted_scene(name, kGoldenSize));
+  if (missing) at->second = shared_session().render(resolved(planted_scene(name, kGoldenSize)));
   return at->second;
 }
 

@@ -1,7 +1,7 @@
 // Tests that a pixel depends neither on the tile in which it is traced nor on the time that tiles
 // take.
 #include "pictures.hpp"
-#include "world/world.hpp"
+#include "world/resolve.hpp"
 
 namespace aerostat::test {
 namespace {
@@ -9,11 +9,9 @@ namespace {
 class Tiles : public testing::TestWithParam<const char*> {};
 
 scene::Scene standard_scene(const std::string& name) {
-  scene::Scene scene = scene::read_file(
+  return *world::resolve(scene::read_file(
       std::string(AEROSTAT_SOURCE_DIR "/scenes/") + name + ".json",
-      {{"/image/width", "320"}, {"/image/height", "180"}, {"/quality", "standard"}});
-  world::resolve(scene);
-  return scene;
+      {{"/image/width", "320"}, {"/image/height", "180"}, {"/quality", "standard"}}));
 }
 
 TEST_P(Tiles, GiveTheSameBits) {
@@ -24,7 +22,7 @@ TEST_P(Tiles, GiveTheSameBits) {
     chosen.tile_pixels = pixels;
     chosen.plants_in_sight_alone = true;
     render::Session session(chosen);
-    image::Film film = session.render(scene);
+    image::Film film = session.render(resolved(scene));
     if (first.radiance.empty()) {
       first = std::move(film);
     } else {

@@ -133,8 +133,8 @@ void WindowTest::two_hundred_changes_leave_the_last() {
         slowest);
   QVERIFY(wait_until_done());
   const auto& seen = window_->shown()->preview.scene;
-  QCOMPARE(seen.terrain.seed, 10u);
-  QCOMPARE(seen.camera.target->x, window_->document().scene().camera.target->x);
+  QCOMPARE(seen->terrain.seed, 10u);
+  QCOMPARE(seen.target().x, window_->document().scene().camera.target->x);
 }
 
 void WindowTest::the_mouse_moves_the_camera() {

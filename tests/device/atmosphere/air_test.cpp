@@ -10,6 +10,7 @@
 #include "pack/pack_scene.hpp"
 #include "scene/io.hpp"
 #include "shading_scene.hpp"
+#include "support/resolved.hpp"
 
 namespace aerostat::test {
 namespace {
@@ -87,7 +88,7 @@ dvec3 arriving_light(const scene::Scene& scene, const air::Scattering& air, cons
 
 TEST_P(Air, ShowsTheHostsSky) {
   const scene::Scene scene = morning();
-  const air::Light light(scene);
+  const air::Light light(resolved(scene));
   std::mt19937 random(17);
   std::uniform_real_distribution<float> uniform(-1.0f, 1.0f);
   Paths paths;
@@ -97,7 +98,7 @@ TEST_P(Air, ShowsTheHostsSky) {
   for (const vec3& axis : {vec3(0, 1, 0), vec3(0, -1, 0), vec3(scene.sun.direction)}) {
     paths.add(axis, 400.0f, 1.0f);
   }
-  const auto [sky, radiance] = look(pack::pack_scene(scene), paths);
+  const auto [sky, radiance] = look(pack::pack_scene(resolved(scene)), paths);
   for (std::size_t i = 0; i < sky.size(); ++i) {
     const dvec3 expected = light.sky.radiance(dvec3(paths.directions[i])) * scene.sun.irradiance;
     ASSERT_LT(glm::distance(dvec3(sky[i]), expected), 2e-3 * glm::length(expected))
@@ -119,7 +120,7 @@ TEST_P(Air, IsSeenOverADistanceAsTheHostFollowsIt) {
       }
     }
     const vec3 surface(0.3f, 0.2f, 0.1f);
-    const auto arriving = follow(pack::pack_scene(scene), paths, surface);
+    const auto arriving = follow(pack::pack_scene(resolved(scene)), paths, surface);
     for (std::size_t i = 0; i < arriving.size(); ++i) {
       const dvec3 expected = arriving_light(scene, air, paths, i, 300, surface);
       // The device's land is flat and its four steps are long, so there is an error of 2 % at 25 km
@@ -151,7 +152,7 @@ TEST_P(Air, OfThickHazeIsSeenAsTheHostFollowsIt) {
         }
       }
       const vec3 surface(0.03f, 0.02f, 0.01f);
-      const auto arriving = follow(pack::pack_scene(scene), paths, surface);
+      const auto arriving = follow(pack::pack_scene(resolved(scene)), paths, surface);
       for (std::size_t i = 0; i < arriving.size(); ++i) {
         const dvec3 expected = arriving_light(scene, air, paths, i, 400, surface);
         // There are four steps. The first may hide the others and reach beyond the haze, so the
@@ -175,7 +176,7 @@ TEST_P(Air, HidesWhatIsFarBehindThickHaze) {
         paths.add(towards(azimuth_deg, elevation_deg), 400.0f, 7000.0f);
       }
     }
-    const pack::PackedScene packed = pack::pack_scene(scene);
+    const pack::PackedScene packed = pack::pack_scene(resolved(scene));
     const auto [sky, radiance] = look(packed, paths);
     const auto black = follow(packed, paths, vec3(0.0f)), white = follow(packed, paths, vec3(1.0f));
     for (std::size_t i = 0; i < sky.size(); ++i) {
@@ -206,7 +207,7 @@ TEST_P(Air, OfAnyKindGivesLightAndNothingBelowIt) {
                 static_cast<float>(between(-500.0, 9000.0)),
                 static_cast<float>(std::pow(10.0, between(0.0, 6.0))));
     }
-    const pack::PackedScene packed = pack::pack_scene(scene);
+    const pack::PackedScene packed = pack::pack_scene(resolved(scene));
     const auto [sky, radiance] = look(packed, paths);
     const auto arriving = follow(packed, paths, vec3(0.5f));
     for (std::size_t k = 0; k < sky.size(); ++k) {
@@ -240,7 +241,7 @@ TEST_P(Air, OfAWayToItsEndIsTheSky) {
     for (const float azimuth_deg : {20.0f, 130.0f, 215.0f}) {
       paths.add(towards(azimuth_deg, way.elevation_deg), 400.0f, 1.2e5f);
     }
-    const pack::PackedScene packed = pack::pack_scene(morning(way.sun_deg));
+    const pack::PackedScene packed = pack::pack_scene(resolved(morning(way.sun_deg)));
     const auto [sky, radiance] = look(packed, paths);
     const auto arriving = follow(packed, paths, vec3(0.0f));
     for (std::size_t i = 0; i < sky.size(); ++i) {
@@ -279,8 +280,8 @@ TEST_P(Air, BringsSunAndSkyToSurfacesAsOnTheHost) {
     const scene::Scene scene = morning(sun_deg);
     const air::Scattering air(air::atmosphere_of(scene), glm::normalize(scene.sun.direction));
     const auto sun = output<float>(3 * count), ambient = output<float>(3 * count);
-    probe.run("probe_sun", count, uploaded(pack::pack_scene(scene).numbers), input(padded(heights)),
-              input(planes(normals)), sun, ambient);
+    probe.run("probe_sun", count, uploaded(pack::pack_scene(resolved(scene)).numbers),
+              input(padded(heights)), input(planes(normals)), sun, ambient);
     const auto lit = sun.read(), around = ambient.read();
     for (std::size_t i = 0; i < heights.size(); ++i) {
       const dvec3 expected = scene.sun.irradiance * air.sunlight(heights[i], air.sun().y);
@@ -288,7 +289,7 @@ TEST_P(Air, BringsSunAndSkyToSurfacesAsOnTheHost) {
                 0.05 * glm::length(expected) + 1e-3)
           << heights[i] << " under " << sun_deg;
     }
-    const air::Light light(scene);
+    const air::Light light(resolved(scene));
     const auto& c = light.ambient;
     const dvec3 above = scene.sun.irradiance * (c[0] + c[1] - c[6] - c[8]);
     EXPECT_LT(glm::distance(dvec3(from_planes(around, 0)), above), 1e-5 * glm::length(above));
@@ -299,7 +300,7 @@ TEST_P(Air, LightsTheHostsWhiteCard) {
   const std::vector<float> heights{-30.0f, 0.0f, 700.0f, 1500.0f, 2600.0f};
   const std::size_t count = whole_packets(heights.size());
   for (const double sun_deg : {40.0, 6.0, -0.5}) {
-    const AeroScene scene = pack::pack_scene(morning(sun_deg)).numbers;
+    const AeroScene scene = pack::pack_scene(resolved(morning(sun_deg))).numbers;
     const auto sun = output<float>(3 * count), ambient = output<float>(3 * count);
     probe.run("probe_sun", count, uploaded(scene), input(padded(heights)),
               input(planes(std::vector<vec3>(heights.size(), vec3(0, 1, 0)))), sun, ambient);
@@ -334,7 +335,7 @@ TEST_P(Air, HoldsNumbersForEverySunAndDirection) {
       for (const vec3& axis : {vec3(0, 1, 0), vec3(0, -1, 0), vec3(1, 0, 0), vec3(0, 0, 1)}) {
         paths.add(axis, 0.0f, INFINITY);
       }
-      const pack::PackedScene packed = pack::pack_scene(scene);
+      const pack::PackedScene packed = pack::pack_scene(resolved(scene));
       const auto [sky, radiance] = look(packed, paths);
       const auto arriving = follow(packed, paths, vec3(0.5f));
       for (std::size_t i = 0; i < sky.size(); ++i) {
@@ -356,7 +357,7 @@ TEST_P(Air, ShowsTheSunsDiscAndNothingOfItElsewhere) {
     const float a = radians_from_degrees(degrees);
     paths.add(std::cos(a) * sun + std::sin(a) * side, 400.0f, 1.0f);
   }
-  const auto [sky, radiance] = look(pack::pack_scene(scene), paths);
+  const auto [sky, radiance] = look(pack::pack_scene(resolved(scene)), paths);
   const auto disc = [&, &s = sky, &r = radiance](std::size_t i) {
     return glm::length(r[i] - s[i]);
   };
@@ -376,7 +377,7 @@ TEST_P(Air, HoldsFogBelowItsTop) {
   Paths paths;
   paths.add({1.0f, 0.0f, 0.0f}, 50.0f, 300.0f);
   paths.add({1.0f, 0.0f, 0.0f}, 500.0f, 300.0f);
-  const pack::PackedScene packed = pack::pack_scene(scene);
+  const pack::PackedScene packed = pack::pack_scene(resolved(scene));
   const auto black = follow(packed, paths, vec3(0.0f)), white = follow(packed, paths, vec3(1.0f));
   EXPECT_NEAR(white[0].y - black[0].y, 0.02f, 0.002f) << "the visibility's contrast";
   EXPECT_GT(white[1].y - black[1].y, 0.98f) << "clear above";

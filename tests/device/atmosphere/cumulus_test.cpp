@@ -9,6 +9,7 @@
 #include "pack/pack_scene.hpp"
 #include "scene/io.hpp"
 #include "shading_scene.hpp"
+#include "support/resolved.hpp"
 
 namespace aerostat::test {
 namespace {
@@ -26,7 +27,7 @@ pack::PackedScene broken_clouds(double cover) {
   scene::Scene scene = scene::defaults(scene::BiomeKind::tropical, scene::View::outside);
   scene.sun.direction = {0.0, 1.0, 0.0};
   scene.sky.cumulus.cover = cover;
-  return pack::pack_scene(scene);
+  return pack::pack_scene(resolved(scene));
 }
 
 class Cumulus : public LaneTest {
@@ -127,10 +128,10 @@ TEST(CumulusTowers, ReachTheLowestDensityAtTheLeastExcess) {
 TEST(TallClouds, AreNoColumns) {
   auto scene = scene::defaults(scene::BiomeKind::tropical, scene::View::outside);
   const float usual = static_cast<float>(scene.sky.cumulus.thickness_m);
-  EXPECT_EQ(pack::pack_scene(scene).numbers.sky.cumulus.thickness, usual);
+  EXPECT_EQ(pack::pack_scene(resolved(scene)).numbers.sky.cumulus.thickness, usual);
   scene.sky.cumulus.thickness_m = 6000.0;
   scene.sky.cumulus.size_m = 50.0;
-  EXPECT_EQ(pack::pack_scene(scene).numbers.sky.cumulus.thickness, 75.0f);
+  EXPECT_EQ(pack::pack_scene(resolved(scene)).numbers.sky.cumulus.thickness, 75.0f);
 }
 
 // A part of the light that droplets deflect still seems to come from the sun. So more arrives than
@@ -330,7 +331,7 @@ TEST(CloudChart, TellsMostClearAirFromClouds) {
 
 TEST(CloudChart, LiesTheSameWhateverTheEye) {
   scene::Scene scene = scene::defaults(scene::BiomeKind::tropical, scene::View::outside);
-  const auto charted = [&scene] { return *pack::pack_scene(scene).cloud_chart; };
+  const auto charted = [&scene] { return *pack::pack_scene(resolved(scene)).cloud_chart; };
   const pack::CloudChart here = charted();
   scene.camera.position->x += 3.0;
   EXPECT_EQ(charted().place.x0, here.place.x0);

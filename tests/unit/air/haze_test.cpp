@@ -9,6 +9,7 @@
 
 #include "air/light.hpp"
 #include "scene/io.hpp"
+#include "support/resolved.hpp"
 
 namespace aerostat::air {
 namespace {
@@ -40,7 +41,7 @@ scene::Scene white_haze(double visibility_m, double sun_deg = 60.0) {
 
 /// Returns the share of the light from above the air that reaches level ground.
 dvec3 share_on_the_ground(const scene::Scene& scene) {
-  const Light light(scene);
+  const Light light(test::resolved(scene));
   return light.sky.irradiance_from_above() / scene.sun.direction.y +
          glm::exp(-light.depth_molecules - light.depth_haze - light.depth_ozone);
 }
@@ -99,7 +100,7 @@ TEST(ThickHaze, LooksLikeFogOfTheSameExtinction) {
     misty.air.ground_albedo = foggy.air.ground_albedo = vec3(0.5f);
     misty.haze.asymmetry = kFogAsymmetry;
     foggy.fog = {true, visibility_m, misty.haze.scale_height_m, 20.0, 0.0, 900.0};
-    const Light haze(misty), fog(foggy);
+    const Light haze(test::resolved(misty)), fog(test::resolved(foggy));
     for (const double slope : {0.0, 0.4, 0.9}) {
       const dvec3 direction = glm::normalize(dvec3(1.0, slope, 0.2));
       const dvec3 a = haze.sky.radiance(direction), b = fog.sky.radiance(direction);
@@ -114,7 +115,7 @@ TEST(ThickHaze, LooksLikeFogOfTheSameExtinction) {
 TEST(ThickHaze, IsGreyAndBright) {
   for (const double visibility_m : {50.0, 500.0, 2000.0}) {
     const auto scene = hazy(visibility_m, 17.0);
-    const Light light(scene);
+    const Light light(test::resolved(scene));
     const double overcast = light.sky.irradiance_from_above().y / kPi64;
     for (const double slope : {0.02, 0.3, 1.0, 10.0}) {
       for (const double side : {-1.0, 1.0}) {
@@ -144,7 +145,7 @@ TEST(ThickHaze, IsFollowedOverTheHeightsOfALandscape) {
     for (const double scale_height_m : {50.0, 1200.0, 1e6}) {
       auto scene = hazy(visibility_m, 17.0);
       scene.haze.scale_height_m = scale_height_m;
-      const Light light(scene);
+      const Light light(test::resolved(scene));
       const Scattering air(light.atmosphere, scene.sun.direction);
       for (const double share : {0.0, 0.2, 0.7, 1.5}) {
         const double height = std::min(share * scale_height_m, 4000.0);
@@ -177,7 +178,7 @@ TEST(AnyAir, GivesLightAndNothingBelowIt) {
     scene.camera.position->y = magnitude(1.0, 2e5);
     scene.fog.enabled = i % 4 == 0;
     SCOPED_TRACE(scene::write_text(scene));
-    const Light light(scene);
+    const Light light(test::resolved(scene));
     ASSERT_TRUE(is_light(light.depth_haze) && is_light(light.scattered_depth_haze));
     for (const double height : {0.0, 1.0, 300.0, 9000.0, 1e5}) {
       ASSERT_TRUE(is_light(around_on_device(light, height))) << height;

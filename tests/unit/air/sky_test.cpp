@@ -8,6 +8,7 @@
 
 #include "air/light.hpp"
 #include "scene/io.hpp"
+#include "support/resolved.hpp"
 
 namespace aerostat::air {
 namespace {
@@ -62,7 +63,7 @@ TEST(Way, GoesOnFromItsMiddle) {
 
 TEST(Sky, IsTheWayOutOfTheAir) {
   const scene::Scene scene = morning();
-  const Light light(scene);
+  const Light light(test::resolved(scene));
   const Scattering air(light.atmosphere, scene.sun.direction);
   for (const double elevation_deg : {1.0, 5.0, 20.0, 45.0, 80.0}) {
     for (const double azimuth_deg : {20.0, 140.0, 225.0}) {
@@ -79,7 +80,7 @@ TEST(Sky, IsTheWayOutOfTheAir) {
 }
 
 TEST(Sky, IsBluerThanTheSunAndBrighterAtTheHorizon) {
-  const Light light(morning(40.0));
+  const Light light(test::resolved(morning(40.0)));
   const dvec3 above = light.sky.irradiance_from_above();
   ASSERT_TRUE(is_light(above));
   const dvec3 sun = Scattering(light.atmosphere, towards(230.0, 40.0)).sunlight(0.0, 0.64);
@@ -96,7 +97,7 @@ TEST(Sky, IsBluerThanTheSunAndBrighterAtTheHorizon) {
 
 TEST(Sky, ReddensAtTheHorizonUnderALowSun) {
   const auto redness = [](double sun_deg) {
-    const dvec3 glow = Light(morning(sun_deg)).sky.radiance(towards(225.0, 1.0));
+    const dvec3 glow = Light(test::resolved(morning(sun_deg))).sky.radiance(towards(225.0, 1.0));
     return glow.x / glow.z;
   };
   EXPECT_GT(redness(2.0), 2.0 * redness(20.0));
@@ -107,7 +108,7 @@ TEST(Sky, HoldsNumbersForEverySunAndDirection) {
   std::uniform_real_distribution<double> uniform(-1.0, 1.0);
   for (double sun_deg = -10.0; sun_deg <= 90.0; sun_deg += 10.0) {
     SCOPED_TRACE("sun at " + std::to_string(sun_deg));
-    const Light light(morning(sun_deg));
+    const Light light(test::resolved(morning(sun_deg)));
     for (const dvec3& part : light.ambient) ASSERT_TRUE(std::isfinite(part.x + part.y + part.z));
     ASSERT_TRUE(is_light(light.depth_molecules) && is_light(light.depth_haze));
     for (int i = 0; i < 500; ++i) {
@@ -124,7 +125,7 @@ TEST(Sky, HoldsNumbersForEverySunAndDirection) {
 TEST(Sky, DarkensAsTheSunGoesDown) {
   double before = 1e9;
   for (const double sun_deg : {60.0, 20.0, 5.0, 0.0, -3.0, -6.0, -10.0}) {
-    const double now = Light(morning(sun_deg)).sky.irradiance_from_above().y;
+    const double now = Light(test::resolved(morning(sun_deg))).sky.irradiance_from_above().y;
     EXPECT_LT(now, before) << sun_deg;
     before = now;
   }
@@ -147,7 +148,7 @@ dvec3 irradiance_over_pi(const SkyTable& sky, const dvec3& normal) {
 }
 
 TEST(AmbientLight, IsTheIrradianceOfEveryPlane) {
-  const Light light(morning());
+  const Light light(test::resolved(morning()));
   const auto& c = light.ambient;
   for (const dvec3& n : {dvec3(0, 1, 0), dvec3(0, -1, 0), dvec3(1, 0, 0), dvec3(0, 0, -1),
                          glm::normalize(dvec3(1, 2, -1)), glm::normalize(dvec3(-1, 1, 1))}) {
@@ -164,7 +165,7 @@ TEST(LandscapeLight, FollowsTheAirOverTheHeightsOfALandscape) {
   for (const double sun_deg : {60.0, 20.0, 8.0, 3.0, 0.5, -0.5}) {
     SCOPED_TRACE("sun at " + std::to_string(sun_deg));
     const scene::Scene scene = morning(sun_deg);
-    const Light light(scene);
+    const Light light(test::resolved(scene));
     const Scattering air(light.atmosphere, scene.sun.direction);
     const double sun = scene.sun.direction.y;
     for (const double h : {0.0, 600.0, 1500.0, 3000.0}) {

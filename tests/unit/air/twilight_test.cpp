@@ -8,6 +8,7 @@
 
 #include "air/light.hpp"
 #include "scene/io.hpp"
+#include "support/resolved.hpp"
 
 namespace aerostat::air {
 namespace {
@@ -25,7 +26,7 @@ SkyTable solve(double sun_deg, scene::BiomeKind biome) {
   const double e = sun_deg * kPi64 / 180.0;
   scene.sun.direction = {0.0, std::sin(e), -std::cos(e)};
   scene.camera.position = {0.0, 200.0, 0.0};
-  return Light(scene).sky;
+  return Light(test::resolved(scene)).sky;
 }
 
 /// Returns the sky over snow. Each sky is computed once.

@@ -10,18 +10,17 @@
 #include "pack/pack_scene.hpp"
 #include "scene/io.hpp"
 #include "scene/palettes.hpp"
+#include "support/resolved.hpp"
 #include "world/world.hpp"
 
 namespace aerostat {
 namespace {
 
 scene::Scene small_world(const std::string& more) {
-  scene::Scene scene = scene::read_text(
+  return *world::resolve(scene::read_text(
       R"({"version": 1, "biome": "sand", "terrain": {"cells": 32}, "vegetation": {"enabled": false})" +
           more + "}",
-      "x.json");
-  world::resolve(scene);
-  return scene;
+      "x.json"));
 }
 
 const std::string kTwo =
@@ -40,7 +39,7 @@ std::uint64_t revision_of(const world::World& world, const world::GroupKind& kin
 
 /// Whether a world of `next` keeps the group of a kind from the world before.
 bool keeps(const world::GroupKind& kind, const scene::Scene& next, const world::World& before) {
-  const world::World world = world::build(next, {.previous = &before});
+  const world::World world = world::build(test::resolved(next), {.previous = &before});
   return revision_of(world, kind) == revision_of(before, kind);
 }
 
@@ -62,14 +61,15 @@ TEST(Balloons, FarOnesTakeFewTriangles) {
     for (const world::Object& object : balloons_in(world)) count += object.mesh.triangles.size();
     return count;
   };
-  const world::World alone = world::build(one), together = world::build(three);
+  const world::World alone = world::build(test::resolved(one)),
+                     together = world::build(test::resolved(three));
   EXPECT_EQ(balloons_in(together).size(), 3 * balloons_in(alone).size());
   EXPECT_LT(triangles(together), 2 * triangles(alone));
 }
 
 TEST(Balloons, AreKeptUntilOneOfThemChanges) {
   const scene::Scene first = small_world(kTwo);
-  const world::World built = world::build(first);
+  const world::World built = world::build(test::resolved(first));
   scene::Scene next = first;
   next.sun.irradiance = 3.0;
   EXPECT_TRUE(keeps(world::kBalloons, next, built));
@@ -81,14 +81,14 @@ TEST(Balloons, AreKeptUntilOneOfThemChanges) {
   next = first;
   next.balloon.enabled = false;
   for (scene::Balloon& balloon : next.balloons) balloon.enabled = false;
-  EXPECT_TRUE(balloons_in(world::build(next, {.previous = &built})).empty());
+  EXPECT_TRUE(balloons_in(world::build(test::resolved(next), {.previous = &built})).empty());
 }
 
 TEST(World, PlantsFollowAFurtherBalloon) {
   scene::Scene first = small_world(kTwo);
   first.vegetation.enabled = true;
   first.vegetation.reach_m = 300.0;
-  const world::World built = world::build(first);
+  const world::World built = world::build(test::resolved(first));
   ASSERT_FALSE(world::shape_of<world::Instances>(built, world::kPlants)->places.empty());
   const auto keeps_plants = [&](const scene::Scene& scene) {
     return keeps(world::kPlants, scene, built);
@@ -111,10 +111,11 @@ TEST(World, PlantsFollowAFurtherBalloon) {
 
 /// The places of a scene's plants.
 std::vector<dvec3> plants_of(const scene::Scene& scene) {
-  const world::World world = world::build(scene);
+  const scene::ResolvedScene shown = test::resolved(scene);
+  const world::World world = world::build(shown);
   std::vector<dvec3> plants;
   for (const auto& plant : world::shape_of<world::Instances>(world, world::kPlants)->places) {
-    plants.push_back(dvec3(plant.position) + scene.origin);
+    plants.push_back(dvec3(plant.position) + shown.origin());
   }
   return plants;
 }
@@ -143,16 +144,16 @@ TEST(BalloonLight, IsThatOfAnIntegratingSphere) {
   cloth.albedo = vec3(1.0f);
   cloth.diffuse = 0.8;
   cloth.translucency = 0.4;
-  const AeroBalloon light = pack::pack_balloon(scene, scene.balloon);
+  const AeroBalloon light = pack::pack_balloon(test::resolved(scene), scene.balloon);
   EXPECT_NEAR(light.glow_sky[1], 0.2 / (1.0 - 0.4), 1e-6);
   EXPECT_NEAR(light.glow_sun[1], 0.25 * 0.2 / (1.0 - 0.4), 1e-6);
   // If nothing is absorbed, all light that enters the envelope leaves it again.
   scene.balloon.colors = {vec3(1.0f)};
   cloth.diffuse = 0.6;
-  EXPECT_NEAR(pack::pack_balloon(scene, scene.balloon).glow_sky[0], 1.0, 1e-6);
+  EXPECT_NEAR(pack::pack_balloon(test::resolved(scene), scene.balloon).glow_sky[0], 1.0, 1e-6);
   scene.balloon.burner = 0.5;
-  EXPECT_NEAR(pack::pack_balloon(scene, scene.balloon).flame_light[0], 0.5 * 1.6 / std::numbers::pi,
-              1e-6);
+  EXPECT_NEAR(pack::pack_balloon(test::resolved(scene), scene.balloon).flame_light[0],
+              0.5 * 1.6 / std::numbers::pi, 1e-6);
 }
 
 /// Returns the numbers of the balloons that the faces of a group belong to.
@@ -172,12 +173,12 @@ TEST(BalloonLight, IsThatOfEachBalloon) {
   scene.balloons[0].burner = 0.0;
   scene.balloons[1].position.x += 100.0;
   scene.balloons[1].burner = 1.0;
-  const AeroScene packed = pack::pack_scene(scene).numbers;
+  const AeroScene packed = pack::pack_scene(test::resolved(scene)).numbers;
   ASSERT_EQ(packed.balloon_count, 2u) << "the first one is not there";
   EXPECT_EQ(packed.balloons[0].flame_light[0], 0.0f);
   EXPECT_GT(packed.balloons[1].flame_light[0], 0.0f);
   EXPECT_NEAR(packed.balloons[1].flame[0] - packed.balloons[0].flame[0], 100.0f, 1e-3f);
-  const world::World world = world::build(scene);
+  const world::World world = world::build(test::resolved(scene));
   for (const world::Group& group : world.groups) {
     if (group.kind != &world::kBalloons) continue;
     EXPECT_EQ(balloons_of_faces(group), (std::set<std::uint32_t>{0, 1}));
@@ -186,7 +187,7 @@ TEST(BalloonLight, IsThatOfEachBalloon) {
 
 TEST(Burner, NoFireNoFlame) {
   const auto has_flame = [](const scene::Scene& scene) {
-    const world::World world = world::build(scene);
+    const world::World world = world::build(test::resolved(scene));
     for (const world::Object& object : balloons_in(world)) {
       if (object.id == scene::ObjectId::flame) return true;
     }

@@ -9,6 +9,7 @@
 #include "ground/ground_numbers.hpp"
 #include "scatter/biome_layers.hpp"
 #include "scene/io.hpp"
+#include "support/resolved.hpp"
 #include "terrain/terrain_mesh.hpp"
 
 namespace aerostat::scatter {
@@ -88,7 +89,7 @@ TEST(Lines, FindTheCellThatHoldsAValue) {
 TEST(Sight, SaysTheSameRowByRow) {
   const scene::Scene scene = scene::defaults(scene::BiomeKind::snow, scene::View::outside);
   const mesh::GridMesh ground = small_land(scene);
-  const Sight sight(scene, ground, 3000.0, {10.0, 20.0});
+  const Sight sight(test::resolved(scene), ground, 3000.0, {10.0, 20.0});
   int matter = 0, do_not = 0;
   for (double z = -4000.0; z <= 4000.0; z += 97.0) {
     const Sight::Row row = sight.row(z);

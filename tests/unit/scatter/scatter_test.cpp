@@ -15,6 +15,7 @@
 #include "ground/ground_numbers.hpp"
 #include "scatter/layer.hpp"
 #include "scene/io.hpp"
+#include "support/resolved.hpp"
 #include "terrain/terrain_mesh.hpp"
 
 namespace aerostat::scatter {
@@ -101,7 +102,7 @@ class Biome : public testing::TestWithParam<BiomeKind> {
   void SetUp() override {
     scene = small_scene(GetParam());
     ground = terrain::terrain_mesh(scene.terrain);
-    growth = scatter(scene, ground);
+    growth = scatter(test::resolved(scene), ground);
     ASSERT_GT(growth.instances.size(), 1000u);
   }
 
@@ -182,7 +183,7 @@ TEST_P(Biome, KeepsToItsRules) {
 
 TEST_P(Biome, IsTheSameForAnyNumberOfThreads) {
   const tbb::global_control one(tbb::global_control::max_allowed_parallelism, 1);
-  const Growth again = scatter(scene, ground);
+  const Growth again = scatter(test::resolved(scene), ground);
   EXPECT_EQ(again.models, growth.models);
   ASSERT_EQ(again.instances.size(), growth.instances.size());
   EXPECT_EQ(std::memcmp(again.instances.data(), growth.instances.data(),
@@ -193,7 +194,7 @@ TEST_P(Biome, IsTheSameForAnyNumberOfThreads) {
 TEST_P(Biome, GrowsTheSamePlantsWhereverTheCameraIs) {
   scene::Scene moved = scene;
   *moved.camera.position += dvec3(8.0, 0.0, -6.0);
-  const Growth other = scatter(moved, ground);
+  const Growth other = scatter(test::resolved(moved), ground);
   const auto before = [](const Instance& a, const Instance& b) {
     return std::tie(a.position.x, a.position.z, a.yaw_rad) <
            std::tie(b.position.x, b.position.z, b.yaw_rad);
@@ -210,20 +211,22 @@ TEST_P(Biome, GrowsTheSamePlantsWhereverTheCameraIs) {
 TEST_P(Biome, FollowsItsFields) {
   scene::Scene changed = scene;
   changed.vegetation.density = 0.5;
-  const double half = static_cast<double>(scatter(changed, ground).instances.size());
+  const double half =
+      static_cast<double>(scatter(test::resolved(changed), ground).instances.size());
   EXPECT_NEAR(half / static_cast<double>(growth.instances.size()), 0.5, 0.05);
   changed.vegetation = scene.vegetation;
   changed.vegetation.seed = 2;
-  const Growth other = scatter(changed, ground);
+  const Growth other = scatter(test::resolved(changed), ground);
   EXPECT_NE(other.instances[0].position, growth.instances[0].position);
   changed.vegetation.size = 2.0;
   changed.vegetation.seed = scene.vegetation.seed;
-  EXPECT_FLOAT_EQ(scatter(changed, ground).instances[0].scale, 2.0f * growth.instances[0].scale);
+  EXPECT_FLOAT_EQ(scatter(test::resolved(changed), ground).instances[0].scale,
+                  2.0f * growth.instances[0].scale);
   changed.vegetation.density = 0.0;
-  EXPECT_TRUE(scatter(changed, ground).instances.empty());
+  EXPECT_TRUE(scatter(test::resolved(changed), ground).instances.empty());
   changed.vegetation.density = 1.0;
   changed.vegetation.enabled = false;
-  EXPECT_TRUE(scatter(changed, ground).instances.empty());
+  EXPECT_TRUE(scatter(test::resolved(changed), ground).instances.empty());
 }
 
 TEST(Scatter, WoodsAreAsDenseAsThePaintedOnes) {
@@ -251,7 +254,7 @@ TEST(Scatter, WoodsAreAsDenseAsThePaintedOnes) {
   EXPECT_GT(share, 0.5);
   const double expected = share * 3.14159265 * 600.0 * 600.0 / (6.0 * 6.0);
   int found = 0;
-  for (const Instance& instance : scatter(scene, ground).instances) {
+  for (const Instance& instance : scatter(test::resolved(scene), ground).instances) {
     found += glm::length(vec2(instance.position.x, instance.position.z)) < 600.0f ? 1 : 0;
   }
   EXPECT_NEAR(found / expected, 1.0, 0.1);
@@ -269,7 +272,8 @@ TEST(Scatter, LeavesRoomForTheCameraAndEveryObstacle) {
   const auto nearest = [&](double x, double z) {
     const vec3 to(static_cast<float>(x), 100.0f, static_cast<float>(z));
     float least = kInfinity;
-    for (const Instance& i : scatter(scene, ground, Where::everywhere, obstacles).instances) {
+    for (const Instance& i :
+         scatter(test::resolved(scene), ground, Where::everywhere, obstacles).instances) {
       least = std::min(least, glm::distance(i.position, to));
     }
     return least;
@@ -294,7 +298,7 @@ TEST(Scatter, NothingGrowsUnderWaterOrOnCliffs) {
   };
   const mesh::GridMesh ground = mesh_over(200, 2000.0, shore);
   std::size_t on_beach = 0;
-  for (const Instance& instance : scatter(scene, ground).instances) {
+  for (const Instance& instance : scatter(test::resolved(scene), ground).instances) {
     ASSERT_GT(instance.position.y, -0.41f);
     const bool cliff = instance.position.x > 315.0f && instance.position.x < 485.0f;
     ASSERT_FALSE(cliff) << instance.position.x;
@@ -311,7 +315,7 @@ TEST(Scatter, NothingStandsBeyondTheLand) {
   scene.camera.position = {400.0, 500.0, 0.0};
   scene.balloon.enabled = false;
   const mesh::GridMesh ground = mesh_over(4, 1000.0, [](double, double) { return 100.0; });
-  const Growth growth = scatter(scene, ground);
+  const Growth growth = scatter(test::resolved(scene), ground);
   EXPECT_GT(growth.instances.size(), 10000u);
   for (const Instance& instance : growth.instances) {
     ASSERT_LE(std::max(std::fabs(instance.position.x), std::fabs(instance.position.z)), 500.0f);

@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "scene/io.hpp"
+#include "support/resolved.hpp"
 
 namespace aerostat::scatter {
 namespace {
@@ -60,19 +61,19 @@ TEST(Sight, StopsBehindAWallAndGoesOnInTheWallsShade) {
   scene.biome.water.enabled = false;
   scene.sky.ambient_occlusion = false;
   scene.sun.direction = glm::normalize(dvec3(0.0, 1.0, 2.0));
-  const Sight sight(scene, wall, 3000.0, {10.0, 20.0});
+  const Sight sight(test::resolved(scene), wall, 3000.0, {10.0, 20.0});
   EXPECT_TRUE(sight.matters(0.0, -500.0));
   EXPECT_TRUE(sight.matters(0.0, -850.0));
   EXPECT_FALSE(sight.matters(0.0, -2000.0)) << "behind the wall";
   EXPECT_FALSE(sight.matters(-2500.0, -500.0)) << "aside";
   EXPECT_FALSE(sight.matters(0.0, 300.0)) << "behind the eye";
   scene.sun.direction = glm::normalize(dvec3(-10.0, 0.4, 0.0));
-  EXPECT_TRUE(Sight(scene, wall, 3000.0, {10.0, 20.0}).matters(-800.0, -500.0))
+  EXPECT_TRUE(Sight(test::resolved(scene), wall, 3000.0, {10.0, 20.0}).matters(-800.0, -500.0))
       << "aside, its shadow of 500 m in the picture";
-  EXPECT_FALSE(Sight(scene, wall, 3000.0, {10.0, 20.0}).matters(-1300.0, -500.0));
-  EXPECT_FALSE(Sight(scene, wall, 3000.0, {10.0, 20.0}).matters(800.0, -500.0));
+  EXPECT_FALSE(Sight(test::resolved(scene), wall, 3000.0, {10.0, 20.0}).matters(-1300.0, -500.0));
+  EXPECT_FALSE(Sight(test::resolved(scene), wall, 3000.0, {10.0, 20.0}).matters(800.0, -500.0));
   scene.sun.direction = glm::normalize(dvec3(0.0, 1.0, -2.0));
-  EXPECT_FALSE(Sight(scene, wall, 3000.0, {10.0, 20.0}).matters(0.0, -2000.0))
+  EXPECT_FALSE(Sight(test::resolved(scene), wall, 3000.0, {10.0, 20.0}).matters(0.0, -2000.0))
       << "its shadow falls on the wall's back";
 }
 

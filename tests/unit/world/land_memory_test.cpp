@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "support/error_of.hpp"
+#include "support/resolved.hpp"
 #include "world/world.hpp"
 
 namespace aerostat::world {
@@ -34,7 +35,11 @@ TEST(LandMemory, RefusalNamesTheNeedTheBoundAndTheField) {
 TEST(LandMemory, IsAskedForBeforeALandIsBuilt) {
   // This land would need 288 TiB.
   scene::Scene huge = land_of(1 << 22);
-  EXPECT_THROW(build(huge), Error);
+  huge.balloon.enabled = false;
+  huge.camera.position = {0.0, 1000.0, 0.0};
+  huge.camera.target = {100.0, 1000.0, 0.0};
+  const scene::ResolvedScene resolved = test::resolved(huge);
+  EXPECT_EQ(test::error_of([&] { build(resolved); }).kind(), ErrorKind::exhausted);
 }
 
 }  // namespace

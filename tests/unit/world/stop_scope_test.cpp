@@ -5,6 +5,7 @@
 
 #include "core/error.hpp"
 #include "scene/io.hpp"
+#include "world/resolve.hpp"
 #include "world/world.hpp"
 
 namespace aerostat {
@@ -42,22 +43,21 @@ TEST(StopScope, TheInnermostCounts) {
 }
 
 TEST(StopScope, ALandThatWasGivenUpIsBuiltAgain) {
-  scene::Scene scene = scene::read_text(
+  const scene::Scene scene = scene::read_text(
       R"({"version": 1, "terrain": {"cells": 64, "seed": 77}, "vegetation": {"reach_m": 300}})",
       "x");
   expect_given_up([&] { world::Surface{scene}; });
   const world::Surface surface(scene);
-  world::resolve(scene, surface);
+  const scene::ResolvedScene resolved = world::resolve(scene, surface);
   EXPECT_GT(surface.height(9000.0, 9000.0), 0.0);
-  expect_given_up([&] { world::build(scene); });
-  const world::World world = world::build(scene);
+  expect_given_up([&] { world::build(resolved); });
+  const world::World world = world::build(resolved);
   EXPECT_EQ(world::shape_of<world::HeightGrid>(world, world::kLand)->mesh->columns(), 64u);
 }
 
 TEST(StopScope, GivesUpEachKindOfGroup) {
-  scene::Scene scene = scene::read_text(
-      R"({"version": 1, "terrain": {"cells": 32}, "vegetation": {"reach_m": 300}})", "x");
-  world::resolve(scene);
+  const scene::ResolvedScene scene = world::resolve(scene::read_text(
+      R"({"version": 1, "terrain": {"cells": 32}, "vegetation": {"reach_m": 300}})", "x"));
   for (const world::GroupKind* kind : {&world::kLand, &world::kBalloons}) {
     world::BuildOptions alone;
     alone.kinds = {kind};
