@@ -20,10 +20,10 @@ struct Closing {
 
 }  // namespace
 
-DeviceTeam::DeviceTeam(const Options& options) {
+DeviceTeam::DeviceTeam(const Options& options, const TestHooks& hooks) {
   if (options.devices.empty()) throw Error(ErrorKind::internal, "there is no device to render on");
   for (const opencl::Device& device : options.devices) {
-    workers_.push_back(std::make_unique<DeviceWorker>(device, options));
+    workers_.push_back(std::make_unique<DeviceWorker>(device, options, hooks));
     lanes_ = std::max(lanes_, workers_.back()->lanes());
   }
 }

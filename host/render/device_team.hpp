@@ -19,7 +19,7 @@ class DeviceTeam {
   using Waiting = std::function<void()>;
 
   /// Makes a team of the devices in `options`. Throws Error{internal} if there are none.
-  explicit DeviceTeam(const Options& options);
+  DeviceTeam(const Options& options, const TestHooks& hooks);
 
   /// Returns the lanes of the device with the widest packets.
   int lanes() const { return lanes_; }

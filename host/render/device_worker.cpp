@@ -1,6 +1,7 @@
 #include "render/device_worker.hpp"
 
 #include <algorithm>
+#include <utility>
 
 namespace aerostat::render {
 namespace {
@@ -17,13 +18,13 @@ std::uint64_t pixels_of(const AeroTile& tile) {
 
 }  // namespace
 
-DeviceWorker::DeviceWorker(const opencl::Device& device, const Options& options)
+DeviceWorker::DeviceWorker(const opencl::Device& device, const Options& options, TestHooks hooks)
     : lanes_(options.lanes != 0 ? options.lanes : device.lanes),
       context_(device),
       budget_(options.memory_limit_bytes != 0
                   ? opencl::MemoryBudget(options.memory_limit_bytes)
                   : opencl::MemoryBudget(device.memory_bytes, device.memory_bound)),
-      before_launch_(options.before_launch) {}
+      hooks_(std::move(hooks)) {}
 
 void DeviceWorker::begin_programs(scene::Integrator integrator) {
   if (integrator != integrator_) packets_capacity_ = 0;
@@ -141,7 +142,7 @@ void DeviceWorker::reserve(std::uint64_t packets) {
 }
 
 void DeviceWorker::launch_tile(const AeroLaunch& launch) {
-  if (before_launch_) before_launch_(device());
+  if (hooks_.before_launch) hooks_.before_launch(device());
   const std::uint64_t packets = launch.tile.block_count;
   reserve(packets);
   Launch work;

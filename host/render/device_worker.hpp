@@ -16,6 +16,7 @@
 #include "render/programs.hpp"
 #include "render/row_queue.hpp"
 #include "render/session.hpp"
+#include "render/test_hooks.hpp"
 #include "render/tiles.hpp"
 
 namespace aerostat::render {
@@ -37,9 +38,8 @@ struct Pass {
 /// its parts are passed on unchanged.
 class DeviceWorker {
  public:
-  /// Makes the worker of a device. It uses `lanes`, `memory_limit_bytes` and `before_launch` of
-  /// `options`.
-  DeviceWorker(const opencl::Device& device, const Options& options);
+  /// Makes the worker of a device. It uses `lanes` and `memory_limit_bytes` of `options`.
+  DeviceWorker(const opencl::Device& device, const Options& options, TestHooks hooks = {});
 
   const opencl::Device& device() const { return context_.device(); }
   int lanes() const { return lanes_; }
@@ -104,7 +104,7 @@ class DeviceWorker {
   int lanes_;
   opencl::Context context_;
   opencl::MemoryBudget budget_;
-  std::function<void(const opencl::Device&)> before_launch_;
+  TestHooks hooks_;
   /// The programs of an integrator.
   struct Built {
     std::optional<Programs> programs;

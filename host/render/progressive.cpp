@@ -5,11 +5,13 @@
 #include <map>
 #include <mutex>
 #include <optional>
+#include <utility>
 
 #include "core/stop_scope.hpp"
 #include "core/stopwatch.hpp"
 #include "render/abandonable.hpp"
 #include "render/scene_cache.hpp"
+#include "render/test_hooks.hpp"
 #include "scene/scene.hpp"
 #include "world/resolve.hpp"
 
@@ -94,8 +96,8 @@ std::vector<Step> steps_to(double pixels, double pixels_per_second, double patie
 }
 
 struct Progressive::State {
-  explicit State(const Options& options)
-      : cache(options.cache), fine(promptly(options)), coarse(coarsely(options)) {}
+  State(const Options& options, const TestHooks& hooks)
+      : cache(options.cache), fine(promptly(options), hooks), coarse(coarsely(options), hooks) {}
 
   void find_surface(const scene::Scene& scene, world::Carving carving);
   scene::ResolvedScene resolved(const scene::Scene& scene, bool rough) const;
@@ -208,9 +210,11 @@ void Progressive::State::measure(const Step& step, const scene::Scene& scene, bo
   rate = 0.5 * rate + 0.5 * pixels / stats.rays_seconds;
 }
 
-Progressive::Progressive(Options options) {
+Progressive::Progressive(Options options) : Progressive(std::move(options), TestHooks()) {}
+
+Progressive::Progressive(Options options, const TestHooks& hooks) {
   if (!options.cache) options.cache = std::make_shared<SceneCache>();
-  state_ = std::make_unique<State>(options);
+  state_ = std::make_unique<State>(options, hooks);
 }
 
 Progressive::~Progressive() = default;

@@ -57,6 +57,8 @@ std::vector<Step> steps_to(double pixels, double pixels_per_second, double patie
 class Progressive {
  public:
   explicit Progressive(Options options);
+  /// Makes a renderer with hooks for tests (test_hooks.hpp).
+  Progressive(Options options, const TestHooks& hooks);
   ~Progressive();
   Progressive(const Progressive&) = delete;
   Progressive& operator=(const Progressive&) = delete;

@@ -20,6 +20,7 @@
 #include "render/metering.hpp"
 #include "render/passes.hpp"
 #include "render/scene_cache.hpp"
+#include "render/test_hooks.hpp"
 
 namespace aerostat::render {
 namespace {
@@ -55,7 +56,7 @@ bool takes_all_rays_of(const AeroFrame& metering, const AeroFrame& whole, const 
 }  // namespace
 
 struct Session::State {
-  explicit State(Options given) : options(std::move(given)), team(options) {
+  State(Options given, const TestHooks& hooks) : options(std::move(given)), team(options, hooks) {
     if (!options.cache) options.cache = std::make_shared<SceneCache>();
   }
 
@@ -322,7 +323,10 @@ scene::Image shrunk(scene::Image image, int shrink) {
 
 }  // namespace
 
-Session::Session(Options options) : state_(std::make_unique<State>(std::move(options))) {}
+Session::Session(Options options) : Session(std::move(options), TestHooks()) {}
+
+Session::Session(Options options, const TestHooks& hooks)
+    : state_(std::make_unique<State>(std::move(options), hooks)) {}
 
 Session::~Session() = default;
 

@@ -26,6 +26,7 @@ struct GroupKind;
 namespace aerostat::render {
 
 struct SceneCache;
+struct TestHooks;
 
 /// The layers that a film holds. `light_alone` means the light without other layers, so that less
 /// is read back from the devices.
@@ -56,9 +57,6 @@ struct Options {
   /// The cache of what scenes need beside their geometry. Null means that the session makes its
   /// own. A caller that resolves the scenes gives the cache that it resolves them with.
   std::shared_ptr<SceneCache> cache = nullptr;
-  /// A hook for tests. It is called with the device before each launch, on the thread that
-  /// launches. An exception that it throws counts as a failure of the launch.
-  std::function<void(const opencl::Device&)> before_launch = {};
 };
 
 /// A part of the image. It holds the pixels x0 <= x < x1, y0 <= y < y1.
@@ -129,6 +127,8 @@ struct Stats {
 class Session {
  public:
   explicit Session(Options options);
+  /// Makes a session with hooks for tests (test_hooks.hpp).
+  Session(Options options, const TestHooks& hooks);
   ~Session();
   Session(const Session&) = delete;
   Session& operator=(const Session&) = delete;

@@ -19,7 +19,7 @@
 
 namespace aerostat::viewer {
 
-MainWindow::MainWindow(const QString& device, render::Options options, QWidget* parent)
+MainWindow::MainWindow(const QString& device, render::TestHooks hooks, QWidget* parent)
     : QMainWindow(parent), camera_(document_), device_(device) {
   if (device_.isEmpty()) device_ = QSettings().value(QStringLiteral("device")).toString();
   setObjectName(QStringLiteral("main"));
@@ -39,7 +39,7 @@ MainWindow::MainWindow(const QString& device, render::Options options, QWidget* 
     devices_ = devices;
     panels_->show_devices(devices);
   };
-  renderer_ = std::make_unique<RenderThread>(std::move(listener), std::move(options));
+  renderer_ = std::make_unique<RenderThread>(std::move(listener), std::move(hooks));
   if (!device_.isEmpty()) renderer_->use_device(device_);
   panels_->show_device(device_);
   connect(&document_, &Document::changed, this, &MainWindow::render);

@@ -23,8 +23,8 @@ class MainWindow : public QMainWindow {
 
  public:
   /// Makes the window. `device` is a selector as that of `--device`, or empty for the device that
-  /// was chosen last. `options` are passed to RenderThread.
-  explicit MainWindow(const QString& device = {}, render::Options options = {},
+  /// was chosen last. Only tests give hooks.
+  explicit MainWindow(const QString& device = {}, render::TestHooks hooks = {},
                       QWidget* parent = nullptr);
   ~MainWindow() override;
 

@@ -8,9 +8,9 @@
 
 namespace aerostat::viewer {
 
-RenderThread::RenderThread(Listener listener, render::Options options)
+RenderThread::RenderThread(Listener listener, render::TestHooks hooks)
     : listener_(std::move(listener)),
-      options_(std::move(options)),
+      hooks_(std::move(hooks)),
       thread_([this](const std::stop_token& end) { run(end); }) {}
 
 RenderThread::~RenderThread() {
@@ -102,13 +102,13 @@ void RenderThread::serve(const Request& request, const std::stop_token& stop) {
       const std::lock_guard lock(mutex_);
       selector = selector_;
     }
-    render::Options options = options_;
+    render::Options options;
     options.devices = opencl::select_devices(opencl::effective_selector(selector.toStdString()));
     device_.clear();
     for (const auto& device : options.devices) {
       device_ += (device_.isEmpty() ? "" : " + ") + QString::fromStdString(device.name);
     }
-    progressive_ = std::make_unique<render::Progressive>(std::move(options));
+    progressive_ = std::make_unique<render::Progressive>(std::move(options), hooks_);
   }
   double told = -1.0;
   progressive_->render(

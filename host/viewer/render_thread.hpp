@@ -14,6 +14,7 @@
 
 #include "core/error.hpp"
 #include "render/progressive.hpp"
+#include "render/test_hooks.hpp"
 
 namespace aerostat::viewer {
 
@@ -50,8 +51,8 @@ class RenderThread {
     std::function<void(std::vector<DeviceChoice>)> devices_found;
   };
 
-  /// Starts the thread. It renders by `options`, on devices of its own choice.
-  explicit RenderThread(Listener listener, render::Options options = {});
+  /// Starts the thread. Only tests give hooks.
+  explicit RenderThread(Listener listener, render::TestHooks hooks = {});
   /// Stops the present render and waits for its end.
   ~RenderThread();
   RenderThread(const RenderThread&) = delete;
@@ -84,7 +85,7 @@ class RenderThread {
 
   QObject receiver_;
   Listener listener_;
-  const render::Options options_;
+  const render::TestHooks hooks_;
   std::mutex mutex_;
   std::condition_variable_any wake_;
   std::optional<Request> next_;

@@ -9,6 +9,7 @@
 #include "opencl/status.hpp"
 #include "pictures.hpp"
 #include "render/row_queue.hpp"
+#include "render/test_hooks.hpp"
 
 namespace aerostat::test {
 namespace {
@@ -179,11 +180,11 @@ std::string last_words(Session& session, const scene::Scene& scene, std::atomic<
 
 TEST(Devices, AreLostInWords) {
   std::atomic<bool> lost = false;
-  auto options = on(kPocl);
-  options.before_launch = [&](const opencl::Device&) {
+  render::TestHooks hooks;
+  hooks.before_launch = [&](const opencl::Device&) {
     if (lost) fail_as_lost();
   };
-  Session session(options);
+  Session session(on(kPocl), hooks);
   EXPECT_EQ(last_words(session, small_scene("sand-empty", {640, 360, 256, 64}), lost),
             "while starting the kernel trace_camera_rays: the device was lost or stopped working "
             "(CL_DEVICE_NOT_AVAILABLE from clEnqueueNDRangeKernel)");
@@ -200,10 +201,11 @@ TEST(Devices, AreNamedWhenOneIsLost) {
     std::atomic<bool> lost = false;
     auto options = on(kPocl + "/2");
     const std::string name = options.devices[which].selector();
-    options.before_launch = [&](const opencl::Device& device) {
+    render::TestHooks hooks;
+    hooks.before_launch = [&](const opencl::Device& device) {
       if (lost && device.selector() == name) fail_as_lost();
     };
-    Session session(options);
+    Session session(options, hooks);
     const std::string words = last_words(session, scene, lost);
     EXPECT_EQ(words.find("on " + opencl::describe(options.devices[which]) + ": while "), 0u)
         << words;

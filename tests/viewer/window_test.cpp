@@ -253,15 +253,15 @@ void WindowTest::a_lost_device_offers_another() {
   window_.reset();
   QSettings().remove("device");
   std::atomic<bool> is_lost = false;
-  render::Options options;
-  options.before_launch = [&](const opencl::Device&) {
+  render::TestHooks hooks;
+  hooks.before_launch = [&](const opencl::Device&) {
     if (is_lost) {
       opencl::rethrow("starting the kernel trace_camera_rays",
                       cl::Error(CL_DEVICE_NOT_AVAILABLE, "clEnqueueNDRangeKernel"));
     }
   };
   // The render is so long that the device is lost in the middle of it.
-  MainWindow window(device, options);
+  MainWindow window(device, hooks);
   window.document().start(
       small_scene().with(
           {{"/image/width", "2000"}, {"/image/height", "2000"}, {"/image/spp", "256"}}),
