@@ -58,7 +58,7 @@ render::Options render_options(const SessionOptions& options) {
   result.devices = opencl::select_devices(opencl::effective_selector(options.device));
   result.lanes = options.lanes;
   result.memory_limit_bytes = options.memory_limit_bytes;
-  result.plants_in_sight_alone = !options.interactive;
+  result.use = options.interactive ? render::Use::interactive : render::Use::single_picture;
   result.cache = std::make_shared<render::SceneCache>();
   return result;
 }

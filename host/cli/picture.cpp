@@ -30,7 +30,6 @@ render::Options session_options_of(const DeviceOptions& options) {
   session.devices = opencl::select_devices(opencl::effective_selector(options.selector));
   session.lanes = options.lanes;
   session.memory_limit_bytes = options.memory_limit_bytes;
-  session.plants_in_sight_alone = true;
   return session;
 }
 

@@ -67,8 +67,8 @@ Opened open_session(const RenderOptions& options, PictureFormat format, scene::I
   const Stopwatch watch;
   render::Options session_options = session_options_of(options.device);
   session_options.cache = cache;
-  if (format == PictureFormat::png) session_options.layers = render::Layers::light_alone;
-  session_options.meters = format == PictureFormat::png;
+  session_options.contents =
+      format == PictureFormat::png ? render::Contents::picture : render::Contents::layers;
   Opened opened{std::make_unique<render::Session>(session_options), session_options.devices,
                 watch.seconds()};
   opened.session->begin_kernels(light);

@@ -31,6 +31,9 @@ struct FilmArea {
   Crop crop;
 };
 
+/// The layers that are read. `light_alone` means the light without other layers.
+enum class Layers { all, light_alone };
+
 /// Reads the pixels of the crop, whose rows are among `parts`, and averages their samples. Pixels
 /// that are NaN or infinite become black and are counted.
 ReadFilm read_film(std::span<const FilmRows> parts, const FilmArea& area,

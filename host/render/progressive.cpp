@@ -21,8 +21,7 @@ namespace {
 /// The largest shrink of a preview, and the cells of a coarse land on each side. Chosen by eye.
 constexpr int kMostShrink = 16;
 constexpr int kRoughCells = 192;
-/// The times of a launch and of the first preview in seconds. Chosen by eye.
-constexpr double kLaunch_s = 0.02;
+/// The time of the first preview in seconds. Chosen by eye.
 constexpr double kFirstLook_s = 0.05;
 /// The patience for the first look at a rough scene, in seconds. Carving and building the land take
 /// the same time again.
@@ -56,15 +55,8 @@ scene::Scene roughened(scene::Scene scene, int shrink) {
   return scene;
 }
 
-/// Returns options with launches so short that a stop is answered within 50 ms.
-Options promptly(Options options) {
-  options.launch_seconds = kLaunch_s;
-  return options;
-}
-
-Options coarsely(const Options& given) {
-  Options options = promptly(given);
-  options.carving = world::Carving::coarse;
+Options with_carving(Options options, world::Carving carving) {
+  options.carving = carving;
   return options;
 }
 
@@ -97,7 +89,9 @@ std::vector<Step> steps_to(double pixels, double pixels_per_second, double patie
 
 struct Progressive::State {
   State(const Options& options, const TestHooks& hooks)
-      : cache(options.cache), fine(promptly(options), hooks), coarse(coarsely(options), hooks) {}
+      : cache(options.cache),
+        fine(with_carving(options, world::Carving::fine), hooks),
+        coarse(with_carving(options, world::Carving::coarse), hooks) {}
 
   void find_surface(const scene::Scene& scene, world::Carving carving);
   scene::ResolvedScene resolved(const scene::Scene& scene, bool rough) const;
@@ -213,6 +207,7 @@ void Progressive::State::measure(const Step& step, const scene::Scene& scene, bo
 Progressive::Progressive(Options options) : Progressive(std::move(options), TestHooks()) {}
 
 Progressive::Progressive(Options options, const TestHooks& hooks) {
+  options.use = Use::interactive;
   if (!options.cache) options.cache = std::make_shared<SceneCache>();
   state_ = std::make_unique<State>(options, hooks);
 }

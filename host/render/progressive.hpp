@@ -56,6 +56,8 @@ std::vector<Step> steps_to(double pixels, double pixels_per_second, double patie
 /// slider can be dragged. It must not be used from two threads at once.
 class Progressive {
  public:
+  /// Makes a renderer of both lands. Its sessions are interactive whatever `options` say, and it
+  /// ignores `carving`.
   explicit Progressive(Options options);
   /// Makes a renderer with hooks for tests (test_hooks.hpp).
   Progressive(Options options, const TestHooks& hooks);

@@ -53,6 +53,15 @@ bool takes_all_rays_of(const AeroFrame& metering, const AeroFrame& whole, const 
          static_cast<std::uint32_t>(plan.samples_from(0)) == whole.samples;
 }
 
+/// The time that a launch aims at, in seconds. Chosen by eye.
+double launch_seconds_of(Use use) {
+  return use == Use::interactive ? 0.02 : 0.03;
+}
+
+Layers layers_of(Contents contents) {
+  return contents == Contents::picture ? Layers::light_alone : Layers::all;
+}
+
 }  // namespace
 
 struct Session::State {
@@ -74,6 +83,7 @@ struct Session::State {
   void finish(const FilmArea& area, const RowQueue& queue);
   void report(Stage stage, double fraction);
   void stop_if_asked() const;
+  bool is_single_picture() const { return options.use == Use::single_picture; }
   void collect_stats();
 
   Options options;
@@ -126,8 +136,7 @@ void Session::State::await_programs() {
 
 void Session::State::build(const scene::ResolvedScene& scene, Plants plants) {
   const auto old = geometry;
-  const auto where =
-      options.plants_in_sight_alone ? scatter::Where::in_sight : scatter::Where::everywhere;
+  const auto where = is_single_picture() ? scatter::Where::in_sight : scatter::Where::everywhere;
   GeometryOptions how{Meshes::release, plants, where, options.carving};
   how.kinds.insert(how.kinds.end(), options.more_kinds.begin(), options.more_kinds.end());
   // Work that is given up may outlive the session's other members, but not the cache.
@@ -178,7 +187,7 @@ void Session::State::prepare(const scene::ResolvedScene& scene, const scene::Res
   // For a single picture, air and clouds are computed on the cores that building the world leaves
   // idle. Previews follow each other: their worlds are small, and a stop would have to wait for
   // work that runs beside.
-  const auto when = options.plants_in_sight_alone ? std::launch::async : std::launch::deferred;
+  const auto when = is_single_picture() ? std::launch::async : std::launch::deferred;
   auto packing =
       std::async(when, [this, &shown] { return pack::pack_scene(shown, options.cache->packing); });
   build(scene, plants);
@@ -217,7 +226,7 @@ void Session::State::meter(const AeroFrame& metering) {
                   0,
                   static_cast<int>(metering.samples),
                   options.tile_pixels,
-                  options.launch_seconds};
+                  launch_seconds_of(options.use)};
   team.trace(pass, queue, stop, [this] { report(Stage::rays, 0.0); });
   stop_if_asked();
   const FilmArea area{width, height, all, all};
@@ -231,14 +240,14 @@ image::Film Session::State::trace(const scene::ResolvedScene& resolved, const Cr
   const scene::Scene& scene = *resolved;
   const AeroFrame metering = metering_frame(whole);
   const PassPlan plan(scene.image, crop, team.lanes());
-  const bool is_metered = options.meters && !scene.image.exposure_ev;
+  const bool is_metered = options.contents != Contents::layers && !scene.image.exposure_ev;
   const bool meters_itself = takes_all_rays_of(metering, whole, crop, plan);
   if (is_metered && !meters_itself) meter(metering);
   const Stopwatch rays_watch;
   const FilmArea area{scene.image.width, scene.image.height, plan.area_from(0), crop};
   team.begin_film(area.window);
   RowQueue queue(area.window.y0, area.window.y1, static_cast<int>(options.devices.size()));
-  Pass pass{whole, {}, 0, 0, options.tile_pixels, options.launch_seconds};
+  Pass pass{whole, {}, 0, 0, options.tile_pixels, launch_seconds_of(options.use)};
   const AeroConvergence convergence =
       convergence_of(scene.image, dvec3(daylight), window_of(area.window));
   for (passes_done = 0; passes_done < scene.image.spp; passes_done += pass.samples) {
@@ -260,7 +269,7 @@ image::Film Session::State::trace(const scene::ResolvedScene& resolved, const Cr
 
 image::Film Session::State::read_passes(const scene::Scene& scene, const FilmArea& area,
                                         const RowQueue& queue) {
-  ReadFilm read = read_film(team.film_rows(queue), area, options.layers);
+  ReadFilm read = read_film(team.film_rows(queue), area, layers_of(options.contents));
   read.film.daylight = daylight;
   read.film.metered_ev = metered_ev;
   stats.rays[KernelStage::primary] = read.samples;
@@ -280,7 +289,7 @@ void Session::State::finish(const FilmArea& area, const RowQueue& queue) {
   const std::lock_guard lock(snapshot_mutex);
   latest = {};
   finished = [parts = team.film_rows(queue), area, light = daylight, ev = metered_ev,
-              layers = options.layers] {
+              layers = layers_of(options.contents)] {
     image::Film film = read_film(parts, area, layers).film;
     film.daylight = light;
     film.metered_ev = ev;
@@ -338,6 +347,11 @@ image::Film Session::render(const scene::ResolvedScene& scene, std::stop_token s
                             const ProgressCallback& progress, std::optional<Crop> crop,
                             Plants plants, int shrink) {
   State& state = *state_;
+  if (plants == Plants::as_they_stand && state.is_single_picture()) {
+    throw Error(ErrorKind::internal,
+                "plants as they stand, found a session for single pictures, "
+                "expected an interactive one");
+  }
   const scene::ResolvedScene shown = scene.with_image(shrunk(scene->image, shrink));
   const Crop area = checked_crop(shown->image, crop);
   state.stop = std::move(stop);

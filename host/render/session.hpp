@@ -28,9 +28,26 @@ namespace aerostat::render {
 struct SceneCache;
 struct TestHooks;
 
-/// The layers that a film holds. `light_alone` means the light without other layers, so that less
-/// is read back from the devices.
-enum class Layers { all, light_alone };
+/// What a session is used for.
+enum class Use {
+  /// Each view is rendered once, as fast as possible. Plants are left out where the picture can
+  /// show neither them nor their shade. The air and the clouds are worked out on the cores that
+  /// building the world leaves idle.
+  single_picture,
+  /// Pictures follow each other while a view moves. All plants in reach are placed, so that a view
+  /// that turns builds nothing. Launches are shorter, so that a stop is answered sooner.
+  interactive
+};
+
+/// What the films of a session hold.
+enum class Contents {
+  /// All layers, and the exposure that suits the light (image::Film::metered_ev).
+  everything,
+  /// What developing needs: the light and its exposure. Less is read back from the devices.
+  picture,
+  /// All layers without an exposure, for a film that nobody develops.
+  layers
+};
 
 struct Options {
   /// The devices that share each picture. There must be at least one.
@@ -39,19 +56,13 @@ struct Options {
   int lanes = 0;
   /// The most bytes of buffers on each device. 0 means the memory that the device reports.
   std::uint64_t memory_limit_bytes = 0;
-  /// The pixels of a launch. 0 means that launches take about `launch_seconds`.
+  /// The pixels of a launch. 0 means that launches take 0.03 s, or 0.02 s in an interactive
+  /// session. A stop waits for up to two launches.
   int tile_pixels = 0;
-  /// The time that a launch aims at, in seconds. A stop waits for up to two launches.
-  double launch_seconds = 0.03;
-  /// Leaves out plants if the picture can show neither them nor their shade. That is less work for
-  /// a single picture, and more work while a view is moved.
-  bool plants_in_sight_alone = false;
+  Use use = Use::single_picture;
   /// The detail of the land. Scenes must be resolved on land of the same detail.
   world::Carving carving = world::Carving::fine;
-  Layers layers = Layers::all;
-  /// Tells whether each film comes with the exposure that suits it (image::Film::metered_ev). A
-  /// film that nobody develops needs none.
-  bool meters = true;
+  Contents contents = Contents::everything;
   /// The kinds of groups (world/group.hpp) that scenes have beside those of world::all_kinds.
   std::vector<const world::GroupKind*> more_kinds = {};
   /// The cache of what scenes need beside their geometry. Null means that the session makes its
@@ -70,7 +81,9 @@ struct Crop {
 
 /// The plants that a picture shows. `as_seen` places them around the eye in the detail that it
 /// sees, which takes some tenths of a second. `as_they_stand` keeps those of a former eye, for a
-/// quick picture while a view is moved. Such a picture depends on what was rendered before.
+/// quick picture while a view is moved. Such a picture depends on what was rendered before, and
+/// only an interactive session renders it, because another one has no plants out of the former
+/// sight.
 enum class Plants { as_seen, as_they_stand };
 
 enum class Stage { world, tree, kernels, upload, rays, done };
@@ -143,8 +156,9 @@ class Session {
   /// ms of device work, and `snapshot` returns what was done until then. Throws the errors of its
   /// parts. With `shrink` > 1, the sides of the film have that many times fewer pixels, rounded up,
   /// and crops count in these pixels. The world is that of the whole picture, so that a larger
-  /// picture afterwards builds nothing. If the scene gives no exposure, the picture is metered
-  /// first at pixels all over it, so that its parts agree.
+  /// picture afterwards builds nothing. If the scene gives no exposure and the films hold one, the
+  /// picture is metered first at pixels all over it, so that its parts agree. Throws
+  /// Error{internal} for plants as they stand in a session that is not interactive.
   image::Film render(const scene::ResolvedScene& scene, std::stop_token stop = {},
                      const ProgressCallback& progress = {}, std::optional<Crop> crop = {},
                      Plants plants = Plants::as_seen, int shrink = 1);

@@ -68,8 +68,7 @@ void ExportJob::run(const std::stop_token& stop, const scene::Scene& scene, cons
     options.devices = opencl::select_devices(opencl::effective_selector(device.toStdString()));
     const bool is_exr =
         QFileInfo(path).suffix().compare(QLatin1String("exr"), Qt::CaseInsensitive) == 0;
-    if (!is_exr) options.layers = render::Layers::light_alone;
-    options.meters = !is_exr;
+    options.contents = is_exr ? render::Contents::layers : render::Contents::picture;
     const auto cache = std::make_shared<render::SceneCache>();
     options.cache = cache;
     render::Session session(std::move(options));

@@ -69,7 +69,7 @@ bool print_table(const Asked& asked) {
   for (const int tile : asked.tiles) {
     render::Options chosen = options(asked.lanes);
     chosen.tile_pixels = tile;
-    chosen.plants_in_sight_alone = true;
+    chosen.use = render::Use::single_picture;
     render::Session session(chosen);
     for (const std::string& name : asked.scenes) {
       image::Film film = session.render(resolved(standard_scene(name, asked)));

@@ -139,7 +139,7 @@ TEST(Metering, IsLeftOutWhereTheExposureIsGiven) {
 
 TEST(Metering, IsLeftOutWhereNobodyDevelopsTheFilm) {
   render::Options options = test::options();
-  options.meters = false;
+  options.contents = render::Contents::layers;
   render::Session session(std::move(options));
   EXPECT_EQ(session.render(resolved(scene_of(scene::Quality::draft))).metered_ev, 0.0);
   EXPECT_EQ(session.stats().metering_seconds, 0.0);

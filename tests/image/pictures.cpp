@@ -85,6 +85,7 @@ render::Options options(int lanes) {
   chosen.cache = shared_cache();
   chosen.devices = devices();
   chosen.lanes = lanes;
+  chosen.use = render::Use::interactive;
   return chosen;
 }
 

@@ -37,7 +37,7 @@ scene::Scene planted_scene(const std::string& name, const Size& size = {});
 /// is no device, so the test fails.
 const std::vector<opencl::Device>& devices();
 
-/// Returns options for a render on `devices()`.
+/// Returns the options of an interactive session on `devices()`.
 render::Options options(int lanes = 0);
 
 /// The cache of all sessions that are made with `options`, so that few lands are carved.

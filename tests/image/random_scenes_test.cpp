@@ -49,7 +49,7 @@ TEST(RandomScenes, AreRefusedOrRenderedInNumbers) {
   std::printf("seeds %u to %u\n", first, first + static_cast<std::uint32_t>(count) - 1u);
   render::Options coarse = options();
   coarse.carving = world::Carving::coarse;
-  coarse.plants_in_sight_alone = true;
+  coarse.use = render::Use::single_picture;
   render::Session session(coarse);
   int refused = 0;
   for (int i = 0; i < count; ++i) {

@@ -1,5 +1,4 @@
 // Tests the promises of the library: progress, re-use, and pictures that depend only on the scene.
-#include <cmath>
 #include <map>
 #include <numeric>
 #include <set>
@@ -61,7 +60,7 @@ TEST(Progress, ReportsEveryStageOfAFirstRender) {
 TEST(Layers, LeftOutLeaveTheLightAndTheCountsAsTheyAre) {
   const auto scene = small_scene("snow");
   render::Options light_alone = options();
-  light_alone.layers = render::Layers::light_alone;
+  light_alone.contents = render::Contents::picture;
   Session whole(options()), lean(light_alone);
   const image::Film expected = whole.render(resolved(scene)), film = lean.render(resolved(scene));
   EXPECT_EQ(film.radiance, expected.radiance);
@@ -123,70 +122,6 @@ TEST_F(Reuse, ACameraThatComesNearBuildsAFinerBalloonAlone) {
   scene_.camera.position = glm::mix(*scene_.camera.position, scene_.balloon.position, 0.6);
   EXPECT_EQ(built_by(scene_), (std::array<int, 3>{1, 1, 0}));
   EXPECT_TRUE(as_if_new(scene_));
-}
-
-TEST(Plants, FollowTheCameraAlone) {
-  Session session(options());
-  auto scene = planted_scene("snow");
-  session.render(resolved(scene));
-  EXPECT_EQ(session.stats().worlds_built, 3);
-  scene.sun.direction = glm::normalize(dvec3(-0.6, 0.5, 0.3));
-  session.render(resolved(scene));
-  EXPECT_EQ(session.stats().worlds_built, 0);
-  *scene.camera.position += dvec3(0.3, 0.1, -0.5);
-  const auto moved = session.render(resolved(scene));
-  EXPECT_EQ(session.stats().worlds_built, 1);
-  EXPECT_TRUE(same_bits(moved, Session(options()).render(resolved(scene))));
-}
-
-TEST(Plants, MayStayAsTheyStand) {
-  Session session(options());
-  auto scene = planted_scene("snow");
-  session.render(resolved(scene));
-  const auto first_eye = *scene.camera.position;
-  *scene.camera.position += dvec3(-3.0, -1.0, 5.0);
-  const auto as_they_stand = [&] {
-    return session.render(resolved(scene), {}, {}, {}, render::Plants::as_they_stand);
-  };
-  const auto moved = as_they_stand();
-  EXPECT_EQ(session.stats().worlds_built, 0);
-  scene.camera.position = first_eye;
-  as_they_stand();
-  session.render(resolved(scene));
-  EXPECT_EQ(session.stats().worlds_built, 0) << "they are the first eye's";
-  *scene.camera.position += dvec3(-3.0, -1.0, 5.0);
-  const auto exact = session.render(resolved(scene));
-  EXPECT_EQ(session.stats().worlds_built, 1);
-  EXPECT_FALSE(same_bits(moved, exact));
-  EXPECT_TRUE(same_bits(exact, Session(options()).render(resolved(scene))));
-}
-
-/// Returns the scene's own view for k = 0, and views to other sides for other k.
-scene::Scene seen_from_aside(const std::string& name, int k) {
-  auto scene = planted_scene(name, {192, 108, 1, 256});
-  scene.vegetation.reach_m = 3000.0;
-  if (k == 0) return scene;
-  scene::Camera& camera = scene.camera;
-  const double angle = 1.7 * k;
-  const dvec3 ahead(std::cos(angle), k == 3 ? -2.0 : -0.15, std::sin(angle));
-  camera.target = *camera.position + 100.0 * ahead;
-  camera.up = {0.3 * k, 1.0, 0.2};
-  scene.sun.direction = glm::normalize(dvec3(std::sin(angle), 0.25, -std::cos(angle)));
-  return scene;
-}
-
-TEST(Plants, OutOfSightAreNoLoss) {
-  render::Options in_sight = options();
-  in_sight.plants_in_sight_alone = true;
-  Session all(options()), some(in_sight);
-  for (const char* name : {"snow-basket", "tropical-basket"}) {
-    for (int k = 0; k < 4; ++k) {
-      const auto scene = seen_from_aside(name, k);
-      const auto expected = all.render(resolved(scene));
-      EXPECT_TRUE(same_bits(expected, some.render(resolved(scene)))) << name << " " << k;
-      EXPECT_LT(some.stats().tree.leaves, all.stats().tree.leaves);
-    }
-  }
 }
 
 TEST_F(Reuse, AMovedSunBuildsNothing) {

@@ -20,7 +20,7 @@ TEST_P(Tiles, GiveTheSameBits) {
   for (const int pixels : {1000, 100000}) {
     render::Options chosen = options();
     chosen.tile_pixels = pixels;
-    chosen.plants_in_sight_alone = true;
+    chosen.use = render::Use::single_picture;
     render::Session session(chosen);
     image::Film film = session.render(resolved(scene));
     if (first.radiance.empty()) {
