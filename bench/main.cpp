@@ -14,6 +14,7 @@
 #include "world/resolve.hpp"
 #ifdef AEROSTAT_EMBREE
 #include "embree_peer.hpp"
+#include "scene/scene.hpp"
 #endif
 
 namespace {

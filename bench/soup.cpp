@@ -8,6 +8,7 @@
 #include "core/stopwatch.hpp"
 #include "model/balloon.hpp"
 #include "scene/io.hpp"
+#include "scene/scene.hpp"
 #include "world/resolve.hpp"
 
 namespace aerostat::bench {

@@ -1,7 +1,10 @@
 #pragma once
 
 #include "core/math.hpp"
-#include "scene/scene.hpp"
+
+namespace aerostat::scene {
+struct Scene;
+}
 
 /// These types and functions describe the air around the planet: its composition at each height
 /// and the way it scatters light. Heights are in metres above the sea, lengths in metres, and

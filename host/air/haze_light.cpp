@@ -1,6 +1,7 @@
 #include "air/haze_light.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include <tbb/parallel_for.h>

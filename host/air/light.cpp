@@ -4,6 +4,8 @@
 #include <cmath>
 #include <memory>
 
+#include "scene/scene.hpp"
+
 namespace aerostat::air {
 namespace {
 

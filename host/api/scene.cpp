@@ -2,6 +2,7 @@
 
 #include "api/state.hpp"
 #include "scene/io.hpp"
+#include "scene/scene.hpp"
 
 namespace aerostat {
 

@@ -6,6 +6,7 @@
 #include "opencl/device.hpp"
 #include "render/scene_cache.hpp"
 #include "render/session.hpp"
+#include "scene/scene.hpp"
 #include "world/resolve.hpp"
 
 namespace aerostat {

@@ -14,6 +14,7 @@
 #include "core/stopwatch.hpp"
 #include "image/sheet.hpp"
 #include "render/scene_cache.hpp"
+#include "scene/scene.hpp"
 
 namespace aerostat::cli {
 

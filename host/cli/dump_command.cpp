@@ -1,6 +1,7 @@
 #include "cli/commands.hpp"
 #include "cli/scene_input.hpp"
 #include "scene/io.hpp"
+#include "scene/scene.hpp"
 
 namespace aerostat::cli {
 

@@ -10,7 +10,7 @@
 #include "core/log.hpp"
 #include "image/write.hpp"
 #include "render/session.hpp"
-#include "scene/scene.hpp"
+#include "scene/picture.hpp"
 
 /// These functions are shared by the commands that render.
 namespace aerostat::cli {

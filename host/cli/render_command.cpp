@@ -18,6 +18,7 @@
 #include "image/write.hpp"
 #include "render/scene_cache.hpp"
 #include "render/session.hpp"
+#include "scene/scene.hpp"
 
 namespace aerostat::cli {
 

@@ -14,6 +14,7 @@
 #include "core/file.hpp"
 #include "scene/installed.hpp"
 #include "scene/io.hpp"
+#include "scene/scene.hpp"
 #include "world/resolve.hpp"
 
 namespace aerostat::cli {

@@ -5,7 +5,6 @@
 
 #include "cli/options.hpp"
 #include "scene/resolved_scene.hpp"
-#include "scene/scene.hpp"
 #include "world/surface.hpp"
 
 /// These functions read the input of all commands and write data to stdout.

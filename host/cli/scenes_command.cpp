@@ -6,6 +6,7 @@
 #include "cli/scene_input.hpp"
 #include "core/error.hpp"
 #include "scene/installed.hpp"
+#include "scene/scene.hpp"
 
 namespace aerostat::cli {
 

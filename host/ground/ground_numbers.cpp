@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "core/copy.hpp"
+#include "scene/scene.hpp"
 
 namespace aerostat::ground {
 namespace {

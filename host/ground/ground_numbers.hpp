@@ -1,7 +1,10 @@
 #pragma once
 
-#include "scene/scene.hpp"
 #include "scene_params.h"
+
+namespace aerostat::scene {
+struct Scene;
+}
 
 namespace aerostat::ground {
 

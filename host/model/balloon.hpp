@@ -4,7 +4,8 @@
 
 #include "mesh/mesh.hpp"
 #include "model/detail.hpp"
-#include "scene/scene.hpp"
+#include "scene/balloon.hpp"
+#include "scene/objects.hpp"
 
 /// Builds models as functions that return meshes.
 namespace aerostat::model {

@@ -1,7 +1,7 @@
 #pragma once
 
+#include "scene/balloon.hpp"
 #include "scene/pixel_size.hpp"
-#include "scene/scene.hpp"
 
 namespace aerostat::model {
 

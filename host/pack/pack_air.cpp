@@ -5,6 +5,7 @@
 #include "air/light.hpp"
 #include "core/copy.hpp"
 #include "rules/daylight.h"
+#include "scene/scene.hpp"
 
 namespace aerostat::pack {
 namespace {

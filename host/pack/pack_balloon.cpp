@@ -5,6 +5,7 @@
 
 #include "core/copy.hpp"
 #include "model/balloon.hpp"
+#include "scene/scene.hpp"
 
 namespace aerostat::pack {
 namespace {

@@ -7,6 +7,7 @@
 #include "core/copy.hpp"
 #include "pack/pack_scene.hpp"
 #include "scene/pixel_size.hpp"
+#include "scene/scene.hpp"
 #include "scene/view_axes.hpp"
 
 namespace aerostat::pack {

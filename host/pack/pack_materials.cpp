@@ -1,6 +1,7 @@
 #include "pack/pack_materials.hpp"
 
 #include "core/copy.hpp"
+#include "scene/scene.hpp"
 #include "trace_triangle.h"
 
 namespace aerostat::pack {

@@ -1,7 +1,10 @@
 #pragma once
 
 #include "material.h"
-#include "scene/scene.hpp"
+
+namespace aerostat::scene {
+struct Scene;
+}
 
 namespace aerostat::pack {
 

@@ -15,6 +15,7 @@
 #include "pack/pack_materials.hpp"
 #include "scene/balloons.hpp"
 #include "scene/local_frame.hpp"
+#include "scene/scene.hpp"
 
 namespace aerostat::pack {
 namespace {

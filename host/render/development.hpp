@@ -1,7 +1,7 @@
 #pragma once
 
 #include "image/write.hpp"
-#include "scene/scene.hpp"
+#include "scene/picture.hpp"
 
 namespace aerostat::render {
 

@@ -3,7 +3,7 @@
 #include <cstdint>
 
 #include "render/session.hpp"
-#include "scene/scene.hpp"
+#include "scene/picture.hpp"
 
 namespace aerostat::render {
 

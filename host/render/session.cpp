@@ -21,6 +21,7 @@
 #include "render/passes.hpp"
 #include "render/scene_cache.hpp"
 #include "render/test_hooks.hpp"
+#include "scene/scene.hpp"
 
 namespace aerostat::render {
 namespace {

@@ -13,8 +13,8 @@
 #include "image/film.hpp"
 #include "opencl/device.hpp"
 #include "render/kernel_stage.hpp"
+#include "scene/picture.hpp"
 #include "scene/resolved_scene.hpp"
-#include "scene/scene.hpp"
 #include "world/surface.hpp"
 
 namespace aerostat::world {

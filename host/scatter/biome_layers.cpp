@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/smooth_step.hpp"
+#include "scene/scene.hpp"
 
 namespace aerostat::scatter {
 

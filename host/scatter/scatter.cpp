@@ -7,6 +7,7 @@
 #include "ground/ground_numbers.hpp"
 #include "scatter/biome_layers.hpp"
 #include "scene/local_frame.hpp"
+#include "scene/scene.hpp"
 
 namespace aerostat::scatter {
 namespace {

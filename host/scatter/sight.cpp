@@ -6,6 +6,7 @@
 #include <tbb/parallel_for.h>
 
 #include "scene/local_frame.hpp"
+#include "scene/scene.hpp"
 #include "scene/view_axes.hpp"
 
 namespace aerostat::scatter {

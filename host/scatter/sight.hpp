@@ -6,8 +6,8 @@
 
 #include "scatter/height_tiles.hpp"
 #include "scatter/obstacle.hpp"
+#include "scene/picture.hpp"
 #include "scene/resolved_scene.hpp"
-#include "scene/scene.hpp"
 
 namespace aerostat::scatter {
 

@@ -4,6 +4,7 @@
 #include "core/smooth_step.hpp"
 #include "rules/ground.h"
 #include "scatter/biome_layers.hpp"
+#include "scene/scene.hpp"
 
 namespace aerostat::scatter {
 namespace {

@@ -1,7 +1,8 @@
 #pragma once
 
+#include "scene/balloon.hpp"
 #include "scene/field.hpp"
-#include "scene/scene.hpp"
+#include "scene/objects.hpp"
 
 /// Balloons and materials.
 namespace aerostat::scene::detail {

@@ -1,5 +1,7 @@
 #include "scene/balloons.hpp"
 
+#include "scene/scene.hpp"
+
 namespace aerostat::scene {
 
 std::vector<const Balloon*> balloons_of(const Scene& scene) {

@@ -2,11 +2,13 @@
 
 #include <vector>
 
-#include "scene/scene.hpp"
+#include "scene/balloon.hpp"
 
 /// A scene file has a first balloon, which cameras may refer to, and a list of further ones. All
 /// else goes by these lists of both, the first one first.
 namespace aerostat::scene {
+
+struct Scene;
 
 /// The balloons that are there: those that are enabled.
 std::vector<const Balloon*> balloons_of(const Scene& scene);

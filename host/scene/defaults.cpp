@@ -3,6 +3,7 @@
 #include "scene/io.hpp"
 #include "scene/materials.hpp"
 #include "scene/palettes.hpp"
+#include "scene/scene.hpp"
 #include "scene/sun_angles.hpp"
 
 namespace aerostat::scene {

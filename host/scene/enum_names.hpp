@@ -2,7 +2,9 @@
 
 #include <span>
 
-#include "scene/scene.hpp"
+#include "scene/balloon.hpp"
+#include "scene/land.hpp"
+#include "scene/picture.hpp"
 
 namespace aerostat::scene::detail {
 

@@ -4,6 +4,7 @@
 #include "scene/land_fields.hpp"
 #include "scene/light_fields.hpp"
 #include "scene/picture_fields.hpp"
+#include "scene/scene.hpp"
 
 /// The tables of all fields. Schema, reader, writer, the manual's reference and the window's
 /// controls follow from them.

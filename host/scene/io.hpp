@@ -5,9 +5,13 @@
 #include <vector>
 
 #include "scene/bad_scene.hpp"
-#include "scene/scene.hpp"
+#include "scene/land.hpp"
+#include "scene/picture.hpp"
 
 namespace aerostat::scene {
+
+struct Haze;
+struct Scene;
 
 /// One option "--set /json/pointer=value". The value is taken as JSON if it is valid JSON, else
 /// as a string.

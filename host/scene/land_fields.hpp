@@ -1,7 +1,7 @@
 #pragma once
 
 #include "scene/field.hpp"
-#include "scene/scene.hpp"
+#include "scene/land.hpp"
 
 /// The ground, the sea and what grows on the ground.
 namespace aerostat::scene::detail {

@@ -3,7 +3,7 @@
 #include <string>
 
 #include "scene/field.hpp"
-#include "scene/scene.hpp"
+#include "scene/light.hpp"
 
 /// The sun, lamps, sky and air.
 namespace aerostat::scene::detail {

@@ -4,6 +4,7 @@
 
 #include "scene/balloons.hpp"
 #include "scene/pixel_size.hpp"
+#include "scene/scene.hpp"
 
 namespace aerostat::scene {
 namespace {

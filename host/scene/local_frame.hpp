@@ -1,13 +1,15 @@
 #pragma once
 
+#include "core/math.hpp"
 #include "scene/resolved_scene.hpp"
-#include "scene/scene.hpp"
 
 /// These functions choose the origin that positions are counted from. Meshes and kernels hold
 /// positions in single precision, which is exact enough only near their origin. That origin is
 /// ResolvedScene::origin(), a point near the eye. Patterns of the ground, plants, waves and clouds
 /// use the place over the terrain instead, so that they stay in place when the origin moves.
 namespace aerostat::scene {
+
+struct Scene;
 
 /// Returns the origin for objects near a position. It is the terrain's centre at sea level if the
 /// position is less than 8192 m away along every axis. Along an axis on which it is farther away,

@@ -2,7 +2,8 @@
 
 #include <array>
 
-#include "scene/scene.hpp"
+#include "scene/land.hpp"
+#include "scene/objects.hpp"
 
 namespace aerostat::scene::detail {
 

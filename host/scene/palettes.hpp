@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "scene/scene.hpp"
+#include "scene/balloon.hpp"
 
 namespace aerostat::scene {
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "scene/field.hpp"
-#include "scene/scene.hpp"
+#include "scene/picture.hpp"
 
 /// The camera and the picture.
 namespace aerostat::scene::detail {

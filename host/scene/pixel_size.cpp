@@ -3,6 +3,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "scene/scene.hpp"
+
 namespace aerostat::scene {
 
 PixelSize pixel_size(const Scene& scene) {

@@ -1,8 +1,11 @@
 #pragma once
 
-#include "scene/scene.hpp"
+#include "core/math.hpp"
 
 namespace aerostat::scene {
+
+struct Camera;
+struct Scene;
 
 /// The size that a pixel in the middle of the picture covers at a distance from the eye. It is
 /// angle_rad times the distance plus width_m. One of the two is 0.

@@ -2,6 +2,7 @@
 
 #include "core/error.hpp"
 #include "core/unit_vector.hpp"
+#include "scene/picture.hpp"
 
 namespace aerostat::scene {
 namespace {

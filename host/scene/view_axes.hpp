@@ -1,8 +1,10 @@
 #pragma once
 
-#include "scene/scene.hpp"
+#include "core/math.hpp"
 
 namespace aerostat::scene {
+
+struct Camera;
 
 /// Unit vectors at right angles to each other that point right, up and ahead in the picture. For
 /// a panorama, `up` is the camera's up vector, and `right` and `forward` are at right angles to

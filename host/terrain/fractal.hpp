@@ -5,7 +5,7 @@
 
 #include "noise.hpp"
 #include "rules/noise.h"
-#include "scene/scene.hpp"
+#include "scene/land.hpp"
 
 /// These functions sum noise layers after Musgrave (Ebert et al., "Texturing and Modeling",
 /// chapter 16).

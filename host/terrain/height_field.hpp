@@ -3,7 +3,7 @@
 #include <memory>
 
 #include "core/math.hpp"
-#include "scene/scene.hpp"
+#include "scene/land.hpp"
 #include "terrain/carving.hpp"
 #include "terrain/points.hpp"
 #include "terrain/relief_cache.hpp"

@@ -3,7 +3,7 @@
 #include <memory>
 
 #include "points.hpp"
-#include "scene/scene.hpp"
+#include "scene/land.hpp"
 #include "terrain/carving.hpp"
 
 namespace aerostat::terrain {

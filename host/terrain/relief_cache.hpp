@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/last_made.hpp"
-#include "scene/scene.hpp"
+#include "scene/land.hpp"
 #include "terrain/carving.hpp"
 
 namespace aerostat::terrain {

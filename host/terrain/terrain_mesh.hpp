@@ -4,7 +4,7 @@
 
 #include "mesh/grid_mesh.hpp"
 #include "mesh/mesh.hpp"
-#include "scene/scene.hpp"
+#include "scene/land.hpp"
 #include "terrain/height_field.hpp"
 
 namespace aerostat::terrain {

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "scene/scene.hpp"
 #include "viewer/scene_presets.hpp"
 
 namespace aerostat::viewer {

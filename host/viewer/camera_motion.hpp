@@ -3,7 +3,7 @@
 #include <functional>
 
 #include "core/math.hpp"
-#include "scene/scene.hpp"
+#include "scene/picture.hpp"
 
 /// Computes movements of the camera as functions of its pose. Angles are in radians, lengths in
 /// metres.

@@ -14,6 +14,7 @@
 #include <QVBoxLayout>
 #include <exception>
 
+#include "scene/scene.hpp"
 #include "viewer/controls.hpp"
 #include "viewer/export_job.hpp"
 #include "viewer/screen_fit.hpp"

@@ -10,6 +10,7 @@
 #include "render/development.hpp"
 #include "render/scene_cache.hpp"
 #include "render/session.hpp"
+#include "scene/scene.hpp"
 #include "world/resolve.hpp"
 
 namespace aerostat::viewer {

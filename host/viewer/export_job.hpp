@@ -7,9 +7,13 @@
 #include <memory>
 #include <stop_token>
 #include <thread>
+#include <vector>
 
 #include "core/file.hpp"
-#include "scene/scene.hpp"
+
+namespace aerostat::scene {
+struct Scene;
+}
 
 namespace aerostat::viewer {
 

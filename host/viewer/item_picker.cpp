@@ -7,6 +7,7 @@
 #include <QToolButton>
 
 #include "scene/field_rule.hpp"
+#include "scene/scene.hpp"
 #include "viewer/controls.hpp"
 
 namespace aerostat::viewer {

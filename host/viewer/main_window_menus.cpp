@@ -5,6 +5,7 @@
 #include <QMenuBar>
 #include <QMessageBox>
 
+#include "scene/scene.hpp"
 #include "viewer/main_window.hpp"
 #include "viewer/picture_view.hpp"
 #include "viewer/scene_files.hpp"

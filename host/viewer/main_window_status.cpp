@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "render/kernel_progress.hpp"
+#include "scene/scene.hpp"
 #include "viewer/main_window.hpp"
 #include "viewer/panels.hpp"
 #include "viewer/picture_view.hpp"

@@ -10,6 +10,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "scene/scene.hpp"
 #include "viewer/camera_control.hpp"
 #include "viewer/scene_presets.hpp"
 #include "viewer/sun_disc.hpp"

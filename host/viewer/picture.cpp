@@ -3,6 +3,7 @@
 #include <cstring>
 
 #include "render/development.hpp"
+#include "scene/scene.hpp"
 
 namespace aerostat::viewer {
 

@@ -4,6 +4,7 @@
 
 #include "image/write.hpp"
 #include "opencl/device.hpp"
+#include "scene/scene.hpp"
 #include "viewer/picture.hpp"
 
 namespace aerostat::viewer {
@@ -23,7 +24,7 @@ RenderThread::~RenderThread() {
 }
 
 std::uint64_t RenderThread::render(const scene::Scene& scene) {
-  ask({scene, 0, false});
+  ask({std::make_shared<const scene::Scene>(scene), 0, false});
   return last_number_;
 }
 
@@ -38,7 +39,7 @@ void RenderThread::use_device(const QString& selector) {
     const std::lock_guard lock(mutex_);
     selector_ = selector;
   }
-  ask({std::nullopt, 0, true});
+  ask({nullptr, 0, true});
 }
 
 /// Keeps the newest request. A change of the device is kept until it is served.

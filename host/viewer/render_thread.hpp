@@ -68,7 +68,8 @@ class RenderThread {
 
  private:
   struct Request {
-    std::optional<scene::Scene> scene;
+    /// The scene to render, or null for the same again.
+    std::shared_ptr<const scene::Scene> scene;
     std::uint64_t number = 0;
     bool other_device = false;
   };

@@ -3,6 +3,7 @@
 #include "core/error.hpp"
 #include "scene/field_rule.hpp"
 #include "scene/installed.hpp"
+#include "scene/scene.hpp"
 
 namespace aerostat::viewer {
 namespace {

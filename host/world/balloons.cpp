@@ -8,6 +8,7 @@
 #include "core/stop_scope.hpp"
 #include "model/balloon.hpp"
 #include "scene/pixel_size.hpp"
+#include "scene/scene.hpp"
 #include "world/kinds.hpp"
 
 namespace aerostat::world {

@@ -9,8 +9,8 @@
 #include "mesh/grid_mesh.hpp"
 #include "mesh/mesh.hpp"
 #include "scatter/scatter.hpp"
+#include "scene/objects.hpp"
 #include "scene/resolved_scene.hpp"
-#include "scene/scene.hpp"
 #include "terrain/carving.hpp"
 #include "terrain/relief_cache.hpp"
 

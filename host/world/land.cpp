@@ -1,3 +1,4 @@
+#include "scene/scene.hpp"
 #include "terrain/terrain_mesh.hpp"
 #include "world/kinds.hpp"
 #include "world/land_memory.hpp"

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "core/error.hpp"
+#include "scene/scene.hpp"
 
 namespace aerostat::world {
 namespace {

@@ -1,7 +1,10 @@
 #pragma once
 
 #include "core/memory_left.hpp"
-#include "scene/scene.hpp"
+
+namespace aerostat::scene {
+struct Scene;
+}
 
 namespace aerostat::world {
 

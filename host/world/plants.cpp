@@ -4,6 +4,7 @@
 #include <oneapi/tbb/parallel_for.h>
 
 #include "scatter/sight.hpp"
+#include "scene/scene.hpp"
 #include "world/kinds.hpp"
 
 namespace aerostat::world {

@@ -15,6 +15,7 @@
 #include "scene/balloons.hpp"
 #include "scene/field_rule.hpp"
 #include "scene/local_frame.hpp"
+#include "scene/scene.hpp"
 #include "scene/view_axes.hpp"
 #include "terrain/terrain_mesh.hpp"
 

@@ -1,5 +1,6 @@
 #include <utility>
 
+#include "scene/scene.hpp"
 #include "terrain/terrain_mesh.hpp"
 #include "world/kinds.hpp"
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "scene/scene.hpp"
 #include "terrain/height_field.hpp"
 
 namespace aerostat::world {

@@ -2,9 +2,12 @@
 
 #include <memory>
 
-#include "scene/scene.hpp"
 #include "terrain/carving.hpp"
 #include "terrain/relief_cache.hpp"
+
+namespace aerostat::scene {
+struct Scene;
+}
 
 namespace aerostat::world {
 

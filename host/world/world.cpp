@@ -8,6 +8,7 @@
 #include "core/error.hpp"
 #include "core/stop_scope.hpp"
 #include "scene/local_frame.hpp"
+#include "scene/scene.hpp"
 
 namespace aerostat::world {
 namespace {

@@ -16,6 +16,7 @@
 #include "core/error.hpp"
 #include "mutate.hpp"
 #include "scene/io.hpp"
+#include "scene/scene.hpp"
 
 namespace aerostat::test {
 namespace {

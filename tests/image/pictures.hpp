@@ -7,6 +7,7 @@
 
 #include "render/session.hpp"
 #include "scene/io.hpp"
+#include "scene/scene.hpp"
 #include "support/resolved.hpp"
 
 /// Provides the seven scenes at a small size and sessions on the device that aerostat would choose,

@@ -1,4 +1,5 @@
 // Tests the promises of the library: progress, re-use, and pictures that depend only on the scene.
+#include <cmath>
 #include <map>
 #include <numeric>
 #include <set>

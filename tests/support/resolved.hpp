@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "scene/balloons.hpp"
+#include "scene/scene.hpp"
 #include "world/resolve.hpp"
 
 namespace aerostat::test {

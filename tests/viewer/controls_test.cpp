@@ -10,6 +10,7 @@
 #include <QtTest>
 
 #include "scene/field_rule.hpp"
+#include "scene/scene.hpp"
 #include "viewer/camera_control.hpp"
 #include "viewer/color_editor.hpp"
 #include "viewer/command_text.hpp"
@@ -218,8 +219,7 @@ void ControlsTest::lists_grow_and_shrink() {
     if (fold->isCheckable()) fold->setChecked(true);
   }
   QVERIFY2(intensity->isHidden(), "of a lamp that is not there");
-  balloons.add();
-  balloons.add();
+  for (int i = 0; i < 2; ++i) balloons.add();
   QCOMPARE(balloons.chosen(), QString("/balloons/1"));
   row("/balloon/gores")->set("12");
   QCOMPARE(document_->scene().balloons[1].gores, 12);

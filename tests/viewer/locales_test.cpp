@@ -11,6 +11,7 @@
 #include <QtTest>
 #include <cmath>
 
+#include "scene/scene.hpp"
 #include "small_window.hpp"
 #include "viewer/camera_control.hpp"
 #include "viewer/command_text.hpp"

@@ -12,6 +12,7 @@
 #include <sys/resource.h>
 #include <sys/stat.h>
 
+#include "scene/scene.hpp"
 #include "small_window.hpp"
 #include "viewer/export_dialog.hpp"
 #include "viewer/main_window.hpp"

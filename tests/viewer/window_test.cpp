@@ -13,6 +13,7 @@
 #include <atomic>
 
 #include "opencl/status.hpp"
+#include "scene/scene.hpp"
 #include "small_window.hpp"
 #include "viewer/export_dialog.hpp"
 #include "viewer/main_window.hpp"

@@ -7,6 +7,7 @@
 #include "ground/ground_numbers.hpp"
 #include "probe.hpp"
 #include "scene/io.hpp"
+#include "scene/scene.hpp"
 
 namespace aerostat::test {
 namespace {

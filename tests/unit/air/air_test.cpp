@@ -7,6 +7,7 @@
 
 #include "air/sun_paths.hpp"
 #include "scene/io.hpp"
+#include "scene/scene.hpp"
 
 namespace aerostat::air {
 namespace {

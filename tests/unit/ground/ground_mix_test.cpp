@@ -7,6 +7,7 @@
 #include "ground/ground_numbers.hpp"
 #include "ground/ground_rule.hpp"
 #include "scene/io.hpp"
+#include "scene/scene.hpp"
 
 namespace aerostat::ground {
 namespace {

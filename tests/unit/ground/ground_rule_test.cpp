@@ -9,6 +9,7 @@
 
 #include "ground/ground_numbers.hpp"
 #include "scene/io.hpp"
+#include "scene/scene.hpp"
 
 namespace aerostat::ground {
 namespace {

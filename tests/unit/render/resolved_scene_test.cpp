@@ -15,6 +15,7 @@
 #include "render/session.hpp"
 #include "scatter/sight.hpp"
 #include "scene/local_frame.hpp"
+#include "scene/scene.hpp"
 #include "world/resolve.hpp"
 #include "world/world.hpp"
 

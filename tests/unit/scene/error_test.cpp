@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "scene/io.hpp"
+#include "scene/scene.hpp"
 
 namespace aerostat::scene {
 namespace {

@@ -7,6 +7,7 @@
 
 #include "scene/io.hpp"
 #include "scene/locate.hpp"
+#include "scene/scene.hpp"
 #include "scene/source.hpp"
 
 namespace aerostat::scene {

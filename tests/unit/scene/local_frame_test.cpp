@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include "scene/scene.hpp"
+
 namespace aerostat::scene {
 namespace {
 

@@ -11,6 +11,7 @@
 
 #include "generated_file.hpp"
 #include "scene/io.hpp"
+#include "scene/scene.hpp"
 #include "scene/schema.hpp"
 
 namespace aerostat::scene {

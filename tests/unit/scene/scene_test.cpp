@@ -1,3 +1,5 @@
+#include "scene/scene.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <filesystem>

@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "scene/io.hpp"
+#include "scene/scene.hpp"
 
 namespace aerostat::scene {
 namespace {

@@ -9,6 +9,7 @@
 
 #include "scene/field_rule.hpp"
 #include "scene/io.hpp"
+#include "scene/scene.hpp"
 
 namespace aerostat::scene {
 namespace {

@@ -8,6 +8,7 @@
 
 #include "core/error.hpp"
 #include "scene/field_rule.hpp"
+#include "scene/scene.hpp"
 
 namespace aerostat::scene {
 namespace {

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include "scene/picture.hpp"
 #include "support/error_of.hpp"
 
 namespace aerostat::scene {

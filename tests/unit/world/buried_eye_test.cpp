@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "scene/io.hpp"
+#include "scene/scene.hpp"
 #include "world/resolve.hpp"
 #include "world/world.hpp"
 

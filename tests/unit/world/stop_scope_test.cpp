@@ -5,6 +5,7 @@
 
 #include "core/error.hpp"
 #include "scene/io.hpp"
+#include "scene/scene.hpp"
 #include "world/resolve.hpp"
 #include "world/world.hpp"
 

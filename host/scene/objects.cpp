@@ -1,4 +1,4 @@
-#include "scene/scene.hpp"
+#include "scene/objects.hpp"
 
 #include "core/error.hpp"
 

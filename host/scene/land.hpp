@@ -1,0 +1,112 @@
+#pragma once
+
+#include <cstdint>
+
+#include "core/math.hpp"
+
+/// The land of a scene: its heights, its colours, the sea and what grows on it.
+namespace aerostat::scene {
+
+enum class BiomeKind { snow, tropical, sand };
+enum class TerrainKind { mountains, island, dunes };
+enum class FractalKind { fbm, ridged };
+
+/// Several octaves of Perlin noise. The first octave has the wavelength Terrain::feature_m.
+struct Fractal {
+  FractalKind kind = FractalKind::ridged;
+  int octaves = 12;
+  double lacunarity = 2.0;    // frequency ratio of successive octaves
+  double gain = 0.5;          // amplitude ratio of successive octaves
+  double ridge_offset = 1.0;  // ridged only: (offset - |n|)^2
+
+  bool operator==(const Fractal&) const = default;
+};
+
+/// Wind-blown sand, used by TerrainKind::dunes.
+struct Dunes {
+  double wind_deg = 250.0;      // azimuth that the wind blows towards
+  double wavelength_m = 400.0;  // distance of crests along the wind
+  double height_m = 45.0;       // height of the largest dunes from trough to crest
+
+  bool operator==(const Dunes&) const = default;
+};
+
+/// The ground, a square of cells x cells quads around `center`, whose spacing grows outwards.
+struct Terrain {
+  TerrainKind kind = TerrainKind::mountains;
+  std::uint32_t seed = 1;
+  int cells = 1024;                // cells along a side
+  double size_m = 40000.0;         // side of the square
+  dvec2 center{0.0, 0.0};          // x and z of the finest cells, in metres
+  double grading = 6.0;            // cell size at the rim divided by that at the centre, >= 1
+  double height_m = 2400.0;        // rough height from the lowest valleys to the highest peaks
+  double base_m = 0.0;             // added to every height
+  double feature_m = 9000.0;       // wavelength of the first octave
+  double warp_m = 900.0;           // amplitude of the domain distortion
+  double warp_feature_m = 7000.0;  // wavelength of the domain distortion
+  double sharpness = 1.0;          // > 1 widens valleys, < 1 widens heights
+  double erosion = 0.7;            // strength of gullies, channels and scree, 0 (none) to 1
+  Fractal fractal;
+  Dunes dunes;
+
+  bool operator==(const Terrain&) const = default;
+};
+
+/// The colours of the ground by height, slope and noise. One rule set serves all biomes.
+struct Ground {
+  vec3 cover_a{0.1f}, cover_b{0.1f};        // two tones of what grows or lies on gentle ground
+  vec3 rock_a{0.1f}, rock_b{0.1f};          // two tones of bare rock
+  double rock_slope_deg[2] = {30.0, 45.0};  // slopes where rock begins and where it is complete
+  vec3 snow{0.85f};
+  double snow_line_m = 1e6;                 // mean height above which snow lies
+  double snow_fuzz_m = 250.0;               // height of the zone in which snow thins out
+  double snow_slope_deg[2] = {35.0, 52.0};  // full snow below the first, no snow above the second
+  vec3 beach{0.35f};
+  double beach_top_m = -1e6;  // beach sand lies up to this height above the sea
+  double pattern_m = 120.0;   // largest wavelength of colour and relief detail
+  double relief = 0.9;        // strength of the detail in the normal, 0 = none
+  double ripple_m = 0.0;      // wavelength of wind ripples, 0 = none
+  double strata_m = 0.0;      // thickness of the largest beds of rock, 0 = none
+  double softness = 0.0;      // evenness of the brightness of snow or sand over slopes, 0 to 1
+  double sparkle = 0.0;       // strength of the glitter of grains, 0 = none
+  vec3 forest{0.03f, 0.05f, 0.03f};
+  double forest_top_m = 0.0;  // trees grow below this height
+  double forest_share = 0.0;  // share of the ground that trees cover, 0 to 1
+  double canopy_m = 7.0;      // width of a tree's crown
+
+  bool operator==(const Ground&) const = default;
+};
+
+/// The sea, a plane at `level_m` that exists if `enabled` is true.
+struct Water {
+  bool enabled = false;
+  double level_m = 0.0;
+  vec3 absorption_per_m{0.35f, 0.06f, 0.015f};  // absorption of the Beer-Lambert law
+  vec3 scatter{0.01f, 0.09f, 0.12f};            // colour of deep water
+  vec3 bed{0.55f, 0.5f, 0.38f};                 // albedo of the sand under the sea
+  double wave_m = 14.0;                         // wavelength of the largest waves
+  double wave_slope = 0.06;                     // root mean square slope of the waves
+
+  bool operator==(const Water&) const = default;
+};
+
+struct Biome {
+  BiomeKind kind = BiomeKind::snow;
+  Ground ground;
+  Water water;
+
+  bool operator==(const Biome&) const = default;
+};
+
+/// Plants and stones that stand on the ground, placed by the biome's rules.
+struct Vegetation {
+  bool enabled = true;
+  double density = 1.0;     // 1: woods as dense as those painted on the ground, 0: none
+  double size = 1.0;        // factor on all heights
+  double reach_m = 6000.0;  // distance from the camera within which single trees stand
+  std::uint32_t seed = 1;
+
+  bool operator==(const Vegetation&) const = default;
+};
+
+}  // namespace aerostat::scene
