@@ -67,36 +67,88 @@ TEST(Adaptive, IsNearThePictureOfAllSamples) {
   EXPECT_LT(std::sqrt(square), 0.03 * light);
 }
 
-double mean_light(const image::Film& film) {
-  double light = 0.0;
-  for (const vec3& radiance : film.radiance) {
-    light += image::luminance(dvec3(radiance)) / static_cast<double>(film.radiance.size());
-  }
+std::vector<double> light_of(const image::Film& film) {
+  std::vector<double> light;
+  for (const vec3& radiance : film.radiance) light.push_back(image::luminance(dvec3(radiance)));
   return light;
+}
+
+/// Pictures of all samples, and of as many as the threshold asks for, for several seeds.
+struct Seeds {
+  static constexpr int kCount = 16;
+  static constexpr double kThreshold = 0.01;
+
+  Seeds() {
+    scene::Scene scene = planted_scene("snow", {24, 16, 64, 128});
+    for (int seed = 1; seed <= kCount; ++seed) {
+      scene.image.seed = static_cast<std::uint32_t>(seed);
+      scene.image.adaptive_threshold = 1e-9;
+      all.push_back(light_of(shared_session().render(resolved(scene))));
+      scene.image.adaptive_threshold = kThreshold;
+      film = shared_session().render(resolved(scene));
+      fewer.push_back(light_of(film));
+      samples.push_back(film.samples);
+    }
+    truth.resize(all[0].size());
+    for (const auto& light : all) {
+      for (std::size_t i = 0; i < truth.size(); ++i) truth[i] += light[i] / kCount;
+    }
+  }
+
+  std::vector<std::vector<double>> all, fewer;
+  std::vector<Array<std::uint32_t>> samples;
+  std::vector<double> truth;  // the means over the seeds
+  image::Film film;           // the last one
+};
+
+const Seeds& seeds() {
+  static const Seeds made;
+  return made;
+}
+
+double mean_of(const std::vector<double>& values) {
+  return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
 }
 
 /// Tests the known fault of stopping by what was seen: pixels that have missed what is rare and
 /// bright stop, and the picture becomes darker. What is lost on average over some seeds is less
 /// than a twentieth of a step of a display.
 TEST(Adaptive, LosesNoLight) {
-  constexpr int kSeeds = 16;
-  scene::Scene scene = planted_scene("snow", {24, 16, 64, 128});
-  double light = 0.0, lost = 0.0, square = 0.0;
-  for (int seed = 1; seed <= kSeeds; ++seed) {
-    scene.image.seed = static_cast<std::uint32_t>(seed);
-    scene.image.adaptive_threshold = 1e-9;
-    const double all = mean_light(shared_session().render(resolved(scene)));
-    scene.image.adaptive_threshold = 0.01;
-    const double less = all - mean_light(shared_session().render(resolved(scene)));
-    light += all / kSeeds;
-    lost += less / kSeeds;
-    square += less * less / kSeeds;
+  const double light = mean_of(seeds().truth);
+  double lost = 0.0, square = 0.0;
+  for (int seed = 0; seed < Seeds::kCount; ++seed) {
+    const double less = mean_of(seeds().all[seed]) - mean_of(seeds().fewer[seed]);
+    lost += less / Seeds::kCount;
+    square += less * less / Seeds::kCount;
   }
-  const double error = std::sqrt((square - lost * lost) / (kSeeds - 1));
+  const double error = std::sqrt((square - lost * lost) / (Seeds::kCount - 1));
   std::printf("%.4f %% of the light is lost, with a standard error of %.4f %%\n",
               100.0 * lost / light, 100.0 * error / light);
   EXPECT_LT(std::abs(lost), 4e-4 * light);
   EXPECT_LT(error, 1.5e-4 * light) << "too few seeds to tell";
+}
+
+/// Tests that pixels with fewer samples have no more noise than the threshold allows. It is
+/// measured on the square root of the light, as a display shows it, where light below a fiftieth of
+/// white counts as dark. It is a quarter of that, because samples are spread evenly and pixels wait
+/// for their neighbours.
+TEST(Adaptive, LeavesTheNoiseThatIsAllowed) {
+  const double white = image::luminance(dvec3(seeds().film.daylight));
+  double ratio = 0.0, count = 0.0;
+  for (int seed = 0; seed < Seeds::kCount; ++seed) {
+    for (std::size_t i = 0; i < seeds().truth.size(); ++i) {
+      if (seeds().samples[seed][i] == 64u) continue;
+      const double off = seeds().fewer[seed][i] - seeds().truth[i];
+      const double allowed =
+          4.0 * Seeds::kThreshold * Seeds::kThreshold * white * (seeds().truth[i] + 0.02 * white);
+      ratio += off * off / allowed;
+      count += 1.0;
+    }
+  }
+  std::printf("%.0f pixels took fewer samples, with %.3f times the noise allowed\n", count,
+              std::sqrt(ratio / count));
+  EXPECT_GT(count, 1000.0);
+  EXPECT_LT(std::sqrt(ratio / count), 0.3);
 }
 
 TEST(Adaptive, DependsOnNoTileOrDevice) {

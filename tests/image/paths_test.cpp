@@ -1,5 +1,6 @@
 // Tests the path integrator against closed forms and against the local one.
 #include <cmath>
+#include <cstdio>
 #include <cstdlib>
 
 #include <gtest/gtest.h>
@@ -110,6 +111,27 @@ TEST(Paths, WithoutBouncesSeeTheSunsGlossAsTheLocalModelDoes) {
     scene.sun.soft_shadows = soft;
     expect_same_mean(scene, 64, 0.01);
   }
+}
+
+/// In a lobe that is as narrow as the sun's disc, the material finds the sun as often as a ray to
+/// the sun does. The mean of all pixels is that of the local model, whose sun is a point.
+TEST(Paths, FindTheSunOnceInANarrowLobe) {
+  auto scene = flat_land();
+  scene.sun.irradiance = 3.0;
+  scene.sun.direction = glm::normalize(dvec3(0.25, 1.0, -0.15));
+  scene.sun.soft_shadows = true;
+  scene::Material& mirror = scene.material(scene::MaterialId::terrain);
+  mirror.ambient = mirror.diffuse = 0.0;
+  mirror.specular = 0.7;
+  mirror.shininess = 1e5;
+  const dvec3 local = mean_by(scene, scene::Integrator::local, 1024);
+  scene.light = scene::Integrator::path;
+  scene.bounces = 1;
+  scene.image.spp = 1024;
+  scene.sky.cloud_cover = 0.0;
+  const dvec3 path = mean_of(shared_session().render(resolved(scene)));
+  std::printf("%.5f by paths, %.5f by the local model\n", path.y, local.y);
+  EXPECT_NEAR(path.y, local.y, 0.03 * local.y);
 }
 
 TEST(Paths, WithoutBouncesSeeLampsAsTheLocalModelDoes) {

@@ -6,10 +6,7 @@
 #include <numbers>
 #include <random>
 
-#include "pack/pack_scene.hpp"
-#include "scene/io.hpp"
-#include "shading_scene.hpp"
-#include "support/resolved.hpp"
+#include "clouds.hpp"
 
 namespace aerostat::test {
 namespace {
@@ -21,13 +18,6 @@ pack::PackedScene closed_deck() {
   AeroScene scene = bare_scene();
   scene.sky.cumulus = {kBase, kThickness, 10.0f, -1e6f, kExtinction, 7u, {}};
   return with_even_sky(scene);
-}
-
-pack::PackedScene broken_clouds(double cover) {
-  scene::Scene scene = scene::defaults(scene::BiomeKind::tropical, scene::View::outside);
-  scene.sun.direction = {0.0, 1.0, 0.0};
-  scene.sky.cumulus.cover = cover;
-  return pack::pack_scene(resolved(scene));
 }
 
 class Cumulus : public LaneTest {
@@ -305,49 +295,6 @@ TEST_P(Cumulus, ChartHidesNoCloud) {
     }
     const auto shade = shadow(scene, points, 5.0f);
     EXPECT_EQ(shade, shadow(without_chart(scene), points, 5.0f));
-  }
-}
-
-/// Counts the bytes of the chart that allow clouds.
-std::size_t cloudy_cells(const pack::CloudChart& chart) {
-  std::size_t count = 0;
-  for (const AeroChartWord& word : chart.words) {
-    for (int byte = 0; byte < 4; ++byte) count += ((word.cells >> (8 * byte)) & 255u) == 0u ? 1 : 0;
-  }
-  return count;
-}
-
-TEST(CloudChart, TellsMostClearAirFromClouds) {
-  constexpr double kCells = double{AERO_CHART_SIDE} * AERO_CHART_SIDE;
-  const double few = static_cast<double>(cloudy_cells(*broken_clouds(0.05).cloud_chart));
-  EXPECT_GT(few / kCells, 0.06);
-  EXPECT_LT(few / kCells, 0.25);
-  for (const double cover : {0.7, 0.0}) {
-    const pack::PackedScene scene = broken_clouds(cover);
-    EXPECT_EQ(scene.cloud_chart, nullptr) << "hardly any air is clear, or all of it: " << cover;
-    EXPECT_EQ(scene.numbers.sky.cumulus.chart.side, 0u);
-  }
-}
-
-TEST(CloudChart, LiesTheSameWhateverTheEye) {
-  scene::Scene scene = scene::defaults(scene::BiomeKind::tropical, scene::View::outside);
-  const auto charted = [&scene] { return *pack::pack_scene(resolved(scene)).cloud_chart; };
-  const pack::CloudChart here = charted();
-  scene.camera.position->x += 3.0;
-  EXPECT_EQ(charted().place.x0, here.place.x0);
-  scene.camera.position->x += 40.0 * static_cast<double>(here.place.cell);
-  const pack::CloudChart there = charted();
-  const auto moved =
-      static_cast<int>(std::lround((there.place.x0 - here.place.x0) / here.place.cell));
-  ASSERT_TRUE(moved == 32 || moved == 64) << moved;
-  const auto is_cloudy = [](const pack::CloudChart& chart, int x, int z) {
-    const auto cell = static_cast<std::size_t>(z * AERO_CHART_SIDE + x);
-    return ((chart.words[cell / 4].cells >> (8 * (cell % 4))) & 255u) == 0u;
-  };
-  for (int z = 0; z < AERO_CHART_SIDE; ++z) {
-    for (int x = 0; x < AERO_CHART_SIDE - moved; ++x) {
-      ASSERT_EQ(is_cloudy(there, x, z), is_cloudy(here, x + moved, z)) << x << ' ' << z;
-    }
   }
 }
 

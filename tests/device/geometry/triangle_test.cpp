@@ -154,6 +154,16 @@ TEST_P(Triangles, BehindTheOriginOrBeyondTheReachAreNotMet) {
   for (std::size_t i = 0; i < rays.size(); ++i) EXPECT_EQ(hits[i].met(), expected[i]) << i;
 }
 
+// The eye is within the box of the triangle, which it enters at once.
+TEST_P(Triangles, BehindTheOriginInsideTheirBoxAreNotMet) {
+  const AeroTriangle slanted = triangle_of({-1, -1, -1}, {1, -1, -1}, {0, 1, 1});
+  const vec3 ahead = glm::normalize(vec3(0.1f, 0.05f, 1.0f));
+  const std::vector<Ray> rays{{{0, 0, 0.5f}, ahead, kInfinity}, {{0, 0, 0.5f}, -ahead, kInfinity}};
+  const std::vector<Hit> hits = all({slanted}, rays);
+  EXPECT_FALSE(hits[0].met());
+  EXPECT_TRUE(hits[1].met());
+}
+
 TEST_P(Triangles, NearestIsKeptInAnyOrder) {
   const auto at = [](float z) { return triangle_of({-1, -1, z}, {1, -1, z}, {0, 1, z}); };
   const std::vector<Ray> rays(3, Ray{{0, 0, 10}, {0, 0, -1}});

@@ -36,6 +36,31 @@ TEST_P(Glow, PixelsShareALineOut) {
   }
 }
 
+// Tapes run between the gores, which rise from them on both sides, and seams between the panels.
+// Seen from afar they cover their share of each pixel.
+TEST_P(Glow, TapesLieInTheFoldsBetweenGores) {
+  const std::vector<float> u{7.005f, 6.995f, 7.5f, 7.25f, 7.5f},
+      v{10.5f, 10.5f, 10.5f, 10.5f, 10.0f};
+  const std::size_t count = whole_packets(u.size());
+  const auto sewn_at = [&](float pixel) {
+    const auto sewn = output<float>(3 * count);
+    probe.run("probe_sew", count, input(padded(u)), input(padded(v)), pixel, sewn);
+    std::vector<vec3> found;
+    const auto values = sewn.read();
+    for (std::size_t i = 0; i < u.size(); ++i) found.push_back(from_planes(values, i));
+    return found;
+  };
+  const auto near = sewn_at(0.002f);
+  for (std::size_t i = 0; i < u.size(); ++i) {
+    EXPECT_EQ(near[i].x, i < 2 ? 1.0f : 0.0f) << "tape at " << u[i];
+    EXPECT_EQ(near[i].y, i == 4 ? 1.0f : 0.0f) << "seam at " << v[i];
+  }
+  EXPECT_LT(near[0].z, -0.2f) << "flat, though the gore rises behind the tape";
+  EXPECT_GT(near[1].z, 0.2f) << "and falls before it";
+  EXPECT_LT(std::abs(near[3].z), 0.1f);
+  EXPECT_NEAR(sewn_at(0.44f)[0].x, 0.1f, 1e-4f) << "a tape of 4.4 cm";
+}
+
 TEST_P(Glow, BurnersFollowTheInverseSquareAndTheCosine) {
   AeroScene scene = bare_scene();
   set3(scene.balloons[0].flame, {1.0f, 4.0f, -2.0f});

@@ -246,6 +246,23 @@ TEST_P(Materials, EvenLobesAreReciprocal) {
   }
 }
 
+/// Waves over a black bed mirror of an even light from above what Fresnel's equations say for light
+/// that falls straight down, however rough they are.
+TEST_P(Materials, WavesMirrorTheirShare) {
+  for (const float roughness : {0.015f, 0.03f, 0.06f}) {
+    const Material sea{.name = "sea",
+                       .specular = 1.0f,
+                       .albedo = vec3(0.0f),
+                       .roughness = roughness,
+                       .kind = AERO_MATERIAL_WATER};
+    double mirrored = 0.0;
+    for (const vec3& value : evaluate_all(sea, up).values) {
+      mirrored += static_cast<double>(value.x) * kPart / std::numbers::pi;
+    }
+    EXPECT_NEAR(mirrored, 0.0204, 1e-4) << roughness;
+  }
+}
+
 TEST_P(Materials, ClothSendsItsShareThrough) {
   const Material cloth{.name = "cloth", .diffuse = 0.6f, .translucency = 0.4f};
   double front = 0.0, behind = 0.0;

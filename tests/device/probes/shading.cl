@@ -124,6 +124,18 @@ __kernel void probe_line(__global const float* distances, __global const float* 
   STORE(line_cover(LOAD(distances), 0.02f, LOAD(pixels)), covers);
 }
 
+/* Sews envelope whose gores and panels are 1.5 m and 1 m wide. Stores the shares of tape and seam,
+ * and the slope across the gores. */
+__kernel void probe_sew(__global const float* u, __global const float* v, const float pixel,
+                        __global float* sewn) {
+  const lane_float width = (lane_float)pixel;
+  SurfaceUv uv;
+  uv.u = LOAD(u);
+  uv.v = LOAD(v);
+  const Sewing sewing = sew_envelope(&uv, (lane_float)1.5f, (lane_float)1.0f, width, width, width);
+  store3_planes(lane3(sewing.tape, sewing.seam, sewing.slope_u), sewn);
+}
+
 __kernel void probe_flame(__global const AeroScene* scene, __global const float* positions,
                           __global const float* normals, __global float* light) {
   store3_planes(flame_on(scene, (lane_uint)0u, load3(positions), load3(normals)), light);

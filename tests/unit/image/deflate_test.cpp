@@ -69,6 +69,21 @@ TEST(Deflate, KnowsTheSumOfRfc1950) {
   EXPECT_EQ(Bytes(stream.end() - 4, stream.end()), (Bytes{0x11, 0xe6, 0x03, 0x98}));
 }
 
+/// The sums of the parts that threads compress are put together. stb does not look at the result.
+TEST(Deflate, EndsWithTheSumOfAllParts) {
+  const Bytes data = noise(300000, 256);
+  std::uint32_t a = 1, b = 0;
+  for (const std::uint8_t byte : data) {
+    a = (a + byte) % 65521u;
+    b = (b + a) % 65521u;
+  }
+  const std::uint32_t sum = b << 16 | a;
+  const Bytes stream = deflate(data);
+  for (std::size_t i = 0; i < 4; ++i) {
+    EXPECT_EQ(stream[stream.size() - 4 + i], (sum >> (24 - 8 * i)) & 255u) << "byte " << i;
+  }
+}
+
 TEST(Deflate, GivesTheSameBytesOnAnyNumberOfThreads) {
   const Bytes data = noise(1000000, 6);
   const Bytes first = deflate(data);

@@ -13,6 +13,7 @@
 
 #include "core/error.hpp"
 #include "ground/ground_numbers.hpp"
+#include "mesh_over.hpp"
 #include "scatter/layer.hpp"
 #include "scene/io.hpp"
 #include "support/resolved.hpp"
@@ -23,26 +24,6 @@ namespace {
 
 using plant::Species;
 using scene::BiomeKind;
-
-/// Returns a square grid of cells x cells whose height is a function of the place.
-template <class Height>
-mesh::GridMesh mesh_over(int cells, double size_m, Height height) {
-  std::vector<float> lines;
-  for (int i = 0; i <= cells; ++i)
-    lines.push_back(static_cast<float>(size_m * (static_cast<double>(i) / cells - 0.5)));
-  mesh::GridMesh mesh(lines, lines);
-  const double step = size_m / cells;
-  for (std::uint32_t j = 0; j < lines.size(); ++j) {
-    for (std::uint32_t i = 0; i < lines.size(); ++i) {
-      const double x = static_cast<double>(lines[i]), z = static_cast<double>(lines[j]);
-      const double dx = height(x + step, z) - height(x - step, z);
-      const double dz = height(x, z + step) - height(x, z - step);
-      mesh.set(i, j, static_cast<float>(height(x, z)),
-               vec3(glm::normalize(dvec3(-dx, 2.0 * step, -dz))));
-    }
-  }
-  return mesh;
-}
 
 /// Returns a small version of a biome's usual land, seen from a place with all kinds of ground.
 scene::Scene small_scene(BiomeKind kind) {
@@ -227,37 +208,6 @@ TEST_P(Biome, FollowsItsFields) {
   changed.vegetation.density = 1.0;
   changed.vegetation.enabled = false;
   EXPECT_TRUE(scatter(test::resolved(changed), ground).instances.empty());
-}
-
-TEST(Scatter, WoodsAreAsDenseAsThePaintedOnes) {
-  scene::Scene scene = scene::defaults(BiomeKind::snow, scene::View::outside);
-  scene.terrain.cells = 4;
-  scene.biome.ground.forest_share = 1.0;
-  scene.biome.ground.forest_top_m = 1e5;
-  scene.vegetation.reach_m = 1200.0;
-  scene.camera.position = {0.0, 500.0, 0.0};
-  scene.balloon.enabled = false;
-  const mesh::GridMesh ground = mesh_over(4, 4000.0, [](double, double) { return 100.0; });
-  const ground::GroundRule rule(ground::ground_numbers(scene), 1.0f);
-  // The share of woods within half the reach is averaged. A canopy's square holds one tree.
-  double share = 0.0;
-  std::vector<vec3> places;
-  for (int i = 0; i < 20000; ++i) {
-    const float r = 600.0f * std::sqrt(static_cast<float>(i) / 20000.0f);
-    const float around = 2.399963f * static_cast<float>(i);
-    places.emplace_back(r * std::cos(around), 100.0f, r * std::sin(around));
-  }
-  const auto noise = rule.noise(places);
-  for (std::size_t i = 0; i < places.size(); ++i) {
-    share += static_cast<double>(rule.forest(places[i], 1.0f, noise[i])) / 20000.0;
-  }
-  EXPECT_GT(share, 0.5);
-  const double expected = share * 3.14159265 * 600.0 * 600.0 / (6.0 * 6.0);
-  int found = 0;
-  for (const Instance& instance : scatter(test::resolved(scene), ground).instances) {
-    found += glm::length(vec2(instance.position.x, instance.position.z)) < 600.0f ? 1 : 0;
-  }
-  EXPECT_NEAR(found / expected, 1.0, 0.1);
 }
 
 TEST(Scatter, LeavesRoomForTheCameraAndEveryObstacle) {

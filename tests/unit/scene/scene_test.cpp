@@ -302,5 +302,18 @@ TEST(SceneOverride, OfTheSunReplacesTheOtherForm) {
   EXPECT_EQ(pointed.sun.direction, dvec3(0, 1, 0));
 }
 
+TEST(SceneOverride, OfTheSunGoesOnFromTheDirectionOfTheFile) {
+  const std::string slanted = R"("sun": {"direction": [1, 1, 0]})";
+  const Scene raised = read(slanted, {{"/sun/elevation_deg", "60"}});
+  EXPECT_NEAR(raised.sun.direction.x, 0.5, 1e-9) << "in the azimuth of the file";
+  EXPECT_NEAR(raised.sun.direction.z, 0.0, 1e-9);
+  const std::vector<Override> noon{{"/sun/date", "2024-03-20"},
+                                   {"/sun/time", "12:00"},
+                                   {"/sun/latitude_deg", "0"},
+                                   {"/sun/longitude_deg", "0"}};
+  EXPECT_EQ(read(slanted, noon).sun.direction, read("", noon).sun.direction);
+  EXPECT_GT(read(slanted, noon).sun.direction.y, 0.99);
+}
+
 }  // namespace
 }  // namespace aerostat::scene
