@@ -27,7 +27,8 @@ struct StandIn<opencl::Buffer<T>> {
 /// first build, as measured with PoCL.
 constexpr double kTextShare = 0.26, kFilmShare = 0.01;
 
-/// Takes kernels out of a program and launches each of them once without work.
+/// Gets the kernels of a program by their names. It also launches each of them once for no packets,
+/// because some drivers compile a kernel at its first launch.
 class FirstLaunches {
  public:
   FirstLaunches(const opencl::Context& context, const opencl::Program& program, int lanes,

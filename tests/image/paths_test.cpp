@@ -76,7 +76,8 @@ TEST(Paths, BounceBetweenTwoPlates) {
   EXPECT_NEAR(mean_of(lone_film(plates, scene, 0.0f)).y, above, 0.01 * above);
 }
 
-/// Returns the mean radiance of a scene by an integrator, with many samples.
+/// Returns the mean radiance of a picture without bounces and thin clouds, as an integrator renders
+/// it with `samples` samples a pixel.
 dvec3 mean_by(scene::Scene scene, scene::Integrator light, int samples) {
   scene.sky.cloud_cover = 0.0;
   scene.light = light;

@@ -1,5 +1,5 @@
-// Tests the orders in which a tree is traversed. Hits do not depend on them, so that only the time
-// of a picture would tell that one is wrong.
+// Tests the orders in which a tree is traversed. A wrong order makes a picture slower but does not
+// change it, so tests of pictures do not notice it.
 #include <algorithm>
 #include <random>
 

@@ -17,9 +17,9 @@ __kernel void probe_push(__global const float* enters, __global uint* references
   }
 }
 
-/* Each work-item stores the order in which the cells of a patch are taken: the column and the row
- * of the first, of the second and so on. The item's bits 0 and 1 say whether the rays go down along
- * x and z, and bit 2 is the shape of the patch. */
+/* Stores the columns and the rows of the cells of a patch, in the order in which rays visit the
+ * cells. The number of the work-item chooses the rays: bit 0 is set for rays with a negative x
+ * direction, and bit 1 for rays with a negative z direction. Bit 2 is the shape of the patch. */
 __kernel void probe_order(__global uint* columns, __global uint* rows) {
   const uint item = (uint)get_global_id(0);
   Frustum frustum;
