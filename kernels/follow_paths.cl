@@ -64,8 +64,7 @@ __kernel void scatter_at_hits(const AeroLaunch launch, const uint bounce,
   const lane_float distance = hit.t + lead;
   Ray way = state.path.ray;
   way.origin = place_of(scene, madd3(way.origin, way.direction, -lead));
-  const float angle =
-      bounce == 0u ? task.frame.pixel_angle + 1e-3f * task.frame.pixel_width : PATH_CLOUD_ANGLE;
+  const float angle = bounce == 0u ? cloud_angle(&task.frame) : PATH_CLOUD_ANGLE;
   pass_clouds_and_air(&view, &way, distance, angle, numbers.at.w, on, &state);
   add_sky(&view, &way, bounce, &state, on & ~met);
   for (int i = 0; i < LIGHT_RAYS; ++i) state.lights[i] = no_light_ray();

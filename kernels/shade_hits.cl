@@ -48,9 +48,7 @@ __kernel void shade_hits(const AeroLaunch launch, __global const AeroScene* scen
   }
   if (scene->sky.cumulus.extinction > 0.0f) {
     const SampleNumbers at = sample_numbers(&task.frame, &packet);
-    /* The width of a pixel of parallel rays counts as if it were a kilometre away. */
-    const float angle = task.frame.pixel_angle + 1e-3f * task.frame.pixel_width;
-    radiance = behind_clouds(&view, radiance, &way, distance, angle, at.w);
+    radiance = behind_clouds(&view, radiance, &way, distance, cloud_angle(&task.frame), at.w);
   }
 
   Samples samples;

@@ -27,7 +27,10 @@ DeviceWorker::DeviceWorker(const opencl::Device& device, const Options& options,
       hooks_(std::move(hooks)) {}
 
 void DeviceWorker::begin_programs(scene::Integrator integrator) {
-  if (integrator != integrator_) packets_capacity_ = 0;
+  if (integrator != integrator_) {
+    packets_capacity_ = 0;
+    rate_ = 0.0;
+  }
   integrator_ = integrator;
   if (has_programs() || built().to_come.valid()) return;
   built().to_come = std::async(std::launch::async, [this, integrator, &now = built()] {
