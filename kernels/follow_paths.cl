@@ -39,6 +39,7 @@ __kernel void extend_paths(const uint blocks, __global const AeroBvhNode* nodes,
 __kernel void scatter_at_hits(const AeroLaunch launch, const uint bounce,
                               __global const AeroScene* scene,
                               __global const AeroSkyCell* sky_table,
+                              __global const AeroSkyChances* sky_chances,
                               __global const AeroChartWord* cloud_chart,
                               __global const AeroInstance* instances, __global const float* grid,
                               __global const AeroFace* faces, __global const AeroVertex* vertices,
@@ -65,8 +66,8 @@ __kernel void scatter_at_hits(const AeroLaunch launch, const uint bounce,
   Ray way = state.path.ray;
   way.origin = place_of(scene, madd3(way.origin, way.direction, -lead));
   const float angle = bounce == 0u ? cloud_angle(&task.frame) : PATH_CLOUD_ANGLE;
-  pass_clouds_and_air(&view, &way, distance, angle, numbers.at.w, on, &state);
-  add_sky(&view, &way, bounce, &state, on & ~met);
+  pass_clouds_and_air(&view, &way, distance, angle, numbers.clouds, on, &state);
+  add_sky(&view, sky_chances, &way, bounce, &state, on & ~met);
   for (int i = 0; i < LIGHT_RAYS; ++i) state.lights[i] = no_light_ray();
 
   if (lane_any(met)) {
@@ -82,15 +83,21 @@ __kernel void scatter_at_hits(const AeroLaunch launch, const uint bounce,
     add_where(met, mul3(state.path.throughput, emitted), &state.radiance);
     if (bounce <= scene->bounces) {
       const ShadowPoint point = shadow_point_of(&triangle, &hit);
-      state.lights[0] =
-          ray_to_sun(&view, &surface, &point, &hit, state.path.throughput, &numbers.at, met);
+      if (!(without_light_rays(scene) && scene->sky.sun_spread > 0.0f)) {
+        state.lights[RAY_TO_SUN] =
+            ray_to_sun(&view, &surface, &point, &hit, state.path.throughput, &numbers.sun, met);
+      }
+      if (!without_light_rays(scene)) {
+        state.lights[RAY_TO_SKY] = ray_to_sky(&view, sky_chances, &surface, &point, &hit,
+                                              state.path.throughput, &numbers, met);
+      }
       const Lane3 burners = burner_radiance(scene, &surface);
       add_where(met, mul3(state.path.throughput, burners), &state.radiance);
       if (scene->light_count > 0u) {
-        state.lights[1] =
-            ray_to_lamp(&view, &surface, &point, &hit, state.path.throughput, numbers.more, met);
+        state.lights[RAY_TO_LAMP] =
+            ray_to_lamp(&view, &surface, &point, &hit, state.path.throughput, numbers.lamp, met);
       }
-      scatter_paths(&surface, &point, &hit, &numbers, bounce, met, &state);
+      scatter_paths(scene, &surface, &point, &hit, &numbers, bounce, met, &state);
     }
   }
   const lane_int last = (lane_int)(bounce > scene->bounces ? -1 : 0);

@@ -16,6 +16,7 @@ namespace aerostat::render {
 struct FrameBuffers {
   SceneBuffer scene;
   SkyTableBuffer sky_table;
+  SkyChancesBuffer sky_chances;
   CloudChartBuffer cloud_chart;
   FilmBuffer film;
   /// The numbers of the scene that decide which kernels run.
@@ -70,8 +71,9 @@ struct PathKernels {
   opencl::TypedKernel<std::uint32_t, NodeBuffer, TriangleBuffer, InstanceBuffer, GridBuffer,
                       PathBuffer, HitBuffer>
       extend_paths;
-  opencl::TypedKernel<AeroLaunch, std::uint32_t, SceneBuffer, SkyTableBuffer, CloudChartBuffer,
-                      InstanceBuffer, GridBuffer, FaceBuffer, VertexBuffer, HitBuffer, PathBuffer>
+  opencl::TypedKernel<AeroLaunch, std::uint32_t, SceneBuffer, SkyTableBuffer, SkyChancesBuffer,
+                      CloudChartBuffer, InstanceBuffer, GridBuffer, FaceBuffer, VertexBuffer,
+                      HitBuffer, PathBuffer>
       scatter_at_hits;
   opencl::TypedKernel<std::uint32_t, std::uint32_t, NodeBuffer, TriangleBuffer, InstanceBuffer,
                       GridBuffer, PathBuffer>

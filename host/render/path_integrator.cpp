@@ -4,7 +4,9 @@ namespace aerostat::render {
 namespace {
 
 /// The rays to lights that each surface of a path asks for (LIGHT_RAYS of integrator/path.clh).
-constexpr std::uint32_t kLightRays = 2;
+constexpr std::uint32_t kLightRays = 3;
+/// The ray that a scene without lamps does without (RAY_TO_LAMP).
+constexpr std::uint32_t kRayToLamp = 2;
 
 /// Paths that go from surface to surface. All paths of a tile reach their next surfaces together.
 class PathIntegrator final : public Integrator {
@@ -36,11 +38,11 @@ class PathIntegrator final : public Integrator {
       events.emplace_back(
           KernelStage::shading,
           opencl::launch(context, kernels_.scatter_at_hits, size, launch, bounce, frame.scene,
-                         frame.sky_table, frame.cloud_chart, geometry.instances, geometry.grid,
-                         geometry.faces, geometry.vertices, hits_, paths_));
+                         frame.sky_table, frame.sky_chances, frame.cloud_chart, geometry.instances,
+                         geometry.grid, geometry.faces, geometry.vertices, hits_, paths_));
       if (bounce > frame.bounces) break;
       for (std::uint32_t light = 0; light < kLightRays; ++light) {
-        if (light > 0 && !frame.lamps) continue;
+        if (light == kRayToLamp && !frame.lamps) continue;
         events.emplace_back(
             KernelStage::shadow,
             opencl::launch(context, kernels_.trace_light_rays, size, blocks, light, geometry.nodes,

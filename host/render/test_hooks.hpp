@@ -5,6 +5,9 @@
 namespace aerostat::opencl {
 struct Device;
 }
+namespace aerostat::pack {
+struct PackedScene;
+}
 
 namespace aerostat::render {
 
@@ -13,6 +16,8 @@ struct TestHooks {
   /// Is called with the device before each launch, on the thread that launches. An exception that
   /// it throws counts as a failure of the launch.
   std::function<void(const opencl::Device&)> before_launch = {};
+  /// Is called with each scene before the devices get it, and may change it.
+  std::function<void(pack::PackedScene&)> change_scene = {};
 };
 
 }  // namespace aerostat::render

@@ -24,6 +24,26 @@ typedef struct AeroSkyCell {
 
 AERO_ASSERT_LAYOUT(AeroSkyCell, 24);
 
+/* What the sky's table says of the chances with which rays look for the sky's light. A strip lies
+ * between two rows of the table. Strips go from the horizon up, then from the horizon down, as the
+ * rows do. Within a cell between two rows and two columns all directions are equally likely. */
+#define AERO_SKY_STRIPS 54
+#define AERO_SKY_STRIPS_ABOVE 39
+#define AERO_SKY_STRIP_SLOTS 64  /* a power of two above AERO_SKY_STRIPS */
+#define AERO_SKY_COLUMN_SLOTS 32 /* a power of two above AERO_SKY_COLUMNS */
+
+typedef struct AeroSkyChances {
+  /* The chance of all strips before one, and of all cells of a strip before one. Slots behind the
+   * last one hold 1. */
+  aero_float strips[AERO_SKY_STRIP_SLOTS];
+  aero_float cells[AERO_SKY_STRIPS][AERO_SKY_COLUMN_SLOTS];
+  aero_float ends[AERO_SKY_STRIPS][2];  /* upward components of the two ends of a strip */
+  aero_float turns[AERO_SKY_COLUMNS];   /* azimuths of the columns from the sun, in turns */
+  aero_float densities[AERO_SKY_CELLS]; /* per steradian, by the first corner of a cell */
+} AeroSkyChances;
+
+AERO_ASSERT_LAYOUT(AeroSkyChances, 4 * (64 + 54 * 32 + 108 + 24 + 1344));
+
 /* Fog that fills valleys up to `top` and thins out above it over `softness`. */
 typedef struct AeroFog {
   aero_float extinction; /* extinction deep inside the fog, or 0 without fog */

@@ -25,11 +25,11 @@ typedef struct AeroFoundWords {
 } AeroFoundWords;
 AERO_ASSERT_LAYOUT(AeroFoundWords, 8);
 
-/* PathState: the next ray, what it carries, what the path has found, and two rays to lights. */
+/* PathState: the next ray, what it carries, what the path has found, and three rays to lights. */
 typedef struct AeroPathWords {
-  aero_uint words[43];
+  aero_uint words[53];
 } AeroPathWords;
-AERO_ASSERT_LAYOUT(AeroPathWords, 172);
+AERO_ASSERT_LAYOUT(AeroPathWords, 212);
 
 /* Fails to compile if a struct of lane vectors has other words than the host allocates for it. */
 #ifdef __OPENCL_C_VERSION__

@@ -106,6 +106,13 @@ typedef struct AeroGround {
 AERO_ASSERT_LAYOUT(AeroGround, 124 AERO_GROUND_NUMBERS(AERO_BYTES));
 #undef AERO_BYTES
 
+/* How tests follow paths. AERO_PATHS_WITHOUT_LIGHT_RAYS traces no rays to the sun's disc and to the
+ * sky, and AERO_PATHS_PLAIN also goes on in all directions alike. The mean over samples is the
+ * same.
+ */
+#define AERO_PATHS_WITHOUT_LIGHT_RAYS 1
+#define AERO_PATHS_PLAIN 2
+
 typedef struct AeroWater {
   aero_float absorption[3]; /* absorption per metre */
   aero_float scatter[3], bed[3];
@@ -137,14 +144,15 @@ typedef struct AeroScene {
   AeroPointLight lights[AERO_MAX_POINT_LIGHTS];
   aero_uint light_count;
   aero_uint balloon_count;
-  aero_uint shading; /* one of AERO_SHADING_... */
-  aero_uint bounces; /* how often a path goes on from a surface to another one */
+  aero_uint shading;     /* one of AERO_SHADING_... */
+  aero_uint bounces;     /* how often a path goes on from a surface to another one */
+  aero_uint plain_paths; /* 0, or one of AERO_PATHS_... */
   AeroAir air;
   /* The place of the origin of positions, as seen from the terrain's centre at sea level. Positions
    * count from a point near the eye, while patterns and heights go by places. */
   aero_float place[3];
 } AeroScene;
 
-AERO_ASSERT_LAYOUT(AeroScene, (2664 + 32 * 60 + 8) + sizeof(AeroGround));
+AERO_ASSERT_LAYOUT(AeroScene, (2664 + 32 * 60 + 12) + sizeof(AeroGround));
 
 #endif

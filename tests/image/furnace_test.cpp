@@ -1,22 +1,26 @@
 // Tests the furnace: an object that reflects all light cannot be seen under a sky that is even on
 // all sides.
 #include <algorithm>
+#include <cmath>
 
 #include <gtest/gtest.h>
 
 #include "flat_land.hpp"
 #include "lone_objects.hpp"
+#include "scene_params.h"
 
 namespace aerostat::test {
 namespace {
 
-/// Returns the film of balls in an even sky of radiance 1.
-image::Film film_of_balls(const std::vector<vec3>& centres, scene::Integrator light) {
+/// Returns the film of balls in an even sky of radiance 1. `plain_paths` is 0 or one of
+/// AERO_PATHS_...
+image::Film film_of_balls(const std::vector<vec3>& centres, scene::Integrator light,
+                          std::uint32_t plain_paths = 0) {
   scene::Scene scene = lone_scene();
   scene.light = light;
   world::Objects balls;
   for (const vec3& centre : centres) balls.push_back(plain_object(ball(centre)));
-  return lone_film(std::move(balls), scene, 1.0f);
+  return lone_film(std::move(balls), scene, 1.0f, plain_paths);
 }
 
 /// Returns a scene that looks straight down on a white, level land.
@@ -49,12 +53,37 @@ TEST(Furnace, AWhiteBallInAnEvenSkyIsNotSeen) {
   EXPECT_GT(expect_nothing_seen(film_of_balls({vec3(0.0f)}, scene::Integrator::local)), 400);
 }
 
+/// Directions that are chosen in proportion to the cosine bring exactly the light of an even sky.
 TEST(Furnace, AWhiteLandUnderAnEvenSkyIsNotSeen) {
   for (const auto light : {scene::Integrator::local, scene::Integrator::path}) {
     scene::Scene land = white_land();
     land.light = light;
-    EXPECT_EQ(expect_nothing_seen(lone_film({}, land, 1.0f)), kLoneWidth * kLoneHeight);
+    const image::Film film = lone_film({}, land, 1.0f, AERO_PATHS_WITHOUT_LIGHT_RAYS);
+    EXPECT_EQ(expect_nothing_seen(film), kLoneWidth * kLoneHeight);
   }
+}
+
+/// Expects that the mean of a film is `expected`, within five standard deviations of the mean by
+/// the spread of the pixels, and within `bias`.
+void expect_mean(const image::Film& film, double expected, double bias) {
+  double sum = 0.0, squares = 0.0;
+  for (const vec3& light : film.radiance) {
+    sum += static_cast<double>(light.y);
+    squares += static_cast<double>(light.y) * static_cast<double>(light.y);
+  }
+  const auto count = static_cast<double>(film.radiance.size());
+  const double mean = sum / count;
+  const double noise = std::sqrt(std::max(squares / count - mean * mean, 0.0) / count);
+  EXPECT_LT(noise, 2e-3) << "too few samples to tell anything";
+  EXPECT_NEAR(mean, expected, 5.0 * noise + bias);
+}
+
+TEST(Furnace, RaysToAnEvenSkyBringItsLight) {
+  scene::Scene land = white_land();
+  land.light = scene::Integrator::path;
+  expect_mean(lone_film({}, land, 1.0f), 1.0, 1e-6);
+  expect_mean(film_of_balls({{-1.05f, 0.0f, 0.0f}, {1.05f, 0.0f, 0.0f}}, scene::Integrator::path),
+              1.0, 1e-4);
 }
 
 /// Tests that two balls hide some of the sky from each other, so that the test above can fail.
@@ -71,7 +100,8 @@ TEST(Furnace, TwoBallsHideTheSkyFromEachOther) {
 TEST(Furnace, PathsSeeNoneOfTwoWhiteBalls) {
   for (const std::vector<vec3>& centres :
        {std::vector<vec3>{vec3(0.0f)}, {{-1.05f, 0.0f, 0.0f}, {1.05f, 0.0f, 0.0f}}}) {
-    const image::Film film = film_of_balls(centres, scene::Integrator::path);
+    const image::Film film =
+        film_of_balls(centres, scene::Integrator::path, AERO_PATHS_WITHOUT_LIGHT_RAYS);
     double sum = 0.0;
     for (const vec3& light : film.radiance) {
       EXPECT_LE(light.y, 1.0f + 2e-6f) << "paths make no light";

@@ -73,7 +73,8 @@ scene::Scene lone_scene() {
   return scene;
 }
 
-image::Film lone_film(world::Objects objects, const scene::Scene& scene, float sky) {
+image::Film lone_film(world::Objects objects, const scene::Scene& scene, float sky,
+                      std::uint32_t plain_paths) {
   world::World world = world::build(resolved(scene));
   world.groups.push_back(world::make_group(kLone, std::move(objects)));
   const auto [tree, arrays] =
@@ -84,7 +85,9 @@ image::Film lone_film(world::Objects objects, const scene::Scene& scene, float s
   while (!worker.await_programs(std::chrono::milliseconds(100))) continue;
   worker.set_geometry(tree, arrays, {});
   const render::Crop all{0, 0, scene.image.width, scene.image.height};
-  worker.begin_frame(even_light(scene, sky), all.pixels());
+  pack::PackedScene packed = even_light(scene, sky);
+  packed.numbers.plain_paths = plain_paths;
+  worker.begin_frame(packed, all.pixels());
   worker.begin_film(all);
   render::RowQueue queue(0, all.y1, 1);
   for (int sample = 0; sample < scene.image.spp; ++sample) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <vector>
 
 #include "image/film.hpp"
@@ -22,6 +23,8 @@ world::Object plain_object(mesh::TriangleMesh mesh);
 scene::Scene lone_scene();
 
 /// Returns the film of objects in light of the radiance `sky` from everywhere, without sun and air.
-image::Film lone_film(world::Objects objects, const scene::Scene& scene, float sky);
+/// `plain_paths` is 0 or one of AERO_PATHS_...
+image::Film lone_film(world::Objects objects, const scene::Scene& scene, float sky,
+                      std::uint32_t plain_paths = 0);
 
 }  // namespace aerostat::test
