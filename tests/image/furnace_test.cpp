@@ -2,11 +2,13 @@
 // all sides.
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 
 #include <gtest/gtest.h>
 
 #include "flat_land.hpp"
 #include "lone_objects.hpp"
+#include "scene/materials.hpp"
 #include "scene_params.h"
 
 namespace aerostat::test {
@@ -84,6 +86,42 @@ TEST(Furnace, RaysToAnEvenSkyBringItsLight) {
   expect_mean(lone_film({}, land, 1.0f), 1.0, 1e-6);
   expect_mean(film_of_balls({{-1.05f, 0.0f, 0.0f}, {1.05f, 0.0f, 0.0f}}, scene::Integrator::path),
               1.0, 1e-4);
+}
+
+/// White balls of every material scatter no more light than arrives. Balls of cloth and leaves lose
+/// a little with the paths that end inside of them. The ground has colours of its own, and a flame
+/// takes no light.
+TEST(Furnace, NoMaterialMakesLight) {
+  for (std::size_t i = 0; i < scene::kMaterialCount; ++i) {
+    const auto id = static_cast<scene::MaterialId>(i);
+    if (scene::material_kind(id) == scene::MaterialKind::water) continue;  // has no depth here
+    scene::Scene scene = lone_scene();
+    scene.light = scene::Integrator::path;
+    scene.materials = scene::detail::default_materials(scene.biome.kind);
+    scene::Material& material = scene.material(id);
+    material.albedo = vec3(1.0f);
+    material.emission = vec3(0.0f);
+    world::Object object = plain_object(ball(vec3(0.0f)));
+    object.material = id;
+    world::Objects objects;
+    objects.push_back(std::move(object));
+    const image::Film film = lone_film(std::move(objects), scene, 1.0f);
+    double sum = 0.0, squares = 0.0, count = 0.0;
+    for (std::size_t p = 0; p < film.radiance.size(); ++p) {
+      if (film.alpha[p] != 1.0f) continue;
+      const auto light = static_cast<double>(film.radiance[p].y);
+      sum += light;
+      squares += light * light;
+      count += 1.0;
+    }
+    const double mean = sum / count;
+    const double noise = std::sqrt(std::max(squares / count - mean * mean, 0.0) / count);
+    std::printf("%s: %.4f +- %.4f\n", scene::material_name(id).c_str(), mean, noise);
+    EXPECT_GT(count, 400.0);
+    EXPECT_LT(mean, 1.0 + 4.0 * noise) << scene::material_name(id);
+    if (id == scene::MaterialId::terrain || id == scene::MaterialId::flame) continue;
+    EXPECT_GT(mean, 0.93) << scene::material_name(id);
+  }
 }
 
 /// Tests that two balls hide some of the sky from each other, so that the test above can fail.

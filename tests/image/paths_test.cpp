@@ -1,12 +1,17 @@
 // Tests the path integrator against closed forms and against the local one.
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
+#include <vector>
 
 #include <gtest/gtest.h>
 
 #include "flat_land.hpp"
 #include "lone_objects.hpp"
+#include "pack/pack_scene.hpp"
+#include "render/test_hooks.hpp"
+#include "scene_params.h"
 
 namespace aerostat::test {
 namespace {
@@ -156,6 +161,107 @@ TEST(Paths, WithoutBouncesSeeLampsAsTheLocalModelDoes) {
 /// The local model takes the sky by nine spherical harmonics, paths take it from its table.
 TEST(Paths, WithoutBouncesSeeTheSkyAsTheLocalModelDoes) {
   expect_same_mean(flat_land_under_a_sky(), 64, 0.02);
+}
+
+/// The mean radiance of several seeds, and the standard deviation of that mean.
+struct Estimate {
+  dvec3 mean{0.0}, noise{0.0};
+};
+
+Estimate estimate(render::Session& session, scene::Scene scene, std::uint32_t seeds) {
+  Estimate result;
+  dvec3 squares(0.0);
+  for (std::uint32_t seed = 1; seed <= seeds; ++seed) {
+    scene.image.seed = seed;
+    const dvec3 mean = mean_of(session.render(resolved(scene)));
+    result.mean += mean / static_cast<double>(seeds);
+    squares += mean * mean / static_cast<double>(seeds);
+  }
+  result.noise =
+      glm::sqrt(glm::max(squares - result.mean * result.mean, dvec3(0.0)) / (seeds - 1.0));
+  return result;
+}
+
+/// Expects two means within four standard deviations of their difference.
+void expect_same(const Estimate& a, const Estimate& b, double most_noise) {
+  for (int c = 0; c < 3; ++c) {
+    const double noise = std::hypot(a.noise[c], b.noise[c]);
+    std::printf("%.5f and %.5f, +- %.5f\n", a.mean[c], b.mean[c], noise);
+    EXPECT_LT(noise, most_noise * a.mean[c]) << "too few samples to tell anything";
+    EXPECT_NEAR(a.mean[c], b.mean[c], 4.0 * noise) << c;
+  }
+}
+
+/// Paths with rays to lights agree with paths that go on in all directions alike and find light by
+/// chance. The sun is wide here, so that they find it at all. There are no heaped clouds, because
+/// their shade on surfaces (cumulus_shadow) is another model than what a ray through them loses,
+/// and is that of a narrow sun.
+TEST(Paths, AgreeWithAPlainEstimator) {
+  for (const char* name : {"sand-basket", "tropical"}) {
+    scene::Scene scene = planted_scene(name, {48, 32, 64, 64});
+    scene.light = scene::Integrator::path;
+    scene.sun.soft_shadows = true;
+    scene.sky.cumulus.cover = 0.0;
+    std::uint32_t plain = 0;
+    render::TestHooks hooks;
+    hooks.change_scene = [&plain](pack::PackedScene& packed) {
+      packed.numbers.sky.sun_spread = 0.4f;
+      packed.numbers.plain_paths = plain;
+    };
+    render::Session session(options(), hooks);
+    const Estimate with_rays = estimate(session, scene, 4);
+    plain = AERO_PATHS_PLAIN;
+    scene.image.spp = 256;
+    expect_same(with_rays, estimate(session, scene, 5), 0.01);
+  }
+}
+
+/// Pixels that stop early by the spread of their samples have the mean of those that do not.
+TEST(Paths, HaveTheSameMeanWithAdaptiveSamples) {
+  scene::Scene scene = planted_scene("sand", {64, 48, 64, 64});
+  scene.light = scene::Integrator::path;
+  const Estimate all = estimate(shared_session(), scene, 6);
+  scene.image.adaptive_threshold = 0.02;
+  expect_same(all, estimate(shared_session(), scene, 6), 0.002);
+}
+
+/// Returns the share of pixels that are brighter than `factor` times the median of the 25 pixels
+/// around them.
+double share_of_fireflies(const image::Film& film, int width, float factor) {
+  const int height = static_cast<int>(film.radiance.size()) / width;
+  int count = 0, found = 0;
+  for (int y = 2; y < height - 2; ++y) {
+    for (int x = 2; x < width - 2; ++x) {
+      std::vector<float> around;
+      for (int j = -2; j <= 2; ++j) {
+        for (int i = -2; i <= 2; ++i) {
+          around.push_back(film.radiance[static_cast<std::size_t>((y + j) * width + x + i)].y);
+        }
+      }
+      const float light = around[12];
+      std::nth_element(around.begin(), around.begin() + 12, around.end());
+      found += light > factor * around[12] ? 1 : 0;
+      ++count;
+    }
+  }
+  return static_cast<double>(found) / count;
+}
+
+/// No light is clamped, and still few pixels stand out. The sun's disc and the flame are out of
+/// sight in these pictures.
+TEST(Paths, HaveFewFireflies) {
+  for (const char* name : {"sand", "tropical-basket", "snow-basket"}) {
+    scene::Scene scene = planted_scene(name, {160, 96, 16, 128});
+    scene.light = scene::Integrator::path;
+    scene.image.adaptive_threshold = 0.0;
+    const image::Film film = shared_session().render(resolved(scene));
+    scene.light = scene::Integrator::local;
+    const image::Film local = shared_session().render(resolved(scene));
+    const double share = share_of_fireflies(film, 160, 5.0f);
+    const double edges = share_of_fireflies(local, 160, 5.0f);
+    std::printf("%s: %.5f of pixels, %.5f in local light\n", name, share, edges);
+    EXPECT_LT(share, edges + 0.001) << name;
+  }
 }
 
 TEST(Paths, BringLightThatSurfacesReflect) {

@@ -263,6 +263,31 @@ TEST_P(Materials, WavesMirrorTheirShare) {
   }
 }
 
+/// White surfaces whose coefficients add up to more than 1 scatter what arrives and no more, at
+/// every exponent of Phong's lobe.
+TEST_P(Materials, ScatterNoMoreThanArrives) {
+  for (const float shininess : {0.0f, 1.0f, 4.0f, 28.0f, 300.0f}) {
+    for (const float specular : {0.1f, 1.0f}) {
+      const Material bright{.name = "bright",
+                            .diffuse = 0.85f,
+                            .specular = specular,
+                            .shininess = shininess,
+                            .translucency = 0.3f};
+      for (const vec3& viewer : views()) {
+        double sum = 0.0;
+        for (const vec3& value : evaluate_all(bright, viewer).values) {
+          sum += static_cast<double>(value.x) * kPart / std::numbers::pi;
+        }
+        EXPECT_LT(sum, 1.002) << shininess << ", " << specular << " from " << viewer.y;
+        // Seen from above, all of a narrow lobe lies over the surface.
+        if (viewer == up && shininess >= 28.0f) {
+          EXPECT_NEAR(sum, 1.0, 0.01) << shininess << ", " << specular;
+        }
+      }
+    }
+  }
+}
+
 TEST_P(Materials, ClothSendsItsShareThrough) {
   const Material cloth{.name = "cloth", .diffuse = 0.6f, .translucency = 0.4f};
   double front = 0.0, behind = 0.0;
