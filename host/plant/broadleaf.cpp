@@ -76,6 +76,34 @@ const Tree kBroadleaves[] = {{.crown_y = 9.0,
                               .dark = 0.5,
                               .green = {0.100f, 0.160f, 0.034f},
                               .bark = {0.13f, 0.11f, 0.09f}}};
+const Tree kBirches[] = {{.crown_y = 8.6,
+                          .crown = {2.5, 4.9, 2.5},
+                          .cluster_m = 0.95,
+                          .flat = 1.05,
+                          .fork_y = 4.4,
+                          .trunk_m = 0.15,
+                          .lowest = -0.85,
+                          .hollow = 0.3,
+                          .leaf_m = 0.26,
+                          .leaf_wide = 0.6,
+                          .dark = 0.55,
+                          .green = {0.105f, 0.155f, 0.036f},
+                          .bark = {0.52f, 0.50f, 0.46f}},
+                         {.crown_y = 10.6,
+                          .crown = {2.8, 5.4, 2.8},
+                          .cluster_m = 1.05,
+                          .flat = 1.0,
+                          .fork_y = 6.2,
+                          .trunk_m = 0.18,
+                          .lowest = -0.8,
+                          .hollow = 0.3,
+                          .leaf_m = 0.28,
+                          .leaf_wide = 0.6,
+                          .dark = 0.55,
+                          .green = {0.098f, 0.150f, 0.036f},
+                          .bark = {0.50f, 0.48f, 0.44f}}};
+/// The albedo of birch leaves in autumn.
+const vec3 kGoldenLeaves{0.40f, 0.265f, 0.035f};
 const Tree kAcacias[] = {{.crown_y = 4.7,
                           .crown = {3.9, 0.75, 3.9},
                           .cluster_m = 0.85,
@@ -281,6 +309,12 @@ void build_tree(mesh::TriangleMesh& mesh, const Tree& tree, Detail detail, std::
 
 void build_broadleaf(mesh::TriangleMesh& mesh, int variant, Detail detail) {
   build_tree(mesh, kBroadleaves[variant], detail, static_cast<std::uint64_t>(300 + variant));
+}
+
+void build_birch(mesh::TriangleMesh& mesh, int variant, bool golden, Detail detail) {
+  Tree tree = kBirches[variant];
+  if (golden) tree.green = kGoldenLeaves;
+  build_tree(mesh, tree, detail, static_cast<std::uint64_t>(310 + variant));
 }
 
 void build_acacia(mesh::TriangleMesh& mesh, int variant, Detail detail) {

@@ -10,8 +10,8 @@
 namespace aerostat::plant {
 namespace {
 
-/// The shape of a spruce. It is a cone of branches in loose whorls, which rise at the top and hang
-/// further down. All values are chosen by eye.
+/// The shape of a spruce or larch. It is a cone of branches in loose whorls, which rise at the top
+/// and hang further down. All values are chosen by eye.
 struct Conifer {
   double height_m;
   /// The radius of the crown at its widest, in metres.
@@ -33,6 +33,13 @@ constexpr Conifer kConifers[] = {
     {14.0, 2.0, 0.05, 0.95, 0.42, 0.14, {0.041f, 0.064f, 0.036f}},
     {21.0, 3.3, 0.16, 0.80, 0.38, 0.32, {0.053f, 0.068f, 0.029f}},
 };
+constexpr Conifer kLarches[] = {
+    {18.0, 2.9, 0.10, 0.95, 0.20, 0.34, {0.082f, 0.118f, 0.036f}},
+    {14.0, 2.5, 0.06, 0.90, 0.16, 0.36, {0.090f, 0.128f, 0.038f}},
+    {22.0, 3.4, 0.20, 0.90, 0.26, 0.40, {0.078f, 0.112f, 0.036f}},
+};
+/// The albedo of larch needles in autumn.
+const vec3 kGoldenNeedles{0.36f, 0.195f, 0.032f};
 /// The albedos of bark and snow. Chosen by eye.
 const vec3 kBark{0.100f, 0.084f, 0.070f};
 const vec3 kSnow{0.80f, 0.82f, 0.85f};
@@ -242,6 +249,13 @@ void build_conifer(mesh::TriangleMesh& mesh, int variant, bool snowy, Detail det
   const Conifer& tree = kConifers[variant];
   const auto seed = static_cast<std::uint64_t>(100 + variant + (snowy ? 10 : 0));
   ConiferBuilder(mesh, tree, snowy, at_level(kLevels, detail), seed).build();
+}
+
+void build_larch(mesh::TriangleMesh& mesh, int variant, bool golden, Detail detail) {
+  Conifer tree = kLarches[variant];
+  if (golden) tree.green = kGoldenNeedles * (1.0f - 0.1f * static_cast<float>(variant));
+  const auto seed = static_cast<std::uint64_t>(150 + variant);
+  ConiferBuilder(mesh, tree, false, at_level(kLevels, detail), seed).build();
 }
 
 }  // namespace aerostat::plant

@@ -5,7 +5,7 @@
 
 #include "mesh/mesh.hpp"
 
-/// Builds the plants and stones of the three biomes by functions from a few measures and a seed.
+/// Builds the plants and stones of all biomes by functions from a few measures and a seed.
 namespace aerostat::plant {
 
 enum class Species {
@@ -13,6 +13,12 @@ enum class Species {
   snowy_spruce,
   palm,
   broadleaf,
+  larch,
+  /// A larch in autumn.
+  golden_larch,
+  birch,
+  /// A birch in autumn.
+  golden_birch,
   acacia,
   /// A green shrub of moist places.
   shrub,

@@ -9,6 +9,8 @@ namespace aerostat::plant {
 void build_conifer(mesh::TriangleMesh& mesh, int variant, bool snowy, Detail detail);
 void build_palm(mesh::TriangleMesh& mesh, int variant, Detail detail);
 void build_broadleaf(mesh::TriangleMesh& mesh, int variant, Detail detail);
+void build_larch(mesh::TriangleMesh& mesh, int variant, bool golden, Detail detail);
+void build_birch(mesh::TriangleMesh& mesh, int variant, bool golden, Detail detail);
 void build_acacia(mesh::TriangleMesh& mesh, int variant, Detail detail);
 void build_shrub(mesh::TriangleMesh& mesh, int variant, Detail detail);
 void build_scrub(mesh::TriangleMesh& mesh, int variant, Detail detail);
