@@ -4,6 +4,7 @@
 #include <cmath>
 #include <memory>
 
+#include "scene/key_light.hpp"
 #include "scene/scene.hpp"
 
 namespace aerostat::air {
@@ -36,20 +37,35 @@ std::array<dvec3, 3> parabola(const dvec3& f0, double a, const dvec3& fa, double
   return {f0, slope_a - bend * a, bend};
 }
 
-std::shared_ptr<const Scattering> scattering_of(const scene::Scene& scene, ScatteringCache& cache) {
+std::shared_ptr<const Scattering> scattering_of(const scene::Scene& scene, const dvec3& sun,
+                                                ScatteringCache::Last& cache) {
   const Atmosphere air = atmosphere_of(scene);
-  const dvec3 sun = glm::normalize(scene.sun.direction);
   return cache.get({air, sun}, [&] { return std::make_shared<const Scattering>(air, sun); });
+}
+
+/// Returns a / b, or 0 where b is 0.
+dvec3 ratio(const dvec3& a, const dvec3& b) {
+  dvec3 result(0.0);
+  for (int i = 0; i < 3; ++i) {
+    if (b[i] > 0.0) result[i] = a[i] / b[i];
+  }
+  return result;
 }
 
 }  // namespace
 
 Light::Light(const scene::ResolvedScene& scene)
-    : Light(scene.eye().y,
-            Scattering(atmosphere_of(*scene), glm::normalize(scene->sun.direction))) {}
+    : Light(scene, *std::make_unique<ScatteringCache>()) {}
 
 Light::Light(const scene::ResolvedScene& scene, ScatteringCache& cache)
-    : Light(scene.eye().y, *scattering_of(*scene, cache)) {}
+    : Light(scene.eye().y, *scattering_of(*scene, scene::key_light(*scene).direction, cache.key)) {
+  const scene::KeyLight key = scene::key_light(*scene);
+  if (!key.is_moon) return;
+  const dvec3 sun = glm::normalize(scene->sun.direction);
+  const dvec3 strength = dvec3(scene->sun.color) * scene->sun.irradiance;
+  add_afterglow(*scattering_of(*scene, sun, cache.afterglow), scene.eye().y,
+                ratio(strength, key.irradiance));
+}
 
 Light::Light(double eye_height, const Scattering& air)
     : atmosphere(air.atmosphere()), sky(air, eye_height) {
@@ -71,6 +87,18 @@ Light::Light(double eye_height, const Scattering& air)
   sun_heights[1] = std::max(sun_heights[0] + 1.0, height_of_sight(elevation - kSunRadius));
   take_around(air, eye_height);
   ambient = ambient_light(sky);
+  depth_above = air.sun_paths().depth(std::max(eye_height, 0.0), 1.0, atmosphere.haze_extinction);
+}
+
+void Light::add_afterglow(const Scattering& air, double eye_height, const dvec3& sun_over_moon) {
+  const Light glow(eye_height, air);
+  for (std::size_t i = 0; i < 3; ++i) {
+    around[i] += glow.around[i] * sun_over_moon;
+    around_slant[i] += glow.around_slant[i] * sun_over_moon;
+  }
+  around_least += glow.around_least * sun_over_moon;
+  for (std::size_t i = 0; i < 9; ++i) ambient[i] += glow.ambient[i] * sun_over_moon;
+  afterglow = glow.sky;
 }
 
 void Light::take_around(const Scattering& air, double eye_height) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <utility>
 
 #include "air/sky.hpp"
@@ -8,13 +9,18 @@
 
 namespace aerostat::air {
 
-/// Keeps the scattering of the last air and sun. It does not depend on the eye, and takes three
-/// times as long to compute as the sky that an eye sees.
-using ScatteringCache = LastMade<std::pair<Atmosphere, dvec3>, Scattering>;
+/// Keeps the scattering of the last air and sun, and by moonlight that of the moon as well. It does
+/// not depend on the eye, and takes three times as long to compute as the sky that an eye sees.
+struct ScatteringCache {
+  using Last = LastMade<std::pair<Atmosphere, dvec3>, Scattering>;
+  Last key, afterglow;
+};
 
 /// The light of the air over a landscape for a renderer. It assumes one sun and heights below
 /// some kilometres, and uses closed forms in the height and the sky of one eye. All light is per
-/// irradiance of the sun outside the air.
+/// irradiance of the sun outside the air. By moonlight (scene::key_light), the moon is the sun of
+/// all this. What the real sun, far below the horizon, still gives to the sky is its afterglow. It
+/// lights no landscape directly, so that it only adds to `around`, to `ambient` and to the sky.
 struct Light {
   explicit Light(const scene::ResolvedScene& scene);
 
@@ -41,12 +47,17 @@ struct Light {
   bool thick_haze = false;
   SkyTable sky;
   std::array<dvec3, 9> ambient{};
+  /// The sky of the real sun by moonlight, per irradiance of the real sun.
+  std::optional<SkyTable> afterglow;
+  /// The optical depth from the eye straight up, without fog.
+  dvec3 depth_above{0.0};
 
   static constexpr double kAroundTop = 9000.0;
 
  private:
   Light(double eye_height, const Scattering& air);
   void take_around(const Scattering& air, double eye_height);
+  void add_afterglow(const Scattering& air, double eye_height, const dvec3& sun_over_moon);
 };
 
 }  // namespace aerostat::air

@@ -41,6 +41,7 @@ AeroGround ground_numbers(const scene::Scene& scene) {
   ground.ripple = wavelength_or_none(from.ripple_m);
   ground.strata = wavelength_or_none(from.strata_m);
   copy(ground.forest, from.forest);
+  copy(ground.field, from.field);
   const vec3 wind = direction_from_angles(
       radians_from_degrees(static_cast<float>(scene.terrain.dunes.wind_deg)), 0.0f);
   ground.wind[0] = wind.x;

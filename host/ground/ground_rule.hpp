@@ -45,6 +45,11 @@ class GroundRule {
   float closeness(const vec3& p, const GroundNoise& noise) const {
     return rules::forest_closeness(&ground_, p.y, &noise);
   }
+  /// Returns the field at a place. There are fields if the ground has a width of them.
+  rules::FieldAt field(const vec3& p, float slope_cos, const GroundNoise& noise) const {
+    return rules::field_at(&ground_, p.x, p.z, slope_cos, &noise);
+  }
+  bool has_fields() const { return ground_.field_width > 0.0f; }
   /// Returns the height above which no tree grows.
   float highest_tree() const;
 

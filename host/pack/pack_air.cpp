@@ -4,7 +4,9 @@
 
 #include "air/light.hpp"
 #include "core/copy.hpp"
+#include "pack/pack_night.hpp"
 #include "rules/daylight.h"
+#include "scene/key_light.hpp"
 #include "scene/scene.hpp"
 
 namespace aerostat::pack {
@@ -24,6 +26,8 @@ AeroFog pack_fog(const scene::Fog& from, const air::FogLayer& layer, double sun_
   return fog;
 }
 
+}  // namespace
+
 std::vector<AeroSkyCell> pack_sky_table(const air::SkyTable& table) {
   static_assert(AERO_SKY_COLUMNS == air::SkyTable::kColumns);
   static_assert(AERO_SKY_ROWS_ABOVE == air::SkyTable::kRowsAbove);
@@ -36,8 +40,6 @@ std::vector<AeroSkyCell> pack_sky_table(const air::SkyTable& table) {
   }
   return cells;
 }
-
-}  // namespace
 
 PackedAir pack_air(const scene::ResolvedScene& scene, air::ScatteringCache& cache) {
   const air::Light light(scene, cache);
@@ -65,9 +67,10 @@ PackedAir pack_air(const scene::ResolvedScene& scene, air::ScatteringCache& cach
   air.around_top = static_cast<float>(light.around_top);
   air.thick_haze = light.thick_haze ? 1.0f : 0.0f;
   for (std::size_t i = 0; i < 9; ++i) copy(air.ambient[i], light.ambient[i]);
-  air.fog = pack_fog(scene->fog, from.fog, glm::normalize(scene->sun.direction).y);
+  air.fog = pack_fog(scene->fog, from.fog, scene::key_light(*scene).direction.y);
   air.horizon_sine = static_cast<float>(light.sky.horizon_sine());
   packed.sky_table = pack_sky_table(light.sky);
+  packed.night = pack_night(scene, light, packed.sky_table);
   return packed;
 }
 

@@ -14,6 +14,7 @@
 #include "pack/pack_balloon.hpp"
 #include "pack/pack_materials.hpp"
 #include "scene/balloons.hpp"
+#include "scene/key_light.hpp"
 #include "scene/local_frame.hpp"
 #include "scene/scene.hpp"
 
@@ -48,8 +49,10 @@ AeroCumulus pack_cumulus(const scene::Cumulus& from) {
 
 AeroSky pack_sky(const scene::Scene& scene) {
   AeroSky sky{};
-  copy(sky.sun_direction, glm::normalize(scene.sun.direction));
-  copy(sky.sun_irradiance, dvec3(scene.sun.color) * scene.sun.irradiance);
+  const scene::KeyLight key = scene::key_light(scene);
+  copy(sky.sun_direction, key.direction);
+  copy(sky.sun_irradiance, key.irradiance);
+  sky.moonlit = key.is_moon ? 1u : 0u;
   sky.sun_cos = static_cast<float>(std::cos(air::kSunRadius));
   sky.cloud_cover = static_cast<float>(scene.sky.cloud_cover);
   sky.cloud_height = static_cast<float>(scene.sky.cloud_height_m);
@@ -138,6 +141,7 @@ PackedScene pack_scene(const scene::ResolvedScene& scene, PackCache& cache) {
   numbers.bounces = static_cast<std::uint32_t>(scene->bounces);
   PackedAir air = pack_air(scene, cache.air);
   numbers.air = air.numbers;
+  numbers.night = air.night;
   packed.sky_table = std::move(air.sky_table);
   copy(numbers.place, scene::place_of(*scene, scene.origin()));
   return packed;

@@ -15,7 +15,7 @@ namespace aerostat::pack {
 /// A scene for the device: its numbers (light, air, materials and ground rules) and its tables.
 struct PackedScene {
   AeroScene numbers{};
-  /// AERO_SKY_CELLS cells.
+  /// AERO_SKY_CELLS cells, as many more with an afterglow, and what AeroStars finds behind them.
   std::vector<AeroSkyCell> sky_table;
   /// The chart of clouds, or null if there is none.
   std::shared_ptr<const CloudChart> cloud_chart;

@@ -33,6 +33,8 @@ std::vector<Layer> biome_layers(const Nature& nature) {
       return tropical_layers(nature);
     case scene::BiomeKind::sand:
       return sand_layers(nature);
+    case scene::BiomeKind::meadow:
+      return meadow_layers(nature);
     case scene::BiomeKind::snow:
       break;
   }

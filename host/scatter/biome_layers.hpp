@@ -18,6 +18,7 @@ std::vector<Layer> biome_layers(const Nature& nature);
 std::vector<Layer> snow_layers(const Nature& nature);
 std::vector<Layer> tropical_layers(const Nature& nature);
 std::vector<Layer> sand_layers(const Nature& nature);
+std::vector<Layer> meadow_layers(const Nature& nature);
 
 /// Returns the height of the sea, or a height far below everything if there is none.
 float sea_level(const Nature& nature);

@@ -5,6 +5,7 @@
 
 #include <tbb/parallel_for.h>
 
+#include "scene/key_light.hpp"
 #include "scene/local_frame.hpp"
 #include "scene/scene.hpp"
 #include "scene/view_axes.hpp"
@@ -131,7 +132,7 @@ class Survey {
   };
 
   Shadows shadows() const {
-    const dvec3 sun = glm::normalize(scene_.sun.direction);
+    const dvec3 sun = scene::key_light(scene_).direction;
     const double level = std::hypot(sun.x, sun.z);
     Shadows shadows;
     if (level > 0.0) shadows.step = dvec2(sun.x, sun.z) * (-1.0 / level);
@@ -227,7 +228,8 @@ bool same_sight(const scene::ResolvedScene& now, const scene::ResolvedScene& bef
   return a.camera.position == b.camera.position && a.camera.target == b.camera.target &&
          a.camera.up == b.camera.up && a.camera.lens == b.camera.lens &&
          a.camera.fov_y_deg == b.camera.fov_y_deg && a.image.width == b.image.width &&
-         a.image.height == b.image.height && a.sun.direction == b.sun.direction &&
+         a.image.height == b.image.height &&
+         scene::key_light(a).direction == scene::key_light(b).direction &&
          a.sun.shadows == b.sun.shadows && a.sky.ambient_occlusion == b.sky.ambient_occlusion &&
          a.sky.occlusion_m == b.sky.occlusion_m && a.biome.water == b.biome.water && same_lights();
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <vector>
 
 #include "core/math.hpp"
@@ -11,6 +12,20 @@ namespace aerostat::scene {
 enum class Pattern { stripes, chevrons, spiral, rainbow, checker };
 /// Sets of fabrics that go together. palettes.hpp gives their colours.
 enum class Palette { ember, lagoon, spectrum, glacier, orchard, plum, regatta, meadow };
+
+/// Further balloons that are made from a seed. world::resolve turns them into a list.
+struct Festival {
+  int count = 0;
+  std::uint32_t seed = 1;
+  dvec2 center{0.0, 0.0};        // x and z of the middle
+  dvec2 spread_m{300.0, 300.0};  // half of the area's width along x and z
+  double lowest_m = 10.0;        // heights of the baskets above the ground
+  double highest_m = 200.0;
+  double apart_m = 34.0;  // least distance between balloons
+  double burner = 1.0;    // greatest strength of the burners
+
+  bool operator==(const Festival&) const = default;
+};
 
 struct Balloon {
   bool enabled = true;

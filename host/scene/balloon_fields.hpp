@@ -53,6 +53,43 @@ inline constexpr auto kTable<Balloon> = table(
               .control(EditGroup::envelope, "Colours")));
 
 template <>
+inline constexpr auto kTable<Festival> = table(
+    "Balloons that are made from a seed, after those of /balloons. Their places, sizes, patterns, "
+    "palettes and flames differ.",
+    field("count", &Festival::count,
+          number(0, 32,
+                 "Number of balloons, {from} (none) to {to}. There are at most 33 balloons in all. "
+                 "Where the area has no room for so many, there are fewer.")
+              .slider(EditGroup::festival, "Balloons", 0, 32)),
+    field("seed", &Festival::seed,
+          number(0, 4294967295, "Seed of the balloons, {from} to {to}.")
+              .dice(EditGroup::festival, "Seed of balloons")),
+    field("center", &Festival::center,
+          number(-1000000, 1000000, "Middle of the area above which they fly, [x, z] in metres.")
+              .slider(EditGroup::festival, "Middle of balloons, east", -3000, 3000)
+              .slider(EditGroup::festival, "Middle of balloons, south", -3000, 3000)),
+    field("spread_m", &Festival::spread_m,
+          number(0, 100000, "Half of the width of the area along x and along z in metres.")
+              .slider(EditGroup::festival, "Spread, east to west", 0, 2000)
+              .slider(EditGroup::festival, "Spread, north to south", 0, 2000)),
+    field("lowest_m", &Festival::lowest_m,
+          number(0, 10000,
+                 "Height of the lowest basket above the ground in metres, {from} to {to}.")
+              .slider(EditGroup::festival, "Lowest balloon", 0, 500)),
+    field("highest_m", &Festival::highest_m,
+          number(0, 10000,
+                 "Height of the highest basket above the ground in metres, {from} to {to}.")
+              .slider(EditGroup::festival, "Highest balloon", 0, 1000)),
+    field("apart_m", &Festival::apart_m,
+          number(0, 10000, "Least distance between two balloons in metres, {from} to {to}.")
+              .slider(EditGroup::festival, "Distance of balloons", 20, 200)),
+    field("burner", &Festival::burner,
+          number(0, 1,
+                 "Greatest strength of the burners, {from} to {to}. At a value above 0, two of "
+                 "three balloons burn, each with at least half of this strength.")
+              .slider(EditGroup::festival, "Burners of balloons", 0, 1, 2)));
+
+template <>
 inline constexpr auto kTable<Material> = table(
     "Phong coefficients of one material.",
     field("albedo", &Material::albedo,

@@ -10,6 +10,10 @@ namespace aerostat::scene {
 
 struct Scene;
 
+/// Turns the festival of a scene, whose heights count from the ground, into further balloons, after
+/// which its count is 0. Equal festivals give equal balloons.
+void hold_festival(Scene& scene);
+
 /// The balloons that are there: those that are enabled.
 std::vector<const Balloon*> balloons_of(const Scene& scene);
 

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cmath>
 
 #include "scene/io.hpp"
 #include "scene/materials.hpp"
@@ -117,6 +118,46 @@ void make_sand(Scene& scene) {
   scene.sky.cumulus = {0.0, 2400.0, 300.0, 500.0, 1};
 }
 
+/// Makes rolling hills of meadows, fields and woods around a lake, under a mild afternoon sun.
+void make_meadow(Scene& scene) {
+  Terrain& terrain = scene.terrain;
+  terrain.size_m = 24000.0;
+  terrain.height_m = 520.0;
+  terrain.base_m = -52.0;
+  terrain.feature_m = 5200.0;
+  terrain.warp_m = 900.0;
+  terrain.warp_feature_m = 4200.0;
+  terrain.sharpness = 1.1;
+  terrain.erosion = 0.25;
+  terrain.grading = 20.0;
+  terrain.fractal.gain = 0.42;
+  Ground& ground = scene.biome.ground;
+  ground.rock_a = {0.10f, 0.095f, 0.085f};
+  ground.rock_b = {0.20f, 0.19f, 0.17f};
+  ground.rock_slope_deg[0] = 42.0;
+  ground.rock_slope_deg[1] = 56.0;
+  ground.pattern_m = 90.0;
+  ground.relief = 0.35;
+  ground.forest_top_m = 1400.0;
+  ground.forest_share = 0.42;
+  ground.canopy_m = 6.5;
+  ground.field_m = 110.0;
+  scene.biome.water.enabled = true;
+  scene.biome.water.wave_m = 4.0;
+  scene.biome.water.wave_slope = 0.03;
+  scene.biome.water.absorption_per_m = {0.6f, 0.16f, 0.12f};
+  scene.biome.water.scatter = {0.012f, 0.04f, 0.04f};
+  scene.biome.water.bed = {0.16f, 0.14f, 0.10f};
+  scene.balloon.position = {0.0, 140.0, 0.0};
+  scene.balloon.pattern = Pattern::spiral;
+  dress(scene.balloon, Palette::meadow);
+  scene.sun.direction = detail::direction_of({235.0, 24.0});
+  scene.air.ground_albedo = {0.10f, 0.12f, 0.05f};
+  scene.haze = {45000.0, 1200.0, 1.2, 0.76, vec3(0.96f)};
+  scene.sky.cumulus = {0.22, 1300.0, 420.0, 520.0, 3};
+  set_season(scene, Season::summer);
+}
+
 /// Puts the camera across the gap from the balloon, which fills a third of the picture's height.
 /// The camera stands at `stand` and aims at `look`. Both are in metres from the floor of the
 /// basket.
@@ -128,6 +169,92 @@ void make_outside(Scene& scene, const dvec3& stand, const dvec3& look) {
   scene.camera.fov_y_deg = 45.0;
 }
 
+/// Raises or lowers the sun and leaves its azimuth.
+void place_sun(Scene& scene, double elevation_deg) {
+  const double azimuth_deg = detail::angles_of(scene.sun.direction).azimuth_deg;
+  scene.sun.direction = detail::direction_of({azimuth_deg, elevation_deg});
+}
+
+/// Puts the moon beside the sun's azimuth, by degrees to the right.
+void place_moon(Scene& scene, double turn_deg, double elevation_deg) {
+  const double azimuth_deg = detail::angles_of(scene.sun.direction).azimuth_deg + turn_deg;
+  scene.moon.enabled = true;
+  scene.moon.azimuth_deg = std::remainder(azimuth_deg, 360.0);
+  scene.moon.elevation_deg = elevation_deg;
+}
+
+/// Makes the haze of a mood, which is never clearer than the biome's own air.
+void make_hazy(Scene& scene, double visibility_m) {
+  scene.haze.visibility_m = std::min(scene.haze.visibility_m, visibility_m);
+}
+
+/// Fills the valleys with fog.
+void make_foggy(Scene& scene, double visibility_m, double top_m) {
+  scene.fog.enabled = true;
+  scene.fog.visibility_m = visibility_m;
+  scene.fog.top_m = top_m;
+}
+
+void make_stormy(Scene& scene) {
+  place_sun(scene, 16.0);
+  make_hazy(scene, 22000.0);
+  scene.sky.cloud_cover = 0.9;
+  scene.sky.cumulus = {0.8, 1500.0, 1800.0, 1700.0, scene.sky.cumulus.seed};
+  scene.image.vignette = 0.15;
+}
+
+/// Sets sun, moon, air, clouds and film. All numbers are chosen by eye. A white balance above that
+/// of the light keeps the light's own warmth.
+void set_mood(Scene& scene, Mood mood) {
+  scene.mood = mood;
+  Image& film = scene.image;
+  switch (mood) {
+    case Mood::none:
+      break;
+    case Mood::dawn:
+      place_sun(scene, 2.0);
+      make_hazy(scene, 40000.0);
+      scene.sky.cloud_cover = 0.55;
+      film.white_balance_k = 5600.0;
+      break;
+    case Mood::noon:
+      place_sun(scene, 58.0);
+      scene.sky.cloud_cover = 0.1;
+      film.white_balance_k = 5500.0;
+      break;
+    case Mood::golden:
+      place_sun(scene, 6.5);
+      make_hazy(scene, 45000.0);
+      scene.sky.cloud_cover = 0.35;
+      film.white_balance_k = 5700.0;
+      film.vignette = 0.12;
+      break;
+    case Mood::dusk:
+      place_sun(scene, -3.0);
+      scene.sky.cloud_cover = 0.5;
+      film.white_balance_k = 6500.0;
+      film.vignette = 0.12;
+      break;
+    case Mood::night:
+      place_sun(scene, -32.0);
+      place_moon(scene, 150.0, 36.0);
+      scene.sky.cloud_cover = 0.0;
+      scene.sky.cumulus.cover = 0.0;
+      film.white_balance_k = 5600.0;
+      break;
+    case Mood::storm:
+      make_stormy(scene);
+      break;
+    case Mood::mist:
+      place_sun(scene, 8.0);
+      make_hazy(scene, 12000.0);
+      make_foggy(scene, 350.0, 120.0);
+      scene.sky.cloud_cover = 0.3;
+      film.white_balance_k = 6000.0;
+      break;
+  }
+}
+
 void make_basket(Scene& scene) {
   scene.camera.height_above = HeightReference::balloon;
   scene.camera.position.reset();
@@ -137,7 +264,7 @@ void make_basket(Scene& scene) {
 
 }  // namespace
 
-Scene defaults(BiomeKind biome, View view) {
+Scene defaults(BiomeKind biome, View view, Mood mood) {
   Scene scene;
   scene.biome.kind = biome;
   scene.camera.view = view;
@@ -152,14 +279,45 @@ Scene defaults(BiomeKind biome, View view) {
       make_tropical(scene);
       make_outside(scene, {-80.0, 10.0, 40.0}, {0.0, 5.0, 11.0});
       break;
+    case BiomeKind::meadow:
+      make_meadow(scene);
+      make_outside(scene, {-24.0, -2.0, 84.0}, {15.0, 3.0, 0.0});
+      break;
     case BiomeKind::sand:
       make_sand(scene);
       make_outside(scene, {0.0, 8.0, 86.0}, {13.0, 1.0, 0.0});
       break;
   }
   if (view == View::basket) make_basket(scene);
+  set_mood(scene, mood);
   set_quality(scene, Quality::standard);
   return scene;
+}
+
+void set_season(Scene& scene, Season season) {
+  scene.biome.season = season;
+  if (scene.biome.kind != BiomeKind::meadow) return;
+  Ground& ground = scene.biome.ground;
+  switch (season) {
+    case Season::spring:
+      ground.cover_a = {0.070f, 0.140f, 0.024f};
+      ground.cover_b = {0.120f, 0.190f, 0.038f};
+      ground.forest = {0.075f, 0.125f, 0.030f};
+      ground.field = {0.300f, 0.270f, 0.030f};  // rape in flower
+      break;
+    case Season::summer:
+      ground.cover_a = {0.068f, 0.115f, 0.026f};
+      ground.cover_b = {0.130f, 0.160f, 0.046f};
+      ground.forest = {0.050f, 0.082f, 0.024f};
+      ground.field = {0.330f, 0.245f, 0.090f};
+      break;
+    case Season::autumn:
+      ground.cover_a = {0.095f, 0.112f, 0.034f};
+      ground.cover_b = {0.180f, 0.150f, 0.056f};
+      ground.forest = {0.105f, 0.072f, 0.024f};
+      ground.field = {0.230f, 0.170f, 0.085f};
+      break;
+  }
 }
 
 void set_quality(Scene& scene, Quality quality) {

@@ -4,7 +4,13 @@ namespace aerostat::scene::detail {
 
 template <>
 std::span<const char* const> enum_names<BiomeKind>() {
-  static constexpr const char* kNames[] = {"snow", "tropical", "sand"};
+  static constexpr const char* kNames[] = {"snow", "tropical", "sand", "meadow"};
+  return kNames;
+}
+
+template <>
+std::span<const char* const> enum_names<Season>() {
+  static constexpr const char* kNames[] = {"spring", "summer", "autumn"};
   return kNames;
 }
 
@@ -23,6 +29,13 @@ std::span<const char* const> enum_names<FractalKind>() {
 template <>
 std::span<const char* const> enum_names<HeightReference>() {
   static constexpr const char* kNames[] = {"sea", "ground", "balloon"};
+  return kNames;
+}
+
+template <>
+std::span<const char* const> enum_names<Mood>() {
+  static constexpr const char* kNames[] = {"none", "dawn",  "noon",  "golden",
+                                           "dusk", "night", "storm", "mist"};
   return kNames;
 }
 

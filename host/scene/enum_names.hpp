@@ -4,6 +4,7 @@
 
 #include "scene/balloon.hpp"
 #include "scene/land.hpp"
+#include "scene/light.hpp"
 #include "scene/picture.hpp"
 
 namespace aerostat::scene::detail {
@@ -15,11 +16,15 @@ std::span<const char* const> enum_names();
 template <>
 std::span<const char* const> enum_names<BiomeKind>();
 template <>
+std::span<const char* const> enum_names<Season>();
+template <>
 std::span<const char* const> enum_names<TerrainKind>();
 template <>
 std::span<const char* const> enum_names<FractalKind>();
 template <>
 std::span<const char* const> enum_names<HeightReference>();
+template <>
+std::span<const char* const> enum_names<Mood>();
 template <>
 std::span<const char* const> enum_names<View>();
 template <>

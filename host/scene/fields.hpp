@@ -25,7 +25,14 @@ inline constexpr auto kTable<Scene> = table(
           list(32,
                "Further balloons, at most {to}. Each is built with as much detail as its size in "
                "the picture requires.")),
-    field("camera", &Scene::camera), field("sun", &Scene::sun),
+    field("festival", &Scene::festival), field("camera", &Scene::camera),
+    field(
+        "mood", &Scene::mood,
+        word("Time of day or weather. It sets defaults of sun, moon, air, clouds and film that go "
+             "before those of the biome. Values that a file gives win over it. none (the "
+             "default) leaves all as the biome has it.")
+            .control(EditGroup::mood, "Mood")),
+    field("sun", &Scene::sun), field("moon", &Scene::moon), field("stars", &Scene::stars),
     field("lights", &Scene::lights, list(16, "Point lights, at most {to}.")),
     field("sky", &Scene::sky), field("air", &Scene::air), field("haze", &Scene::haze),
     field("fog", &Scene::fog),

@@ -6,11 +6,11 @@
 
 #include "scene/bad_scene.hpp"
 #include "scene/land.hpp"
+#include "scene/light.hpp"
 #include "scene/picture.hpp"
 
 namespace aerostat::scene {
 
-struct Haze;
 struct Scene;
 
 /// One option "--set /json/pointer=value". The value is taken as JSON if it is valid JSON, else
@@ -40,8 +40,12 @@ Scene read_text(const std::string& text, const std::string& name,
 /// Reading the text gives the same scene, and writing that scene gives the same text.
 std::string write_text(const Scene& scene);
 
-/// Returns the defaults of a biome seen from outside or from the basket, at standard quality.
-Scene defaults(BiomeKind biome, View view);
+/// Returns the defaults of a biome seen from outside or from the basket, at standard quality. A
+/// mood changes those of sun, moon, air, clouds and film.
+Scene defaults(BiomeKind biome, View view, Mood mood = Mood::none);
+
+/// Sets the season of a meadow and the colours that follow from it. Other biomes keep theirs.
+void set_season(Scene& scene, Season season);
 
 /// Sets the scene's quality and the values that follow from it: samples per pixel, the adaptive
 /// threshold, soft shadows of the sun and ambient occlusion.

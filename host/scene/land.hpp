@@ -7,7 +7,9 @@
 /// The land of a scene: its heights, its colours, the sea and what grows on it.
 namespace aerostat::scene {
 
-enum class BiomeKind { snow, tropical, sand };
+enum class BiomeKind { snow, tropical, sand, meadow };
+/// The time of the year in a meadow, which sets the colours of leaves and grass.
+enum class Season { spring, summer, autumn };
 enum class TerrainKind { mountains, island, dunes };
 enum class FractalKind { fbm, ridged };
 
@@ -70,9 +72,11 @@ struct Ground {
   double softness = 0.0;      // evenness of the brightness of snow or sand over slopes, 0 to 1
   double sparkle = 0.0;       // strength of the glitter of grains, 0 = none
   vec3 forest{0.03f, 0.05f, 0.03f};
-  double forest_top_m = 0.0;  // trees grow below this height
-  double forest_share = 0.0;  // share of the ground that trees cover, 0 to 1
-  double canopy_m = 7.0;      // width of a tree's crown
+  double forest_top_m = 0.0;       // trees grow below this height
+  double forest_share = 0.0;       // share of the ground that trees cover, 0 to 1
+  double canopy_m = 7.0;           // width of a tree's crown
+  vec3 field{0.3f, 0.24f, 0.09f};  // ripe corn and stubble
+  double field_m = 0.0;            // width of fields on gentle ground, 0 = none
 
   bool operator==(const Ground&) const = default;
 };
@@ -92,6 +96,7 @@ struct Water {
 
 struct Biome {
   BiomeKind kind = BiomeKind::snow;
+  Season season = Season::summer;
   Ground ground;
   Water water;
 

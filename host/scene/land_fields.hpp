@@ -183,7 +183,12 @@ inline constexpr auto kTable<Ground> = table(
               .slider(EditGroup::ground, "Share of forest", 0, 1, 2)),
     field("canopy_m", &Ground::canopy_m,
           number(0.1, 1000, "Width of the crown of a tree in metres, {from} to {to}.")
-              .slider(EditGroup::ground, "Width of crowns", 1, 30, 1)));
+              .slider(EditGroup::ground, "Width of crowns", 1, 30, 1)),
+    field("field", &Ground::field,
+          color("Albedo of ripe corn and stubble on fields.").control(EditGroup::ground, "Fields")),
+    field("field_m", &Ground::field_m,
+          number(0, 10000, "Width of the fields on gentle ground in metres, {from} (none) to {to}.")
+              .slider(EditGroup::ground, "Width of fields", 0, 400)));
 
 template <>
 inline constexpr auto kTable<Water> = table(
@@ -217,6 +222,11 @@ inline constexpr auto kTable<Biome> =
                 word("Kind of landscape, which sets the defaults of terrain, colours, light, sky, "
                      "air and balloons.")
                     .control(EditGroup::land, "Biome")),
+          field("season", &Biome::season,
+                word("Season of a meadow, which sets the defaults of grass, fields and leaves: "
+                     "spring, summer (the default) or autumn, in which larches and birches are "
+                     "golden. Other biomes have none.")
+                    .control(EditGroup::land, "Season")),
           field("ground", &Biome::ground), field("water", &Biome::water));
 
 template <>

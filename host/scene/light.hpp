@@ -17,6 +17,27 @@ struct Sun {
   bool soft_shadows = true;  // shadows are cast by the sun's disc, not by its centre
 };
 
+/// The moon. It lights the land when the sun is well down, and its phase follows from where both
+/// stand. A sun that is given by date and place gives the moon and the stars as well.
+struct Moon {
+  bool enabled = false;
+  double azimuth_deg = 120.0;
+  double elevation_deg = 35.0;
+  double distance_km = 384400.0;  // from the eye; it sets size and brightness
+};
+
+/// The stars. They turn about the pole by sidereal time.
+struct Stars {
+  bool enabled = true;
+  double latitude_deg = 46.0;
+  double sidereal_deg = 0.0;  // local sidereal time: the right ascension that is due south
+  double year = 2000.0;       // of the precession
+  double milky_way = 1.0;     // brightness of the Milky Way relative to the real one
+};
+
+/// Sets of defaults of sun, moon, air, clouds and film for a time of day or a weather.
+enum class Mood { none, dawn, noon, golden, dusk, night, storm, mist };
+
 struct PointLight {
   dvec3 position{0.0};
   vec3 color{1.0f};

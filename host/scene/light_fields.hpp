@@ -51,6 +51,50 @@ inline constexpr auto kTable<Sun> = table(
               .control(EditGroup::sun, "Soft shadows")));
 
 template <>
+inline constexpr auto kTable<Moon> = table(
+    "The moon. Its phase follows from where moon and sun stand. It lights the land when the sun is "
+    "lower than 4 degrees below the horizon. If the sun is given by date, time and place, what is "
+    "left out here is the real moon's.",
+    field("enabled", &Moon::enabled,
+          truth("Whether there is a moon.").control(EditGroup::night, "Moon")),
+    field("azimuth_deg", &Moon::azimuth_deg,
+          number(-360, 360,
+                 "Azimuth of the moon in degrees, {from} to {to}. North (-z) is 0, and east (+x) "
+                 "is 90.")
+              .slider(EditGroup::night, "Direction of the moon", -180, 180)),
+    field("elevation_deg", &Moon::elevation_deg,
+          number(-90, 90, "Height of the moon above the horizon in degrees, {from} to {to}.")
+              .slider(EditGroup::night, "Height of the moon", -10, 90, 1)),
+    field("distance_km", &Moon::distance_km,
+          number(100000, 1000000,
+                 "Distance of the moon in kilometres, {from} to {to}. It sets the size and the "
+                 "brightness of the disc.")
+              .slider(EditGroup::night, "Distance of the moon", 350000, 410000)
+              .unit("km")));
+
+template <>
+inline constexpr auto kTable<Stars> = table(
+    "The stars to magnitude 6 and the Milky Way. If the sun is given by date, time and place, what "
+    "is left out here follows from them.",
+    field("enabled", &Stars::enabled,
+          truth("Whether stars shine at night.").control(EditGroup::night, "Stars")),
+    field("latitude_deg", &Stars::latitude_deg,
+          number(-90, 90,
+                 "Latitude of the place in degrees, positive to the north, {from} to {to}. The "
+                 "pole stands as high.")
+              .slider(EditGroup::night, "Latitude", -90, 90, 1)),
+    field("sidereal_deg", &Stars::sidereal_deg,
+          number(-360, 360,
+                 "Local sidereal time in degrees, {from} to {to}: the right ascension of the stars "
+                 "that stand due south.")
+              .slider(EditGroup::night, "Turn of the stars", 0, 360)),
+    field("year", &Stars::year,
+          number(1900, 2100, "Year in whose frame the stars stand, {from} to {to} (precession).")),
+    field("milky_way", &Stars::milky_way,
+          number(0, 10, "Brightness of the Milky Way relative to the real one, {from} to {to}.")
+              .slider(EditGroup::night, "Milky Way", 0, 4, 1)));
+
+template <>
 inline constexpr auto kTable<PointLight> =
     table("A point light.",
           field("position", &PointLight::position,

@@ -31,6 +31,7 @@ Material terrain(BiomeKind biome) {
     case BiomeKind::snow:
       return surface(0.06, 24.0);
     case BiomeKind::tropical:
+    case BiomeKind::meadow:
       return surface(0.02, 12.0);
     case BiomeKind::sand:
       break;

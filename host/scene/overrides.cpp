@@ -170,7 +170,8 @@ void apply_overrides(Json& document, const std::vector<Override>& overrides, Fau
     const Pointer pointer = parse_pointer(change.pointer);
     settle_sun(document, pointer);
     settle_colors(document, pointer);
-    const Json defaults_json = Json(to_json(defaults(biome_of(document), view_of(document))));
+    const Json defaults_json =
+        Json(to_json(defaults(biome_of(document), view_of(document), mood_of(document))));
     reach(document, defaults_json, pointer, faults.name()) = override_value(change);
     faults.set_overridden(pointer);
     expand_short_forms(document);
@@ -183,10 +184,20 @@ BiomeKind biome_of(const Json& document) {
              : BiomeKind::snow;
 }
 
+Season season_of(const Json& document) {
+  return document.is_object() && document.contains("biome")
+             ? enum_of(document["biome"], "season", Season::summer)
+             : Season::summer;
+}
+
 View view_of(const Json& document) {
   return document.is_object() && document.contains("camera")
              ? enum_of(document["camera"], "view", View::outside)
              : View::outside;
+}
+
+Mood mood_of(const Json& document) {
+  return enum_of(document, "mood", Mood::none);
 }
 
 Quality quality_of(const Json& document) {

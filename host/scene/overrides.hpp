@@ -26,7 +26,9 @@ void apply_overrides(Json& document, const std::vector<Override>& overrides, Fau
 /// These functions return the biome, view and quality that the document asks for. They return the
 /// defaults (snow, outside, standard) where the document gives no valid word.
 BiomeKind biome_of(const Json& document);
+Season season_of(const Json& document);
 View view_of(const Json& document);
+Mood mood_of(const Json& document);
 Quality quality_of(const Json& document);
 
 }  // namespace aerostat::scene::detail

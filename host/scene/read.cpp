@@ -19,6 +19,7 @@
 #include "scene/fields.hpp"
 #include "scene/io.hpp"
 #include "scene/json_text.hpp"
+#include "scene/moon_position.hpp"
 #include "scene/overrides.hpp"
 #include "scene/palettes.hpp"
 #include "scene/schema.hpp"
@@ -125,6 +126,22 @@ void settle_sun(const Json& document, Sun& sun, const Sun& usual) {
   sun.direction = kept_or_unit(sun.direction);
 }
 
+/// Sets moon and stars of a date, time and place, if the document gives the sun by them.
+void settle_night(const Json& document, Scene& usual) {
+  const Json given = document.value("sun", Json::object());
+  for (const char* key : detail::kSunDateKeys) {
+    if (!given.contains(key)) return;
+  }
+  const auto days = detail::days_from_2000(given["date"], given["time"]);
+  if (!days) return;
+  const double latitude_deg = given["latitude_deg"], longitude_deg = given["longitude_deg"];
+  const detail::MoonSeen moon = detail::moon_seen_at(*days, latitude_deg, longitude_deg);
+  usual.moon = {true, moon.angles.azimuth_deg, moon.angles.elevation_deg, moon.distance_km};
+  usual.stars.latitude_deg = latitude_deg;
+  usual.stars.sidereal_deg = std::fmod(detail::sidereal_deg_at(*days) + longitude_deg, 360.0);
+  usual.stars.year = 2000.0 + *days / 365.25;
+}
+
 /// Sets colours from the palette where the document gives no colours.
 void settle_colors(const Json& document, Scene& scene) {
   const Json given = document.value("balloon", Json::object());
@@ -175,10 +192,7 @@ struct Read {
 
 /// Reads the scene from a document that has passed the schema.
 Read read_fields(const Json& document) {
-  Scene usual = defaults(detail::biome_of(document), detail::view_of(document));
-  set_quality(usual, detail::quality_of(document));
-  const Json haze = document.value("haze", Json::object());
-  set_haze_droplets(usual.haze, haze.value("visibility_m", usual.haze.visibility_m));
+  Scene usual = detail::usual_scene(document);
   Scene scene = usual;
   read(document, scene);
   settle_colors(document, scene);
@@ -199,6 +213,16 @@ void tell_nonsense(const Json& document, const std::vector<detail::Pointer>& fau
 }  // namespace
 
 namespace detail {
+
+Scene usual_scene(const Json& document) {
+  Scene usual = defaults(biome_of(document), view_of(document), mood_of(document));
+  set_season(usual, season_of(document));
+  set_quality(usual, quality_of(document));
+  const Json haze = document.value("haze", Json::object());
+  set_haze_droplets(usual.haze, haze.value("visibility_m", usual.haze.visibility_m));
+  settle_night(document, usual);
+  return usual;
+}
 
 std::string read_bytes(const std::filesystem::path& path) {
   const auto unreadable = [&path](const std::string& reason) {

@@ -22,4 +22,7 @@ Json parse_document(const std::string& text, Faults& faults);
 /// sense.
 Scene read_document(Json& document, Faults& faults);
 
+/// Returns the values that hold where a document, which has passed the schema, gives none.
+Scene usual_scene(const Json& document);
+
 }  // namespace aerostat::scene::detail

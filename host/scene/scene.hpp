@@ -22,8 +22,12 @@ struct Scene {
   Vegetation vegetation;
   Balloon balloon;
   std::vector<Balloon> balloons;  // further balloons
+  Festival festival;              // and still more of them
   Camera camera;
+  Mood mood = Mood::none;
   Sun sun;
+  Moon moon;
+  Stars stars;
   std::vector<PointLight> lights;
   Sky sky;
   Air air;

@@ -133,17 +133,18 @@ struct SceneSource::State {
   }
 
   void fill_in() {
-    Scene usual = defaults(scene.biome.kind, scene.camera.view);
-    set_quality(usual, scene.quality);
-    set_haze_droplets(usual.haze, scene.haze.visibility_m);
+    Scene usual = detail::usual_scene(document);
     for (std::size_t i = 0; i < scene.balloons.size(); ++i) {
       dress(usual.balloons.emplace_back(), palette_of_place(i));
     }
     usual.lights.resize(scene.lights.size());
     usual_values = shown(usual);
-    // Biome, view and quality choose all other defaults. Their own defaults are these words.
+    // Biome, season, view, mood and quality choose all other defaults. Their own defaults are these
+    // words.
     usual_values["biome"]["kind"] = "snow";
+    usual_values["biome"]["season"] = "summer";
     usual_values["camera"]["view"] = "outside";
+    usual_values["mood"] = "none";
     usual_values["quality"] = "standard";
     values = shown(scene);
     if (!document.contains("sun")) return;

@@ -34,8 +34,9 @@ void MainWindow::take_typed() {
 void MainWindow::add_file_menu() {
   QMenu* menu = menuBar()->addMenu(tr("&File"));
   QMenu* fresh = menu->addMenu(tr("&New"));
-  const QString names[] = {tr("&Snowy Mountains"), tr("&Tropical Island"), tr("&Dunes")};
-  for (int i = 0; i < 3; ++i) {
+  const QString names[] = {tr("&Snowy Mountains"), tr("&Tropical Island"), tr("&Dunes"),
+                           tr("&Meadow")};
+  for (int i = 0; i < 4; ++i) {
     add_action(fresh, names[i], i == 0 ? QKeySequence(QKeySequence::New) : QKeySequence(),
                [this, i] { files_->start(static_cast<scene::BiomeKind>(i)); });
   }

@@ -73,7 +73,7 @@ bool SceneFiles::may_discard() {
 
 void SceneFiles::start(scene::BiomeKind biome) {
   if (!may_discard()) return;
-  constexpr const char* kNames[] = {"snow", "tropical", "sand"};
+  constexpr const char* kNames[] = {"snow", "tropical", "sand", "meadow"};
   document_.start(
       scene::SceneSource().with({{"/biome/kind", kNames[static_cast<std::size_t>(biome)]}}), {});
 }

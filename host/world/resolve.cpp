@@ -121,6 +121,7 @@ double mesh_height_at(const scene::Terrain& terrain, const Surface& surface, int
 class Resolver {
  public:
   static scene::ResolvedScene resolve(scene::Scene scene, const HeightAt& ground) {
+    scene::hold_festival(scene);
     for (scene::Balloon* balloon : scene::all_balloons(scene)) settle_height(ground, *balloon);
     scene::Camera& camera = scene.camera;
     for (std::optional<dvec3>* point : {&camera.position, &camera.target}) {

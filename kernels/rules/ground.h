@@ -1,6 +1,7 @@
 #ifndef AEROSTAT_RULES_GROUND_H
 #define AEROSTAT_RULES_GROUND_H
 
+#include "rules/hash.h"
 #include "rules/solid_noise.h"
 #include "scene_params.h"
 
@@ -105,6 +106,46 @@ AERO_RULE lane_float snow_share(AERO_GLOBAL const AeroGround* ground, lane_float
   const lane_float swept = 0.9f * noise->broad + 0.22f * noise->fine - 0.2f * noise->rough;
   const lane_float holds = frayed_step(ground->snow_cos[1], ground->snow_cos[0], detail_cos, swept);
   return cold * holds;
+}
+
+/* The fields that people have laid out on gentle ground: parcels beside each other with grass left
+ * between them. */
+typedef struct FieldAt {
+  lane_float share; /* of fields, 0 to 1 */
+  lane_float crop;  /* a number of the parcel, 0 to 1 */
+  lane_float edge;  /* metres to the nearest edge of the parcel */
+} FieldAt;
+
+/* The width of the strip of grass along the edge of a field, in metres, and the slopes on which
+ * there are fields. */
+#define FIELD_VERGE 2.5f
+#define FIELD_STEEP_COS 0.965f
+#define FIELD_LEVEL_COS 0.985f
+
+/* Returns the field at a place. Parcels lie in rows that are turned by half a radian from north,
+ * and each row is shifted against the next. Noise bends them a little. */
+AERO_RULE FieldAt field_at(AERO_GLOBAL const AeroGround* ground, lane_float x, lane_float z,
+                           lane_float slope_cos, const GroundNoise* noise) {
+  const float width = ground->field_width;
+  const lane_float bend = 0.12f * width * noise->broad;
+  const lane_float across = 0.8775826f * x - 0.4794255f * z + bend;
+  const lane_float along = 0.4794255f * x + 0.8775826f * z - bend;
+  const lane_float row = lane_floor(across / width);
+  const lane_int row_number = lane_to_int(row);
+  const lane_float shift =
+      lane_from_uint(lattice_hash(ground->seed + 503u, row_number, (lane_int)0) >> 8) *
+      5.9604645e-8f;
+  const float depth = 1.7f * width;
+  const lane_float column = lane_floor(along / depth + shift);
+  const lane_uint hash = lattice_hash(ground->seed + 509u, row_number, lane_to_int(column));
+  const lane_float u = across - row * width;
+  const lane_float v = (along / depth + shift - column) * depth;
+  FieldAt field;
+  field.crop = lane_from_uint(hash >> 8) * 5.9604645e-8f;
+  field.edge = lane_min(lane_min(u, width - u), lane_min(v, depth - v));
+  field.share = smooth_step((lane_float)FIELD_STEEP_COS, (lane_float)FIELD_LEVEL_COS, slope_cos) *
+                smooth_step((lane_float)-0.25f, (lane_float)-0.05f, noise->broad);
+  return field;
 }
 
 /* Returns the mix at a height. `slope_cos` is the slope of the mesh, and `detail_cos` that of the

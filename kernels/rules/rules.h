@@ -66,6 +66,15 @@ AERO_REAL_RULE lane_real lane_max(lane_real a, lane_real b) {
 AERO_REAL_RULE lane_real lane_fma(lane_real a, lane_real b, lane_real c) {
   return a * b + c;
 }
+AERO_RULE lane_float lane_floor(lane_float x) {
+  return std::floor(x);
+}
+AERO_RULE lane_int lane_to_int(lane_float x) {
+  return static_cast<lane_int>(x);
+}
+AERO_RULE lane_float lane_from_uint(lane_uint x) {
+  return static_cast<lane_float>(x);
+}
 AERO_RULE lane_float lane_from_int(lane_int x) {
   return static_cast<lane_float>(x);
 }

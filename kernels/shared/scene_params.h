@@ -4,6 +4,7 @@
 #include "air_params.h"
 #include "layout.h"
 #include "material.h"
+#include "night_params.h"
 
 /* Describes the scene for shading. Lengths are in metres, colours in linear Rec. 709, and slopes
  * are cosines (the y of a unit normal). */
@@ -58,7 +59,7 @@ typedef struct AeroCumulus {
 
 AERO_ASSERT_LAYOUT(AeroCumulus, 40);
 
-/* The sun and the clouds. */
+/* The sun and the clouds. By night the moon is the sun of all that light does here. */
 typedef struct AeroSky {
   aero_float sun_direction[3];
   aero_float sun_irradiance[3]; /* irradiance outside the air */
@@ -69,10 +70,11 @@ typedef struct AeroSky {
   aero_float sun_spread;    /* tangent of the disc's radius as shadows see it, or 0 for a point */
   aero_float ambient_reach; /* metres within which occluders of the sky count, or 0 if none do */
   aero_uint bounced;        /* 1 if surfaces that hide the sky are lit by the sun */
+  aero_uint moonlit;        /* 1 if the sun of all this is the moon, because the sun is down */
   AeroCumulus cumulus;
 } AeroSky;
 
-AERO_ASSERT_LAYOUT(AeroSky, 92);
+AERO_ASSERT_LAYOUT(AeroSky, 96);
 
 /* Lists the numbers that the host copies from scene::Ground as they are. NUMBER is called with the
  * member of AeroGround and the member of scene::Ground. */
@@ -85,11 +87,12 @@ AERO_ASSERT_LAYOUT(AeroSky, 92);
   NUMBER(sparkle, sparkle)           \
   NUMBER(forest_top, forest_top_m)   \
   NUMBER(forest_share, forest_share) \
-  NUMBER(canopy, canopy_m)
+  NUMBER(canopy, canopy_m)           \
+  NUMBER(field_width, field_m)
 
 /* The colour rules of the ground. */
 typedef struct AeroGround {
-  aero_float cover_a[3], cover_b[3], rock_a[3], rock_b[3], snow[3], beach[3], forest[3];
+  aero_float cover_a[3], cover_b[3], rock_a[3], rock_b[3], snow[3], beach[3], forest[3], field[3];
   aero_float rock_cos[2]; /* slopes at which rock begins and is complete (begin > complete) */
   aero_float snow_cos[2]; /* snow is full above the first slope, and absent below the second */
   aero_float pattern;
@@ -103,7 +106,7 @@ typedef struct AeroGround {
 } AeroGround;
 
 #define AERO_BYTES(member, source) +4
-AERO_ASSERT_LAYOUT(AeroGround, 124 AERO_GROUND_NUMBERS(AERO_BYTES));
+AERO_ASSERT_LAYOUT(AeroGround, 136 AERO_GROUND_NUMBERS(AERO_BYTES));
 #undef AERO_BYTES
 
 /* How tests follow paths. AERO_PATHS_WITHOUT_LIGHT_RAYS traces no rays to the sun's disc and to the
@@ -151,8 +154,9 @@ typedef struct AeroScene {
   /* The place of the origin of positions, as seen from the terrain's centre at sea level. Positions
    * count from a point near the eye, while patterns and heights go by places. */
   aero_float place[3];
+  AeroNight night;
 } AeroScene;
 
-AERO_ASSERT_LAYOUT(AeroScene, (2664 + 32 * 60 + 12) + sizeof(AeroGround));
+AERO_ASSERT_LAYOUT(AeroScene, (2668 + 32 * 60 + 12) + sizeof(AeroGround) + sizeof(AeroNight));
 
 #endif

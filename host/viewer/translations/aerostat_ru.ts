@@ -587,6 +587,102 @@
         <source>Bounces of light</source>
         <translation>Отражений света</translation>
     </message>
+    <message>
+        <source>Moon and stars</source>
+        <translation>Луна и звёзды</translation>
+    </message>
+    <message>
+        <source>Many balloons</source>
+        <translation>Много шаров</translation>
+    </message>
+    <message>
+        <source>Season</source>
+        <translation>Время года</translation>
+    </message>
+    <message>
+        <source>Fields</source>
+        <translation>Поля</translation>
+    </message>
+    <message>
+        <source>Width of fields</source>
+        <translation>Ширина полей</translation>
+    </message>
+    <message>
+        <source>Balloons</source>
+        <translation>Число шаров</translation>
+    </message>
+    <message>
+        <source>Seed of balloons</source>
+        <translation>Зерно шаров</translation>
+    </message>
+    <message>
+        <source>Middle of balloons, east</source>
+        <translation>Середина шаров, восток</translation>
+    </message>
+    <message>
+        <source>Middle of balloons, south</source>
+        <translation>Середина шаров, юг</translation>
+    </message>
+    <message>
+        <source>Spread, east to west</source>
+        <translation>Разброс с востока на запад</translation>
+    </message>
+    <message>
+        <source>Spread, north to south</source>
+        <translation>Разброс с севера на юг</translation>
+    </message>
+    <message>
+        <source>Lowest balloon</source>
+        <translation>Самый низкий шар</translation>
+    </message>
+    <message>
+        <source>Highest balloon</source>
+        <translation>Самый высокий шар</translation>
+    </message>
+    <message>
+        <source>Distance of balloons</source>
+        <translation>Расстояние между шарами</translation>
+    </message>
+    <message>
+        <source>Burners of balloons</source>
+        <translation>Горелки шаров</translation>
+    </message>
+    <message>
+        <source>Mood</source>
+        <translation>Настроение</translation>
+    </message>
+    <message>
+        <source>Moon</source>
+        <translation>Луна</translation>
+    </message>
+    <message>
+        <source>Direction of the moon</source>
+        <translation>Направление на луну</translation>
+    </message>
+    <message>
+        <source>Height of the moon</source>
+        <translation>Высота луны</translation>
+    </message>
+    <message>
+        <source>Distance of the moon</source>
+        <translation>Расстояние до луны</translation>
+    </message>
+    <message>
+        <source>Stars</source>
+        <translation>Звёзды</translation>
+    </message>
+    <message>
+        <source>Latitude</source>
+        <translation>Широта</translation>
+    </message>
+    <message>
+        <source>Turn of the stars</source>
+        <translation>Поворот звёзд</translation>
+    </message>
+    <message>
+        <source>Milky Way</source>
+        <translation>Млечный Путь</translation>
+    </message>
 </context>
 <context>
     <name>NumberBox</name>
@@ -1276,6 +1372,102 @@
         <source>How often a path of light may go on from one surface to another, 0 (surfaces get light straight from sun, sky and lamps alone) to 64.</source>
         <translation>Сколько раз путь света может продолжиться от одной поверхности к другой, от 0 (поверхности получают свет только прямо от солнца, неба и ламп) до 64.</translation>
     </message>
+    <message>
+        <source>Season of a meadow, which sets the defaults of grass, fields and leaves: spring, summer (the default) or autumn, in which larches and birches are golden. Other biomes have none.</source>
+        <translation>Время года на лугах, от которого зависят обычные цвета травы, полей и листвы: spring (весна), summer (лето, по умолчанию) или autumn (осень), когда лиственницы и берёзы золотые. В других биомах его нет.</translation>
+    </message>
+    <message>
+        <source>Albedo of ripe corn and stubble on fields. Linear Rec. 709 [red, green, blue], each 0 to 1.</source>
+        <translation>Альбедо спелых хлебов и стерни на полях. Линейные Rec. 709: [красный, зелёный, синий], каждый от 0 до 1.</translation>
+    </message>
+    <message>
+        <source>Width of the fields on gentle ground in metres, 0 (none) to 10000.</source>
+        <translation>Ширина полей на пологой земле в метрах, от 0 (нет) до 10000.</translation>
+    </message>
+    <message>
+        <source>Balloons that are made from a seed, after those of /balloons. Their places, sizes, patterns, palettes and flames differ.</source>
+        <translation>Шары, которые создаются из зерна в дополнение к /balloons. Их места, размеры, узоры, палитры и огни различаются.</translation>
+    </message>
+    <message>
+        <source>Number of balloons, 0 (none) to 32. There are at most 33 balloons in all. Where the area has no room for so many, there are fewer.</source>
+        <translation>Число шаров, от 0 (нет) до 32. Всего шаров не больше 33. Если им не хватает места, их меньше.</translation>
+    </message>
+    <message>
+        <source>Seed of the balloons, 0 to 4294967295.</source>
+        <translation>Зерно шаров, от 0 до 4294967295.</translation>
+    </message>
+    <message>
+        <source>Middle of the area above which they fly, [x, z] in metres.</source>
+        <translation>Середина местности, над которой они летят, [x, z] в метрах.</translation>
+    </message>
+    <message>
+        <source>Half of the width of the area along x and along z in metres.</source>
+        <translation>Половина ширины этой местности вдоль x и вдоль z в метрах.</translation>
+    </message>
+    <message>
+        <source>Height of the lowest basket above the ground in metres, 0 to 10000.</source>
+        <translation>Высота самой низкой корзины над землёй в метрах, от 0 до 10000.</translation>
+    </message>
+    <message>
+        <source>Height of the highest basket above the ground in metres, 0 to 10000.</source>
+        <translation>Высота самой высокой корзины над землёй в метрах, от 0 до 10000.</translation>
+    </message>
+    <message>
+        <source>Least distance between two balloons in metres, 0 to 10000.</source>
+        <translation>Наименьшее расстояние между двумя шарами в метрах, от 0 до 10000.</translation>
+    </message>
+    <message>
+        <source>Greatest strength of the burners, 0 to 1. At a value above 0, two of three balloons burn, each with at least half of this strength.</source>
+        <translation>Наибольшая сила горелок, от 0 до 1. При значении больше 0 горят два шара из трёх, каждый не слабее половины этой силы.</translation>
+    </message>
+    <message>
+        <source>Time of day or weather. It sets defaults of sun, moon, air, clouds and film that go before those of the biome. Values that a file gives win over it. none (the default) leaves all as the biome has it.</source>
+        <translation>Время суток или погода. Задаёт вместо биома обычные значения солнца, луны, воздуха, облаков и плёнки. Значения из файла важнее. none (по умолчанию) оставляет всё, как в биоме.</translation>
+    </message>
+    <message>
+        <source>The moon. Its phase follows from where moon and sun stand. It lights the land when the sun is lower than 4 degrees below the horizon. If the sun is given by date, time and place, what is left out here is the real moon&apos;s.</source>
+        <translation>Луна. Её фаза следует из положений луны и солнца. Она освещает землю, когда солнце опустилось ниже 4 градусов под горизонт. Если солнце задано датой, временем и местом, то всё, что здесь не указано, берётся от настоящей луны.</translation>
+    </message>
+    <message>
+        <source>Whether there is a moon.</source>
+        <translation>Есть ли луна.</translation>
+    </message>
+    <message>
+        <source>Azimuth of the moon in degrees, -360 to 360. North (-z) is 0, and east (+x) is 90.</source>
+        <translation>Азимут луны в градусах, от -360 до 360. Север (-z) — 0, восток (+x) — 90.</translation>
+    </message>
+    <message>
+        <source>Height of the moon above the horizon in degrees, -90 to 90.</source>
+        <translation>Высота луны над горизонтом в градусах, от -90 до 90.</translation>
+    </message>
+    <message>
+        <source>Distance of the moon in kilometres, 100000 to 1000000. It sets the size and the brightness of the disc.</source>
+        <translation>Расстояние до луны в километрах, от 100000 до 1000000. От него зависят размер и яркость диска.</translation>
+    </message>
+    <message>
+        <source>The stars to magnitude 6 and the Milky Way. If the sun is given by date, time and place, what is left out here follows from them.</source>
+        <translation>Звёзды до 6-й величины и Млечный Путь. Если солнце задано датой, временем и местом, то всё, что здесь не указано, следует из них.</translation>
+    </message>
+    <message>
+        <source>Whether stars shine at night.</source>
+        <translation>Светят ли ночью звёзды.</translation>
+    </message>
+    <message>
+        <source>Latitude of the place in degrees, positive to the north, -90 to 90. The pole stands as high.</source>
+        <translation>Широта места в градусах, к северу положительная, от -90 до 90. На такой высоте стоит полюс мира.</translation>
+    </message>
+    <message>
+        <source>Local sidereal time in degrees, -360 to 360: the right ascension of the stars that stand due south.</source>
+        <translation>Местное звёздное время в градусах, от -360 до 360: прямое восхождение звёзд, которые стоят точно на юге.</translation>
+    </message>
+    <message>
+        <source>Year in whose frame the stars stand, 1900 to 2100 (precession).</source>
+        <translation>Год, в системе координат которого стоят звёзды, от 1900 до 2100 (прецессия).</translation>
+    </message>
+    <message>
+        <source>Brightness of the Milky Way relative to the real one, 0 to 10.</source>
+        <translation>Яркость Млечного Пути относительно настоящего, от 0 до 10.</translation>
+    </message>
 </context>
 <context>
     <name>Units</name>
@@ -1302,6 +1494,10 @@
     <message>
         <source>DU</source>
         <translation>ед. Д.</translation>
+    </message>
+    <message>
+        <source>km</source>
+        <translation>км</translation>
     </message>
 </context>
 <context>
@@ -1513,6 +1709,50 @@
     <message>
         <source>path</source>
         <translation>по путям</translation>
+    </message>
+    <message>
+        <source>spring</source>
+        <translation>весна</translation>
+    </message>
+    <message>
+        <source>summer</source>
+        <translation>лето</translation>
+    </message>
+    <message>
+        <source>autumn</source>
+        <translation>осень</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>нет</translation>
+    </message>
+    <message>
+        <source>dawn</source>
+        <translation>рассвет</translation>
+    </message>
+    <message>
+        <source>noon</source>
+        <translation>полдень</translation>
+    </message>
+    <message>
+        <source>golden</source>
+        <translation>золотой час</translation>
+    </message>
+    <message>
+        <source>dusk</source>
+        <translation>сумерки</translation>
+    </message>
+    <message>
+        <source>night</source>
+        <translation>ночь</translation>
+    </message>
+    <message>
+        <source>storm</source>
+        <translation>гроза</translation>
+    </message>
+    <message>
+        <source>mist</source>
+        <translation>туман</translation>
     </message>
 </context>
 <context>
@@ -1989,6 +2229,10 @@
     <message>
         <source>Reload</source>
         <translation>Перечитать</translation>
+    </message>
+    <message>
+        <source>&amp;Meadow</source>
+        <translation>&amp;Луга</translation>
     </message>
 </context>
 <context>

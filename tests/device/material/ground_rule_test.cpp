@@ -54,8 +54,8 @@ class GroundRuleProbe : public LaneTest {
 };
 
 TEST_P(GroundRuleProbe, NoiseOfTheHostsLoopsIsTheDevices) {
-  for (const auto kind :
-       {scene::BiomeKind::snow, scene::BiomeKind::tropical, scene::BiomeKind::sand}) {
+  for (const auto kind : {scene::BiomeKind::snow, scene::BiomeKind::tropical,
+                          scene::BiomeKind::sand, scene::BiomeKind::meadow}) {
     prepare(kind);
     const auto noises = output<float>(3 * kPoints);
     probe_.run("probe_ground_noise", kPoints, uploaded_ground(), input(planes(points_)), kFootprint,
@@ -100,6 +100,38 @@ TEST_P(GroundRuleProbe, MixAndRockAreTheDevices) {
     EXPECT_GT(kinds[3], 100) << "woods";
     EXPECT_GT(kind == scene::BiomeKind::snow ? kinds[2] : kinds[1], 100) << "snow or beach";
   }
+}
+
+TEST_P(GroundRuleProbe, FieldsAreTheDevices) {
+  prepare(scene::BiomeKind::meadow);
+  std::vector<vec3> values;
+  for (const ground::GroundNoise& noise : noise_) {
+    values.emplace_back(noise.broad, noise.fine, noise.rough);
+  }
+  const auto fields = output<float>(3 * kPoints);
+  probe_.run("probe_field", kPoints, uploaded_ground(), input(planes(points_)), input(slopes_),
+             input(planes(values)), fields);
+  const auto device = fields.read();
+  const float width = ground_.field_width;
+  int at_edge = 0, inside = 0;
+  for (std::size_t i = 0; i < kPoints; ++i) {
+    const vec3& p = points_[i];
+    const auto field = rules::field_at(&ground_, p.x, p.z, slopes_[i], &noise_[i]);
+    const vec3 found = from_planes(device, i);
+    ASSERT_NEAR(found.x, field.share, 1e-4f) << i;
+    // Coordinates are known to a millimetre. On an edge, either parcel is right.
+    ASSERT_NEAR(found.z, field.edge, 0.01f) << i;
+    ASSERT_GE(field.edge, -0.01f);
+    ASSERT_LE(field.edge, 0.5f * width + 0.01f);
+    if (field.edge > 0.05f) {
+      ASSERT_NEAR(found.y, field.crop, 1e-6f) << i;
+    }
+    at_edge += field.edge < 0.1f * width ? 1 : 0;
+    inside += field.share > 0.5f ? 1 : 0;
+  }
+  // A parcel is 1 by 1.7 widths: 1 - 0.8 * 1.5 / 1.7 = 0.29 of it is so near to an edge.
+  EXPECT_NEAR(static_cast<double>(at_edge) / kPoints, 0.294, 0.03);
+  EXPECT_GT(inside, 100);
 }
 
 /// Tests that what the host asks for single trees is the mix that the ground is painted by where it

@@ -25,3 +25,16 @@ __kernel void probe_ground_mix(__global const AeroGround* ground, __global const
   STORE(mix.forest, mixes + 3u * PLANE);
   STORE(rock_tone(height, &noise), mixes + 4u * PLANE);
 }
+
+/* Writes the share, crop and edge of the field at positions. */
+__kernel void probe_field(__global const AeroGround* ground, __global const float* positions,
+                          __global const float* slopes, __global const float* noises,
+                          __global float* fields) {
+  const Lane3 values = load3(noises), p = load3(positions);
+  GroundNoise noise;
+  noise.broad = values.x;
+  noise.fine = values.y;
+  noise.rough = values.z;
+  const FieldAt field = field_at(ground, p.x, p.z, LOAD(slopes), &noise);
+  store3_planes(lane3(field.share, field.crop, field.edge), fields);
+}

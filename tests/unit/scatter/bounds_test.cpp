@@ -57,7 +57,7 @@ TEST_P(Bounds, OfTheChanceHoldWhateverSlopeAndRoughNoiseAre) {
 
 INSTANTIATE_TEST_SUITE_P(Every, Bounds,
                          testing::Values(scene::BiomeKind::snow, scene::BiomeKind::tropical,
-                                         scene::BiomeKind::sand));
+                                         scene::BiomeKind::sand, scene::BiomeKind::meadow));
 
 TEST(Lines, FindTheCellThatHoldsAValue) {
   std::mt19937 random(9);

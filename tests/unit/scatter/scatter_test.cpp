@@ -97,12 +97,13 @@ class Biome : public testing::TestWithParam<BiomeKind> {
 };
 
 std::string name_of(const testing::TestParamInfo<BiomeKind>& info) {
-  const char* names[] = {"snow", "tropical", "sand"};
+  const char* names[] = {"snow", "tropical", "sand", "meadow"};
   return names[static_cast<int>(info.param)];
 }
 
 INSTANTIATE_TEST_SUITE_P(Every, Biome,
-                         testing::Values(BiomeKind::snow, BiomeKind::tropical, BiomeKind::sand),
+                         testing::Values(BiomeKind::snow, BiomeKind::tropical, BiomeKind::sand,
+                                         BiomeKind::meadow),
                          name_of);
 
 TEST_P(Biome, PutsEverythingOnTheGround) {
@@ -130,9 +131,15 @@ TEST_P(Biome, KeepsToItsRules) {
     switch (species_of(instance)) {
       case Species::spruce:
       case Species::snowy_spruce:
-        ASSERT_EQ(GetParam(), BiomeKind::snow);
+        ASSERT_TRUE(GetParam() == BiomeKind::snow || GetParam() == BiomeKind::meadow);
         // Noise of amplitude 2.2 moves the limit by a quarter of its height for each unit.
         ASSERT_LT(static_cast<double>(p.y), rules.forest_top_m * 1.6);
+        ASSERT_LT(slope_deg, rules.rock_slope_deg[1] + 20.0);
+        break;
+      case Species::larch:
+      case Species::birch:
+        ASSERT_EQ(GetParam(), BiomeKind::meadow);
+        ASSERT_GT(static_cast<double>(p.y), scene.biome.water.level_m);
         ASSERT_LT(slope_deg, rules.rock_slope_deg[1] + 20.0);
         break;
       case Species::broadleaf:
@@ -146,8 +153,11 @@ TEST_P(Biome, KeepsToItsRules) {
         ASSERT_LT(p.y, 3.01f);
         ASSERT_LT(slope_deg, 14.1);
         break;
-      case Species::scrub:
       case Species::tussock:
+        ASSERT_TRUE(GetParam() == BiomeKind::sand || GetParam() == BiomeKind::meadow);
+        ASSERT_LT(slope_deg, 35.1);
+        break;
+      case Species::scrub:
       case Species::acacia:
         ASSERT_EQ(GetParam(), BiomeKind::sand);
         ASSERT_LT(slope_deg, 18.1);

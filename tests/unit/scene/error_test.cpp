@@ -66,10 +66,11 @@ INSTANTIATE_TEST_SUITE_P(
         Case{R"("camera": {"target": [0, "a", 1]})",
              "/camera/target/1: found \"a\", expected a number from -1100000 to 1100000"},
         Case{R"("biome": "snwo")",
-             "/biome/kind: found \"snwo\", expected one of \"snow\", \"tropical\", \"sand\"; did "
-             "you mean \"snow\"?"},
+             "/biome/kind: found \"snwo\", expected one of \"snow\", \"tropical\", \"sand\", "
+             "\"meadow\"; did you mean \"snow\"?"},
         Case{R"("biome": 3)",
-             "/biome: found 3, expected one of \"snow\", \"tropical\", \"sand\", or an object"},
+             "/biome: found 3, expected one of \"snow\", \"tropical\", \"sand\", \"meadow\", or an "
+             "object"},
         Case{R"("biome": {"kind": "sand", "ground": {"snow": [2, 0, 0]}})",
              "/biome/ground/snow/0: found 2, expected a number from 0 to 1"},
         Case{R"("biome": {"water": {"wave_m": 0}})",
@@ -98,8 +99,8 @@ INSTANTIATE_TEST_SUITE_P(
              "flame, floor, frame, plant, rim, skirt, stone, terrain, water"},
         Case{R"("a/b~c\u001b": 5)",
              "/a~1b~0c\\u001b: found an unknown key, expected one of $schema, air, balloon, "
-             "balloons, biome, bounces, camera, fog, haze, image, light, lights, materials, "
-             "quality, shading, sky, "
+             "balloons, biome, bounces, camera, festival, fog, haze, image, light, lights, "
+             "materials, mood, moon, quality, shading, sky, stars, "
              "sun, "
              "terrain, "
              "vegetation, "

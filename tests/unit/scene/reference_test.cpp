@@ -1,5 +1,6 @@
 // Tests that the manual's reference of scene files agrees with the schema and the defaults.
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <string>
@@ -26,8 +27,9 @@ const std::string kMark = "<!-- From here on written by tests/unit/scene/referen
 class Reference {
  public:
   Reference() : schema_(Json::parse(detail::schema_text())) {
-    constexpr BiomeKind kKinds[] = {BiomeKind::snow, BiomeKind::tropical, BiomeKind::sand};
-    for (std::size_t i = 0; i < 3; ++i) {
+    constexpr BiomeKind kKinds[] = {BiomeKind::snow, BiomeKind::tropical, BiomeKind::sand,
+                                    BiomeKind::meadow};
+    for (std::size_t i = 0; i < 4; ++i) {
       defaults_[i] = Json::parse(write_text(defaults(kKinds[i], View::outside)));
     }
     section("", schema_, "");
@@ -124,17 +126,18 @@ class Reference {
   /// the key is left out, or if its default depends on the element of an array or on the material.
   std::string default_of(const std::string& pointer) const {
     const Json::json_pointer at(pointer);
-    std::array<std::string, 3> values;
-    for (std::size_t i = 0; i < 3; ++i) {
+    std::array<std::string, 4> values;
+    for (std::size_t i = 0; i < 4; ++i) {
       if (pointer.find("/0/") != std::string::npos || !defaults_[i].contains(at)) return "";
       values[i] = fmt::format("`{}`", shown(defaults_[i][at]));
     }
-    if (values[0] == values[1] && values[0] == values[2]) return values[0];
-    return fmt::format("snow {}, tropical {}, sand {}", values[0], values[1], values[2]);
+    if (std::count(values.begin(), values.end(), values[0]) == 4) return values[0];
+    return fmt::format("snow {}, tropical {}, sand {}, meadow {}", values[0], values[1], values[2],
+                       values[3]);
   }
 
   Json schema_;
-  std::array<Json, 3> defaults_;
+  std::array<Json, 4> defaults_;
   std::string text_;
 };
 

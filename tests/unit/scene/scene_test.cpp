@@ -135,7 +135,8 @@ TEST(ScenePalettes, GiveTheColorsUnlessColorsAreGiven) {
 }
 
 TEST(SceneDefaults, ArePlausible) {
-  for (const BiomeKind kind : {BiomeKind::snow, BiomeKind::tropical, BiomeKind::sand}) {
+  for (const BiomeKind kind :
+       {BiomeKind::snow, BiomeKind::tropical, BiomeKind::sand, BiomeKind::meadow}) {
     const Scene scene = defaults(kind, View::outside);
     EXPECT_NEAR(glm::length(scene.sun.direction), 1.0, 1e-12);
     const double elevation = std::asin(scene.sun.direction.y) * 180.0 / kPi;

@@ -65,7 +65,8 @@ TEST(SceneSource, KeepsTheScenesOfTheProject) {
 }
 
 TEST(SceneSource, ASceneWrittenInFullBecomesShort) {
-  for (const BiomeKind kind : {BiomeKind::snow, BiomeKind::tropical, BiomeKind::sand}) {
+  for (const BiomeKind kind :
+       {BiomeKind::snow, BiomeKind::tropical, BiomeKind::sand, BiomeKind::meadow}) {
     for (const View view : {View::outside, View::basket}) {
       const auto full = SceneSource::from_text(write_text(defaults(kind, view)), "full");
       EXPECT_LT(full.text().size(), 100u) << full.text();
@@ -164,7 +165,7 @@ TEST(FieldRule, SaysWhatTheSchemaSays) {
   EXPECT_EQ(seed.type, FieldType::integer);
   EXPECT_EQ(seed.maximum, 4294967295.0);
   EXPECT_FALSE(seed.description.empty());
-  EXPECT_EQ(field_rule("/biome/kind").words.size(), 3u);
+  EXPECT_EQ(field_rule("/biome/kind").words.size(), 4u);
   EXPECT_EQ(field_rule("/biome/water/enabled").type, FieldType::boolean);
   EXPECT_EQ(field_rule("/materials/envelope/diffuse").maximum, 10.0);
   const FieldRule x = field_rule("/balloon/position/0");

@@ -1,7 +1,10 @@
 // Tests what resolving a scene fills in, and what becomes of resolved scenes.
 #include "world/resolve.hpp"
 
+#include <cmath>
+#include <cstdlib>
 #include <stop_token>
+#include <string>
 #include <utility>
 
 #include <gtest/gtest.h>
@@ -133,6 +136,42 @@ TEST(Origin, MovesNoPlaceOverTheTerrain) {
   moved(scene.target(), *local.camera.target);
   EXPECT_EQ(local.terrain.base_m, 89000.0 - origin.y);
   EXPECT_EQ(local.biome.water.level_m, 89100.0 - origin.y);
+}
+
+TEST(Festival, MakesBalloonsThatKeepTheirDistance) {
+  const std::string festival =
+      R"(, "festival": {"count": 20, "seed": 5, "center": [100, -200], "spread_m": [300, 150],
+                        "lowest_m": 5, "highest_m": 120, "apart_m": 40, "burner": 0.5})";
+  const scene::ResolvedScene held = world::resolve(small_land(festival));
+  ASSERT_EQ(held->balloons.size(), 20u);
+  EXPECT_EQ(held->festival.count, 0);
+  int burning = 0;
+  for (std::size_t i = 0; i < held->balloons.size(); ++i) {
+    const scene::Balloon& balloon = held->balloons[i];
+    EXPECT_LE(std::abs(balloon.position.x - 100.0), 300.0);
+    EXPECT_LE(std::abs(balloon.position.z + 200.0), 150.0);
+    EXPECT_EQ(balloon.height_above, HeightReference::sea);
+    EXPECT_LE(balloon.burner, 0.5);
+    burning += balloon.burner > 0.0 ? 1 : 0;
+    for (std::size_t k = 0; k < i; ++k) {
+      const dvec3 away = balloon.position - held->balloons[k].position;
+      // Heights count from the ground when distances are kept, and the ground is not level.
+      EXPECT_GT(std::hypot(away.x, away.z) + std::abs(away.y), 5.0) << i << ", " << k;
+    }
+  }
+  EXPECT_GT(burning, 5);
+  EXPECT_LT(burning, 20);
+  EXPECT_EQ(world::resolve(small_land(festival))->balloons, held->balloons);
+  const scene::ResolvedScene other = world::resolve(small_land(
+      R"(, "festival": {"count": 20, "seed": 6, "center": [100, -200], "spread_m": [300, 150]})"));
+  EXPECT_NE(other->balloons[0].position, held->balloons[0].position);
+}
+
+TEST(Festival, HasFewerBalloonsWhereThereIsNoRoom) {
+  const scene::ResolvedScene held = world::resolve(small_land(
+      R"(, "festival": {"count": 30, "center": [900, 900], "spread_m": [50, 50], "highest_m": 20})"));
+  EXPECT_GE(held->balloons.size(), 2u);
+  EXPECT_LT(held->balloons.size(), 15u);
 }
 
 }  // namespace
