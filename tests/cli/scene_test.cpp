@@ -12,10 +12,12 @@ namespace {
 
 using Scenes = CliTest;
 
-constexpr const char* kScenes[] = {"snow", "snow-basket", "tropical",  "tropical-basket",
-                                   "sand", "sand-basket", "sand-empty"};
+constexpr const char* kScenes[] = {"snow",      "snow-basket", "tropical",   "tropical-basket",
+                                   "sand",      "sand-basket", "sand-empty", "valley-fog",
+                                   "alpenglow", "night-glow",  "storm",      "autumn",
+                                   "lake",      "canyon",      "festival"};
 
-TEST_F(Scenes, TheSevenAreGood) {
+TEST_F(Scenes, AllAreGood) {
   for (const char* scene : kScenes) {
     const Outcome outcome = run({"check", scene_path(scene)});
     EXPECT_EQ(outcome.code, 0) << outcome.err;
