@@ -277,7 +277,7 @@ TEST(Cache, OfTwoSessionsOnTwoScenesAtOnceIsEachOnesOwn) {
   beside.join();
   for (const Side* side : {&snow, &tropical}) {
     EXPECT_EQ(side->mine.cache->reliefs.fine.count(), 1);
-    EXPECT_EQ(side->mine.cache->packing.air.count(), 1);
+    EXPECT_EQ(side->mine.cache->packing.air.key.count(), 1);
     EXPECT_EQ(side->mine.cache->packing.clouds.count(), 1);
     EXPECT_TRUE(same_bits(side->film, shared_session().render(resolved(side->scene))));
   }
