@@ -1,5 +1,6 @@
-// Compares the pictures of all scenes with those that somebody last looked at. AEROSTAT_UPDATE_GOLDENS=1
-// renews the files in tests/image/golden. Look at them before they are kept.
+// Compares the pictures of all scenes with those that somebody last looked at.
+// AEROSTAT_UPDATE_GOLDENS=1 renews the files in tests/image/golden. Look at them before they are
+// kept.
 //
 // The tolerance, in steps of 1/255 after development, is a mean of 0.3 and 4 for 99 of 100 values.
 // The widths of packets differ by 1e-7 of the radiance, so other devices change a few values of the
