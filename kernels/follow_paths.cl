@@ -87,7 +87,7 @@ __kernel void scatter_at_hits(const AeroLaunch launch, const uint bounce,
         state.lights[RAY_TO_SUN] =
             ray_to_sun(&view, &surface, &point, &hit, state.path.throughput, &numbers.sun, met);
       }
-      if (!without_light_rays(scene)) {
+      if (seeks_sky(scene, sky_chances)) {
         state.lights[RAY_TO_SKY] = ray_to_sky(&view, sky_chances, &surface, &point, &hit,
                                               state.path.throughput, &numbers, met);
       }

@@ -22,6 +22,10 @@ constexpr int kPoints = 4;
 /// horizon, and the share that is even if there are heaped clouds. Chosen by eye.
 constexpr double kEven = 0.1, kBelow = 0.1, kEvenWithClouds = 0.4;
 
+/// The unevenness (unevenness_of) from which rays to the sky save more noise than time. It lies
+/// between the scenes where they do and do not (docs/decisions/0032-paths.md).
+constexpr double kUneven = 2.0;
+
 /// A place in the table: a strip and the shares of the way to the next row and column.
 struct TablePoint {
   int strip, column;
@@ -170,6 +174,25 @@ Grid chances_of(const Sky& sky, const Grid& sizes, double even) {
   return chances;
 }
 
+/// Returns the variance of the sky's light over directions that are chosen by the cosine with the
+/// upright, divided by the square of its mean. It tells how noisy the light on level ground is
+/// without rays to the sky.
+double unevenness_of(const Sky& sky, const Grid& sizes) {
+  double weights = 0.0, sum = 0.0, squares = 0.0;
+  for (int strip = 0; strip < kAbove; ++strip) {
+    const double cosine = std::max(height_in(sky.horizon(), strip, 0.5), 0.0);
+    for (int column = 0; column < kColumns; ++column) {
+      const double weight =
+          cosine * sizes[static_cast<std::size_t>(strip)][static_cast<std::size_t>(column)];
+      const double light = light_of(sky, strip, column);
+      weights += weight;
+      sum += weight * light;
+      squares += weight * light * light;
+    }
+  }
+  return sum > 0.0 ? squares * weights / (sum * sum) - 1.0 : 0.0;
+}
+
 }  // namespace
 
 AeroSkyChances sky_chances(const AeroScene& numbers, std::span<const AeroSkyCell> table) {
@@ -194,6 +217,7 @@ AeroSkyChances sky_chances(const AeroScene& numbers, std::span<const AeroSkyCell
   for (int column = 0; column <= kColumns; ++column) {
     packed.turns[column] = static_cast<float>(turns_of(column));
   }
+  packed.sought = unevenness_of(sky, sizes) > kUneven ? 1u : 0u;
   return packed;
 }
 

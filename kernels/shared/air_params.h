@@ -40,9 +40,11 @@ typedef struct AeroSkyChances {
   aero_float ends[AERO_SKY_STRIPS][2];  /* upward components of the two ends of a strip */
   aero_float turns[AERO_SKY_COLUMNS];   /* azimuths of the columns from the sun, in turns */
   aero_float densities[AERO_SKY_CELLS]; /* per steradian, by the first corner of a cell */
+  aero_uint
+      sought; /* 1 if the sky is so uneven that rays to its bright parts are worth their time */
 } AeroSkyChances;
 
-AERO_ASSERT_LAYOUT(AeroSkyChances, 4 * (64 + 54 * 32 + 108 + 24 + 1344));
+AERO_ASSERT_LAYOUT(AeroSkyChances, 4 * (64 + 54 * 32 + 108 + 24 + 1344 + 1));
 
 /* Fog that fills valleys up to `top` and thins out above it over `softness`. */
 typedef struct AeroFog {

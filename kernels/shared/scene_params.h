@@ -115,6 +115,7 @@ AERO_ASSERT_LAYOUT(AeroGround, 136 AERO_GROUND_NUMBERS(AERO_BYTES));
  */
 #define AERO_PATHS_WITHOUT_LIGHT_RAYS 1
 #define AERO_PATHS_PLAIN 2
+#define AERO_PATHS_SEEK_THE_SKY 3 /* traces rays to the sky even if it is evenly bright */
 
 typedef struct AeroWater {
   aero_float absorption[3]; /* absorption per metre */

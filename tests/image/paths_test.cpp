@@ -202,7 +202,7 @@ TEST(Paths, AgreeWithAPlainEstimator) {
     scene.light = scene::Integrator::path;
     scene.sun.soft_shadows = true;
     scene.sky.cumulus.cover = 0.0;
-    std::uint32_t plain = 0;
+    std::uint32_t plain = AERO_PATHS_SEEK_THE_SKY;
     render::TestHooks hooks;
     hooks.change_scene = [&plain](pack::PackedScene& packed) {
       packed.numbers.sky.sun_spread = 0.4f;

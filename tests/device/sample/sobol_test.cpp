@@ -176,6 +176,14 @@ TEST_P(SkyChances, ChooseDirectionsByTheirDensities) {
   }
 }
 
+/// Rays to the sky are traced under a bright sun in haze, and not under an even sky.
+TEST(SkyChancesOnTheHost, SayWhetherTheSkyIsSought) {
+  pack::PackedScene scene = sky_with_a_sun({0.3f, 0.25f, -0.8f});
+  EXPECT_EQ(pack::sky_chances(scene.numbers, scene.sky_table).sought, 1u);
+  scene = with_even_sky(bare_scene(), vec3(0.02f));
+  EXPECT_EQ(pack::sky_chances(scene.numbers, scene.sky_table).sought, 0u);
+}
+
 /// The density is high where the sky is bright, and low below the horizon.
 TEST_P(SkyChances, FollowTheLightOfTheSky) {
   const vec3 sun = glm::normalize(vec3(0.3f, 0.25f, -0.8f));
