@@ -39,7 +39,7 @@ constexpr Conifer kLarches[] = {
     {22.0, 3.4, 0.20, 0.90, 0.26, 0.40, {0.078f, 0.112f, 0.036f}},
 };
 /// The albedo of larch needles in autumn.
-const vec3 kGoldenNeedles{0.36f, 0.195f, 0.032f};
+const vec3 kGoldenNeedles{0.335f, 0.182f, 0.03f};
 /// The albedos of bark and snow. Chosen by eye.
 const vec3 kBark{0.100f, 0.084f, 0.070f};
 const vec3 kSnow{0.80f, 0.82f, 0.85f};
