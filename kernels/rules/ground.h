@@ -16,6 +16,12 @@ AERO_RULES_BEGIN
  * and `rough`, which is creased, for the relief of rock. Values are about -0.7 to 0.7. */
 typedef struct GroundNoise {
   lane_float broad, fine, rough;
+  /* What varies inside of a footprint around the point: the variances of the noise, of the height
+   * in metres squared, and of the slope of the ground as it looks from near. All rules return their
+   * mean over it. It is 0 for the point itself. */
+  struct {
+    lane_float broad, fine, rough, height, slope;
+  } inside;
 } GroundNoise;
 
 /* The share of each kind of ground, from 0 to 1. */
@@ -42,10 +48,28 @@ AERO_RULE lane_float ragged_noise(const GroundNoise* noise) {
   return 0.3f * noise->broad + 1.5f * noise->fine - 0.6f * noise->rough;
 }
 
+AERO_RULE lane_float ragged_inside(const GroundNoise* noise) {
+  return 0.09f * noise->inside.broad + 2.25f * noise->inside.fine + 0.36f * noise->inside.rough;
+}
+
+/* A value with the variance that it has inside of a footprint. */
+typedef struct Spread {
+  lane_float mean, variance;
+} Spread;
+
+AERO_RULE Spread spread_of(lane_float mean, lane_float variance) {
+  Spread spread;
+  spread.mean = mean;
+  spread.variance = variance;
+  return spread;
+}
+
 /* Returns 0 below `lo` and 1 above `hi`. `ragged` frays the border between them. */
-AERO_RULE lane_float frayed_step(float lo, float hi, lane_float x, lane_float ragged) {
-  const lane_float t = (x - lo) / (hi - lo);
-  return smooth_step((lane_float)0.475f, (lane_float)0.525f, t + 0.34f * ragged);
+AERO_RULE lane_float frayed_step(float lo, float hi, Spread x, Spread ragged) {
+  const float scale = 1.0f / (hi - lo);
+  const lane_float t = (x.mean - lo) * scale;
+  return spread_step(0.475f, 0.525f, t + 0.34f * ragged.mean,
+                     lane_fma(x.variance, (lane_float)(scale * scale), 0.1156f * ragged.variance));
 }
 
 /* The share of the height of the upper limit of trees by which `broad` raises and lowers it. */
@@ -72,17 +96,17 @@ AERO_RULE lane_float forest_closeness(AERO_GLOBAL const AeroGround* ground, lane
  * `rough`. */
 AERO_RULE lane_float forest_wished(AERO_GLOBAL const AeroGround* ground, lane_float height,
                                    const GroundNoise* noise) {
-  return smooth_step((lane_float)-0.03f, (lane_float)0.03f,
-                     forest_closeness(ground, height, noise));
+  return spread_step(-0.03f, 0.03f, forest_closeness(ground, height, noise),
+                     0.36f * noise->inside.broad + 0.25f * noise->inside.fine);
 }
 
 /* Returns the share of the shore, which is sand or rock, from 0 above the beach to 1 at the sea and
  * below. */
 AERO_RULE lane_float shore_share(AERO_GLOBAL const AeroGround* ground, lane_float height,
                                  const GroundNoise* noise) {
-  return 1.0f - smooth_step((lane_float)(ground->beach_top - 0.5f),
-                            (lane_float)(ground->beach_top + 0.5f),
-                            height + 2.0f * ragged_noise(noise));
+  return 1.0f - spread_step(ground->beach_top - 0.5f, ground->beach_top + 0.5f,
+                            height + 2.0f * ragged_noise(noise),
+                            noise->inside.height + 4.0f * ragged_inside(noise));
 }
 
 /* Returns the share of woods. There are none on bare rock, but trees grow on slopes that are a
@@ -91,7 +115,8 @@ AERO_RULE lane_float forest_share(AERO_GLOBAL const AeroGround* ground, lane_flo
                                   lane_float slope_cos, const GroundNoise* noise) {
   if (!(ground->forest_share > 0.0f)) return (lane_float)0.0f;
   const lane_float hold = frayed_step(ground->rock_cos[1] - 0.06f, ground->rock_cos[0] - 0.06f,
-                                      slope_cos, -ragged_noise(noise));
+                                      spread_of(slope_cos, (lane_float)0.0f),
+                                      spread_of(-ragged_noise(noise), ragged_inside(noise)));
   return forest_wished(ground, height, noise) * hold * (1.0f - shore_share(ground, height, noise));
 }
 
@@ -100,11 +125,17 @@ AERO_RULE lane_float forest_share(AERO_GLOBAL const AeroGround* ground, lane_flo
 AERO_RULE lane_float snow_share(AERO_GLOBAL const AeroGround* ground, lane_float height,
                                 lane_float detail_cos, const GroundNoise* noise) {
   const float half_zone = 0.5f * ground->snow_fuzz;
-  const lane_float cold = frayed_step(ground->snow_line - half_zone, ground->snow_line + half_zone,
-                                      height, 1.5f * ragged_noise(noise));
+  const lane_float cold =
+      frayed_step(ground->snow_line - half_zone, ground->snow_line + half_zone,
+                  spread_of(height, noise->inside.height),
+                  spread_of(1.5f * ragged_noise(noise), 2.25f * ragged_inside(noise)));
   /* Wind heaps snow up in some places and blows it away in others. */
   const lane_float swept = 0.9f * noise->broad + 0.22f * noise->fine - 0.2f * noise->rough;
-  const lane_float holds = frayed_step(ground->snow_cos[1], ground->snow_cos[0], detail_cos, swept);
+  const lane_float swept_inside =
+      0.81f * noise->inside.broad + 0.0484f * noise->inside.fine + 0.04f * noise->inside.rough;
+  const lane_float holds =
+      frayed_step(ground->snow_cos[1], ground->snow_cos[0],
+                  spread_of(detail_cos, noise->inside.slope), spread_of(swept, swept_inside));
   return cold * holds;
 }
 
@@ -154,12 +185,14 @@ AERO_RULE FieldAt field_at(AERO_GLOBAL const AeroGround* ground, lane_float x, l
 AERO_RULE GroundMix ground_mix(AERO_GLOBAL const AeroGround* ground, lane_float height,
                                lane_float slope_cos, lane_float detail_cos,
                                const GroundNoise* noise) {
-  const lane_float ragged = ragged_noise(noise);
+  const Spread ragged = spread_of(ragged_noise(noise), ragged_inside(noise));
   const lane_float shore = shore_share(ground, height, noise);
   GroundMix mix;
   /* Steep shores are rock. */
-  mix.beach = shore * smooth_step((lane_float)0.9f, (lane_float)0.95f, slope_cos + 0.02f * ragged);
-  mix.rock = lane_max(frayed_step(-ground->rock_cos[0], -ground->rock_cos[1], -detail_cos, ragged),
+  mix.beach =
+      shore * smooth_step((lane_float)0.9f, (lane_float)0.95f, slope_cos + 0.02f * ragged.mean);
+  mix.rock = lane_max(frayed_step(-ground->rock_cos[0], -ground->rock_cos[1],
+                                  spread_of(-detail_cos, noise->inside.slope), ragged),
                       shore - mix.beach);
   mix.snow = snow_share(ground, height, detail_cos, noise);
   mix.forest = forest_share(ground, height, slope_cos, noise);

@@ -93,6 +93,9 @@ AERO_RULE lane_float lane_as_float(lane_uint x) {
 AERO_RULE lane_float fabs(lane_float x) {
   return std::fabs(x);
 }
+AERO_RULE lane_float sqrt(lane_float x) {
+  return std::sqrt(x);
+}
 AERO_REAL_RULE lane_real exp(lane_real x) {
   return std::exp(x);
 }

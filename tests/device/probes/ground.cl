@@ -1,11 +1,12 @@
 #include "material/ground.clh"
 #include "probe.clh"
+#include "surface_of.clh"
 
 /* Stores the noise (broad, fine, rough) at points. */
 __kernel void probe_ground_noise(__global const AeroGround* ground, __global const float* points,
                                  const float footprint, __global float* noises) {
-  Lane3 gradient;
-  const GroundNoise noise = ground_noise(ground, load3(points), (lane_float)footprint, &gradient);
+  RoughSlope slope;
+  const GroundNoise noise = ground_noise(ground, load3(points), (lane_float)footprint, &slope);
   store3_planes(lane3(noise.broad, noise.fine, noise.rough), noises);
 }
 
@@ -16,7 +17,10 @@ __kernel void probe_ground_mix(__global const AeroGround* ground, __global const
                                __global const float* noises, __global float* mixes) {
   const Lane3 values = load3(noises);
   const lane_float height = LOAD(heights);
+  const lane_float none = (lane_float)0.0f;
   GroundNoise noise;
+  noise.inside.broad = noise.inside.fine = noise.inside.rough = none;
+  noise.inside.height = noise.inside.slope = none;
   noise.broad = values.x;
   noise.fine = values.y;
   noise.rough = values.z;
@@ -37,4 +41,19 @@ __kernel void probe_field(__global const AeroGround* ground, __global const floa
   noise.rough = values.z;
   const FieldAt field = field_at(ground, p.x, p.z, LOAD(slopes), &noise);
   store3_planes(lane3(field.share, field.crop, field.edge), fields);
+}
+
+/* Stores the albedo of ground at points of a slope, and what it makes of light of irradiance pi
+ * from one direction. `slope` holds the normal, and then the direction of the light. */
+__kernel void probe_lit_ground(__global const AeroGround* ground, __global const float* points,
+                               __global const float* slope, const float footprint,
+                               __global float* albedos, __global float* lit) {
+  Surface surface = blank_surface();
+  surface.material.normal = lane3_from(slope);
+  surface.point.to_viewer = lane3_from(slope);
+  surface.material.diffuse = (lane_float)1.0f;
+  lay_ground(ground, -1e6f, load3(points), (lane_float)footprint, &surface.material);
+  const Lobes lobes = phong_lobes(&surface, lane3_from(slope + 3));
+  STORE(surface.material.albedo.y, albedos);
+  STORE(phong_color(&surface.material, &lobes).y, lit);
 }

@@ -12,7 +12,7 @@
 namespace aerostat::ground {
 namespace {
 
-constexpr GroundNoise kEven{0.0f, 0.0f, 0.0f};
+constexpr GroundNoise kEven{};
 
 class GroundMix : public testing::Test {
  protected:
