@@ -18,14 +18,15 @@ __kernel void trace_ambient_rays(const AeroLaunch launch, __global const AeroSce
   const MeshArrays meshes = mesh_arrays(faces, vertices, instances);
   const uint parts = ambient_parts(task.frame.samples);
   AmbientFound sums[BUNDLE];
+  AmbientPlan plans[BUNDLE];
   for (uint i = 0u; i < BUNDLE; ++i) sums[i].free = sums[i].facing = (lane_float)0.0f;
   for (uint part = 0u; part < parts; ++part) {
     TracedPacket packets[BUNDLE];
     lane_int asked[BUNDLE], any = (lane_int)0;
     for (uint i = 0u; i < BUNDLE; ++i) {
       const Hit hit = i < count ? hits[first + i] : no_hit();
-      asked[i] = start_ambient(&world, &meshes, &task, &hit, first + i, part, parts,
-                               scene->sky.ambient_reach, packets + i);
+      asked[i] = start_ambient(scene, &world, &meshes, &task, &hit, first + i, part, parts,
+                               plans + i, packets + i);
       any |= asked[i];
     }
     if (!lane_any(any)) break;
@@ -33,9 +34,6 @@ __kernel void trace_ambient_rays(const AeroLaunch launch, __global const AeroSce
     for (uint i = 0u; i < BUNDLE; ++i) add_ambient(&scene->sky, packets + i, asked[i], sums + i);
   }
   for (uint i = 0u; i < count; ++i) {
-    const lane_int near = lane_mask(hits[first + i].t < AMBIENT_AT_HAND);
-    const lane_float share = lane_select(near, (lane_float)(1.0f / (float)parts), (lane_float)1.0f);
-    found[first + i].free = sums[i].free * share;
-    found[first + i].facing = sums[i].facing * share;
+    found[first + i] = found_of(sums + i, plans + i, parts, ambient_stride(task.frame.samples));
   }
 }
