@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "core/error.hpp"
+#include "plant/outline.hpp"
 #include "plant/species.hpp"
 
 namespace aerostat::plant {
@@ -16,6 +17,8 @@ struct Entry {
   /// The heights of the variants in metres.
   std::vector<double> heights_m;
   void (*build)(mesh::TriangleMesh&, int variant, Detail);
+  /// Whether the plant has a closed crown, whose outline looks like it from far away.
+  bool closed = false;
 };
 
 /// Returns the catalogue of species in the order of Species.
@@ -23,12 +26,14 @@ const std::array<Entry, kSpeciesCount>& catalogue() {
   static const std::array<Entry, kSpeciesCount> entries{{
       {"spruce",
        {17.0, 14.0, 21.0},
-       [](auto& mesh, int variant, Detail detail) { build_conifer(mesh, variant, false, detail); }},
+       [](auto& mesh, int variant, Detail detail) { build_conifer(mesh, variant, false, detail); },
+       true},
       {"snowy_spruce",
        {17.0, 14.0, 21.0},
-       [](auto& mesh, int variant, Detail detail) { build_conifer(mesh, variant, true, detail); }},
+       [](auto& mesh, int variant, Detail detail) { build_conifer(mesh, variant, true, detail); },
+       true},
       {"palm", {11.5, 14.0, 8.5}, build_palm},
-      {"broadleaf", {13.0, 16.0, 11.0}, build_broadleaf},
+      {"broadleaf", {13.0, 16.0, 11.0}, build_broadleaf, true},
       {"larch",
        {18.0, 14.0, 22.0},
        [](auto& mesh, int variant, Detail detail) { build_larch(mesh, variant, false, detail); }},
@@ -41,8 +46,8 @@ const std::array<Entry, kSpeciesCount>& catalogue() {
       {"golden_birch",
        {13.5, 16.0},
        [](auto& mesh, int variant, Detail detail) { build_birch(mesh, variant, true, detail); }},
-      {"acacia", {5.5, 7.0}, build_acacia},
-      {"shrub", {1.6, 2.4}, build_shrub},
+      {"acacia", {5.5, 7.0}, build_acacia, true},
+      {"shrub", {1.6, 2.4}, build_shrub, true},
       {"scrub", {1.3, 2.4}, build_scrub},
       {"tussock", {0.55, 0.8}, build_tussock},
       {"boulder",
@@ -94,7 +99,11 @@ double model_height(const ModelKey& model) {
 mesh::TriangleMesh build(const ModelKey& model, Detail detail) {
   const double height_m = model_height(model);
   mesh::TriangleMesh mesh;
-  entry_of(model.species).build(mesh, model.variant, detail);
+  const Entry& entry = entry_of(model.species);
+  entry.build(mesh, model.variant, std::min(detail, Detail::far));
+  if (detail == Detail::outline && entry.closed && mesh.triangles.size() > kOutlineTriangles) {
+    mesh = outline_of(mesh);
+  }
   fit_height(mesh, height_m);
   return mesh;
 }

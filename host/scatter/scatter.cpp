@@ -123,7 +123,8 @@ plant::Detail detail_of(const Instance& instance, const plant::ModelKey& model, 
   const double distance = std::max(glm::distance(dvec3(instance.position), eye), 0.1);
   const double pixels = height / pixel.metres(distance);
   if (pixels > 120.0) return plant::Detail::near;
-  return pixels > 30.0 ? plant::Detail::middle : plant::Detail::far;
+  if (pixels > 30.0) return plant::Detail::middle;
+  return pixels > 14.0 ? plant::Detail::far : plant::Detail::outline;
 }
 
 }  // namespace aerostat::scatter

@@ -58,7 +58,7 @@ Growth scatter(const scene::ResolvedScene& scene, const mesh::GridMesh& ground,
                Where where = Where::everywhere, std::span<const Obstacle> obstacles = {});
 
 /// Returns the level of detail that suffices for `eye`: near if the plant is more than 120 pixels
-/// high, far if it is less than 30 pixels high, else middle.
+/// high, middle above 30 pixels, far above 14 pixels, else outline.
 plant::Detail detail_of(const Instance& instance, const plant::ModelKey& model, const dvec3& eye,
                         const scene::PixelSize& pixel);
 

@@ -10,7 +10,7 @@
 namespace aerostat::world {
 namespace {
 
-constexpr std::uint32_t kDetails = 3;
+constexpr std::uint32_t kDetails = 4;
 
 Object object_of(plant::Species species) {
   switch (species) {

@@ -35,7 +35,10 @@ __kernel void probe_field(__global const AeroGround* ground, __global const floa
                           __global const float* slopes, __global const float* noises,
                           __global float* fields) {
   const Lane3 values = load3(noises), p = load3(positions);
+  const lane_float none = (lane_float)0.0f;
   GroundNoise noise;
+  noise.inside.broad = noise.inside.fine = noise.inside.rough = none;
+  noise.inside.height = noise.inside.slope = none;
   noise.broad = values.x;
   noise.fine = values.y;
   noise.rough = values.z;

@@ -10,13 +10,14 @@
 #include <gtest/gtest.h>
 
 #include "core/error.hpp"
+#include "plant/outline.hpp"
 #include "plant/random.hpp"
 #include "support/mesh_checks.hpp"
 
 namespace aerostat::plant {
 namespace {
 
-constexpr Detail kDetails[3] = {Detail::near, Detail::middle, Detail::far};
+constexpr Detail kDetails[4] = {Detail::near, Detail::middle, Detail::far, Detail::outline};
 
 std::vector<ModelKey> all_models() {
   std::vector<ModelKey> models;
@@ -84,6 +85,8 @@ TEST_P(PlantModel, TakesTheTrianglesOfItsLevel) {
     EXPECT_LT(2 * count, before);
     before = count;
   }
+  const std::size_t outline = build(GetParam(), Detail::outline).triangles.size();
+  EXPECT_TRUE(outline == before || (outline == kOutlineTriangles && outline < before)) << outline;
 }
 
 /// The share of a square grid of rays along +-z that a mesh covers, and the mean colour there.
@@ -153,7 +156,7 @@ TEST_P(PlantModel, KeepsItsSilhouetteAndColourAcrossTheLevels) {
   const double width = 1.6 * model_height(GetParam());
   const Silhouette near = mean_silhouette(GetParam(), Detail::near, width);
   EXPECT_GT(near.share, 0.02);
-  for (const Detail detail : {Detail::middle, Detail::far}) {
+  for (const Detail detail : {Detail::middle, Detail::far, Detail::outline}) {
     const Silhouette other = mean_silhouette(GetParam(), detail, width);
     const double tolerance = detail == Detail::middle ? 0.25 : 0.35;
     EXPECT_NEAR(other.share / near.share, 1.0, tolerance) << static_cast<int>(detail);
@@ -186,6 +189,33 @@ TEST(Plant, VariantsDifferAndOthersDoNotExist) {
     EXPECT_THROW(build({species, variant_count(species)}, Detail::far), Error);
     EXPECT_THROW(build({species, -1}, Detail::far), Error);
   }
+}
+
+bool has_outline(const ModelKey& model) {
+  return build(model, Detail::outline).triangles.size() == kOutlineTriangles;
+}
+
+/// Tests that an outline is as wide and as bright as the model that it stands for, more closely
+/// than levels made by hand are.
+TEST(Plant, OutlinesCoverWhatTheirPlantsCover) {
+  for (const ModelKey& model : all_models()) {
+    const double width = 1.6 * model_height(model);
+    const Silhouette plant = mean_silhouette(model, Detail::far, width);
+    const Silhouette outline = mean_silhouette(model, Detail::outline, width);
+    EXPECT_NEAR(outline.share / plant.share, 1.0, 0.15) << species_name(model.species);
+    for (int c = 0; c < 3; ++c) {
+      // The colour of an outline has the shade that its leaves would cast on each other.
+      const float shade = has_outline(model) ? 0.78f : 1.0f;
+      EXPECT_NEAR(outline.color[c] / plant.color[c], shade, 0.12f) << species_name(model.species);
+    }
+  }
+}
+
+TEST(Plant, OutlinesTurnOutwards) {
+  const mesh::TriangleMesh mesh = build({Species::spruce, 0}, Detail::outline);
+  EXPECT_GT(test::worst_normal(mesh), 0.0);
+  EXPECT_EQ(test::count_edges(mesh).crowded, 0u);
+  EXPECT_EQ(test::count_edges(mesh).open, 6u) << "the ring at the foot";
 }
 
 TEST(Plant, BouldersAreClosedAndTurnOutwards) {

@@ -302,10 +302,12 @@ TEST(Scatter, AxesAreATurnWithTheLeanAsked) {
 TEST(Scatter, DetailFallsWithDistance) {
   Instance tree;
   const plant::ModelKey model{Species::spruce, 0};
-  const scene::PixelSize pixel{1e-3, 0.0};  // 17 m are 120 pixels at 142 m, and 30 at 567 m.
+  const scene::PixelSize pixel{1e-3,
+                               0.0};  // 17 m are 120 pixels at 142 m, 30 at 567 m and 14 at 1214 m.
   EXPECT_EQ(detail_of(tree, model, {0.0, 0.0, 120.0}, pixel), plant::Detail::near);
   EXPECT_EQ(detail_of(tree, model, {0.0, 0.0, 200.0}, pixel), plant::Detail::middle);
   EXPECT_EQ(detail_of(tree, model, {0.0, 0.0, 650.0}, pixel), plant::Detail::far);
+  EXPECT_EQ(detail_of(tree, model, {0.0, 0.0, 1300.0}, pixel), plant::Detail::outline);
   tree.scale = 2.0f;
   EXPECT_EQ(detail_of(tree, model, {0.0, 0.0, 200.0}, pixel), plant::Detail::near);
 }
@@ -318,6 +320,7 @@ TEST(Scatter, DetailIsTheSameEverywhereInParallelViews) {
     EXPECT_EQ(detail_of(tree, model, eye, {0.0, 0.1}), plant::Detail::near);
     EXPECT_EQ(detail_of(tree, model, eye, {0.0, 0.3}), plant::Detail::middle);
     EXPECT_EQ(detail_of(tree, model, eye, {0.0, 1.0}), plant::Detail::far);
+    EXPECT_EQ(detail_of(tree, model, eye, {0.0, 2.0}), plant::Detail::outline);
   }
 }
 
