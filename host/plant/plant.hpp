@@ -36,8 +36,8 @@ enum class Species {
 inline constexpr int kSpeciesCount = static_cast<int>(Species::count);
 
 /// The level of detail of a model. It limits the triangles of the largest species to 20,000, 2,000,
-/// 250 and 78. The outline is a closed body without leaves. Plants without a closed crown, and those
-/// whose far model has no more triangles than that, have the far model for it.
+/// 250 and 78. The outline is a closed body without leaves. Plants without a closed crown, and
+/// those whose far model has no more triangles than that, have the far model for it.
 enum class Detail { near, middle, far, outline };
 
 /// One model of a species, with 0 <= variant < variant_count(species).
