@@ -82,7 +82,8 @@ __kernel void scatter_at_hits(const AeroLaunch launch, const uint bounce,
     const Lane3 emitted = emitted_radiance(scene, &surface, state.lit_by_burners);
     add_where(met, mul3(state.path.throughput, emitted), &state.radiance);
     if (bounce <= scene->bounces) {
-      const ShadowPoint point = shadow_point_of(&triangle, &hit);
+      ShadowPoint point = shadow_point_of(&triangle, &hit);
+      if (scene->shading == AERO_SHADING_FLAT) flatten_point(&point);
       if (!(without_light_rays(scene) && scene->sky.sun_spread > 0.0f)) {
         state.lights[RAY_TO_SUN] =
             ray_to_sun(&view, &surface, &point, &hit, state.path.throughput, &numbers.sun, met);

@@ -24,6 +24,7 @@ namespace {
 constexpr int kLargestSide = 32768;
 constexpr int kMostSamples = 65536;
 constexpr std::int64_t kLargestSeed = 0xffffffffu;
+constexpr std::int64_t kMostTriangles = 0x7fffffff;
 
 /// Returns a validator for `transform` that accepts whole numbers in decimal digits. Leading
 /// zeros are dropped, because CLI11 would take such numbers for octal. CLI11's own ranges word
@@ -239,9 +240,12 @@ class Arguments {
   }
 
   void add_dump() {
-    add_scene(add("dump", "Print the resolved scene with every default filled in, as JSON",
-                  kDumpFooter, [this] { return dump(dump_); }),
-              dump_);
+    CLI::App* sub = add("dump", "Print the resolved scene with every default filled in, as JSON",
+                        kDumpFooter, [this] { return dump(dump_); });
+    add_scene(sub, dump_.input);
+    sub->add_flag("--view", dump_.view,
+                  "Instead, print what another renderer needs beside exported triangles: the axes "
+                  "and the fields of view of the camera, the sun and the sky, as JSON");
   }
 
   void add_export() {
@@ -249,14 +253,22 @@ class Arguments {
                         kExportFooter, [this] { return export_world(export_); });
     add_scene(sub, export_.input);
     sub->add_option("-o,--output", export_.output,
-                    "x.ply (binary; normals, colours, object ids of faces) or x.obj, or - for "
-                    "standard output")
+                    "x.ply (binary; normals, colours, object ids of faces), or x.obj and beside it "
+                    "x.mtl with the materials, or - for standard output")
         ->required()
         ->type_name("FILE");
     add_format(sub, export_.format, {"ply", "obj"},
                "File format, ply or obj; by default the one that the name ends in, ply for -o -");
-    sub->add_flag("--plants", export_.plants,
-                  "Also write every plant: millions of triangles and gigabytes of memory");
+    sub->add_option("--plants", export_.plants,
+                    "none, seen (by default: those that a picture can show or whose shade it can "
+                    "show) or all within /vegetation/reach_m")
+        ->check(one_of({"none", "seen", "all"}))
+        ->type_name("WHICH");
+    sub->add_option("--most-triangles", export_.most_triangles,
+                    "Write nothing if the world has more triangles; by default 20000000, for which "
+                    "some 4 GiB of memory are needed")
+        ->transform(in_range(1, kMostTriangles))
+        ->type_name("N");
   }
 
   CLI::App app_;
@@ -266,7 +278,7 @@ class Arguments {
   ScenesOptions scenes_;
   DevicesOptions devices_;
   SceneOptions check_;
-  SceneOptions dump_;
+  DumpOptions dump_;
   ExportOptions export_;
 };
 

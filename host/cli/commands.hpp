@@ -15,7 +15,7 @@ int contact_sheet(const ContactSheetOptions& options);
 int scenes(const ScenesOptions& options);
 int devices(const DevicesOptions& options);
 int check(const SceneOptions& options);
-int dump(const SceneOptions& options);
+int dump(const DumpOptions& options);
 int export_world(const ExportOptions& options);
 
 }  // namespace aerostat::cli

@@ -60,10 +60,11 @@ Prints to stderr that the scene is right, or a line for each of its faults.)";
 
 inline constexpr const char* kDumpFooter = R"(Examples:
   aerostat dump scenes/snow.json
-  aerostat dump scenes/snow.json --set /terrain/seed=7 > seed7.json)";
+  aerostat dump scenes/snow.json --set /terrain/seed=7 > seed7.json
+  aerostat dump sand --view)";
 
 inline constexpr const char* kExportFooter = R"(Examples:
   aerostat export scenes/snow.json -o world.ply
-  aerostat export scenes/sand.json -o dunes.obj --set /terrain/cells=256)";
+  aerostat export scenes/sand.json -o dunes.obj --set /terrain/cells=256 --plants none)";
 
 }  // namespace aerostat::cli

@@ -59,11 +59,17 @@ struct DevicesOptions {
   bool json = false;
 };
 
+struct DumpOptions {
+  SceneOptions input;
+  bool view = false;
+};
+
 struct ExportOptions {
   SceneOptions input;
   std::filesystem::path output;  // "-" stands for standard output
   std::string format;            // "ply" or "obj"; empty: chosen by the output's name
-  bool plants = false;
+  std::string plants = "seen";   // "none", "seen" or "all"
+  std::uint64_t most_triangles = 20'000'000;
 };
 
 }  // namespace aerostat::cli

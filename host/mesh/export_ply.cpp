@@ -15,7 +15,7 @@ namespace {
 static_assert(std::endian::native == std::endian::little, "the writer copies words as they lie");
 
 constexpr std::size_t kVertexBytes = 6 * sizeof(float);
-constexpr std::size_t kColorBytes = 3;
+constexpr std::size_t kColorBytes = 3 + sizeof(vec3);
 constexpr std::size_t kFaceBytes = 1 + 4 * sizeof(std::uint32_t);
 
 struct Totals {
@@ -30,7 +30,7 @@ Totals measure(std::span<const ExportObject> objects) {
     check(*object.mesh, object.name.c_str());
     totals.vertices += object.mesh->positions.size();
     totals.triangles += object.mesh->triangles.size();
-    totals.colored = totals.colored || !object.mesh->colors.empty();
+    totals.colored = totals.colored || is_colored(object);
   }
   if (totals.vertices > static_cast<std::size_t>(std::numeric_limits<std::int32_t>::max())) {
     throw Error(ErrorKind::internal,
@@ -48,7 +48,9 @@ std::string header(const Totals& totals, const std::string& origin) {
       "element face {}\nproperty list uchar int vertex_indices\nproperty uint object_id\n"
       "end_header\n",
       origin.empty() ? "" : "comment " + origin + "\n", totals.vertices,
-      totals.colored ? "property uchar red\nproperty uchar green\nproperty uchar blue\n" : "",
+      totals.colored ? "property uchar red\nproperty uchar green\nproperty uchar blue\n"
+                       "property float r\nproperty float g\nproperty float b\n"
+                     : "",
       totals.triangles);
 }
 
@@ -63,20 +65,22 @@ std::uint8_t* put(std::uint8_t* out, const void* data, std::size_t size) {
   return out + size;
 }
 
-std::uint8_t* put_vertices(std::uint8_t* out, const TriangleMesh& mesh, bool colored) {
+std::uint8_t* put_vertices(std::uint8_t* out, const ExportObject& object, bool colored) {
   static_assert(sizeof(vec3) == 3 * sizeof(float));
+  const TriangleMesh& mesh = *object.mesh;
   vec3 last_color(1.0f);
   std::uint8_t rgb[3] = {255, 255, 255};
   for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
     out = put(out, &mesh.positions[i], sizeof(vec3));
     out = put(out, &mesh.normals[i], sizeof(vec3));
     if (!colored) continue;
-    const vec3 color = mesh.colors.empty() ? vec3(1.0f) : mesh.colors[i];
+    const vec3 color = vertex_color(object, i);
     if (color != last_color) {
       for (int channel = 0; channel < 3; ++channel) rgb[channel] = srgb_byte(color[channel]);
       last_color = color;
     }
-    out = put(out, rgb, kColorBytes);
+    out = put(out, rgb, sizeof rgb);
+    out = put(out, &color, sizeof color);
   }
   return out;
 }
@@ -93,6 +97,14 @@ std::uint8_t* put_faces(std::uint8_t* out, const ExportObject& object, std::uint
 
 }  // namespace
 
+bool is_colored(const ExportObject& object) {
+  return !object.mesh->colors.empty() || object.color != vec3(1.0f);
+}
+
+vec3 vertex_color(const ExportObject& object, std::size_t vertex) {
+  return object.mesh->colors.empty() ? object.color : object.color * object.mesh->colors[vertex];
+}
+
 std::string origin_text(const dvec3& origin) {
   if (origin == dvec3(0.0)) return {};
   return fmt::format("origin {} {} {}", origin.x, origin.y, origin.z);
@@ -106,7 +118,7 @@ std::vector<std::uint8_t> ply_bytes(std::span<const ExportObject> objects, const
                                   totals.triangles * kFaceBytes);
   std::uint8_t* out = put(bytes.data(), head.data(), head.size());
   for (const ExportObject& object : objects) {
-    out = put_vertices(out, *object.mesh, totals.colored);
+    out = put_vertices(out, object, totals.colored);
   }
   std::uint32_t first_vertex = 0;
   for (const ExportObject& object : objects) {

@@ -14,7 +14,8 @@ dvec3 daylight(const AeroScene& scene, double height_m) {
   dvec3 light;
   for (int i = 0; i < 3; ++i) {
     const double sun = share * rules::sun_transmittance(&air, air.depth_haze, molecules, haze, i);
-    light[i] = scene.sky.sun_irradiance[i] * (sun + air.ambient[0][i]);
+    const double sky = air.ambient[0][i] * (scene.sky.is_even ? 1.0 : scene.sky.sun_irradiance[i]);
+    light[i] = scene.sky.sun_irradiance[i] * sun + sky;
   }
   return light;
 }

@@ -41,7 +41,27 @@ std::vector<AeroSkyCell> pack_sky_table(const air::SkyTable& table) {
   return cells;
 }
 
+/// Returns a sky of one radiance and no air. Its light is no multiple of the sun's (see
+/// AeroSky::is_even).
+PackedAir even_sky(const vec3& radiance) {
+  PackedAir packed;
+  AeroAir& air = packed.numbers;
+  // The heights divide others, so they must not be 0.
+  air.molecules_height = air.haze_height = 1e4f;
+  air.sun_heights[0] = -2e9f;
+  air.sun_heights[1] = -1e9f;
+  air.around_top = 1.0f;
+  copy(air.ambient[0], radiance);
+  AeroSkyCell cell{};
+  copy(cell.add, radiance);
+  packed.sky_table.assign(AERO_SKY_CELLS, cell);
+  return packed;
+}
+
+}  // namespace
+
 PackedAir pack_air(const scene::ResolvedScene& scene, air::ScatteringCache& cache) {
+  if (scene->sky.radiance) return even_sky(*scene->sky.radiance);
   const air::Light light(scene, cache);
   const air::Atmosphere& from = light.atmosphere;
   PackedAir packed;

@@ -50,11 +50,23 @@ AeroMaterial pack_material(MaterialId id, const scene::Material& from) {
   return material;
 }
 
+/// Returns a material of one colour that reflects light evenly.
+AeroMaterial plain_material(const scene::Material& from) {
+  AeroMaterial material{};
+  material.kind = AERO_MATERIAL_PLAIN;
+  copy(material.albedo, from.albedo);
+  material.ambient = material.diffuse = material.shininess = 1.0f;
+  material.burner_light = AERO_BURNER_NOTHING;
+  return material;
+}
+
 }  // namespace
 
 void pack_materials(const scene::Scene& scene, AeroMaterial (&table)[AERO_MAX_MATERIALS]) {
   for (std::size_t i = 0; i < scene::kMaterialCount; ++i) {
-    table[i] = pack_material(static_cast<MaterialId>(i), scene.materials[i]);
+    table[i] = scene.surfaces == scene::Surfaces::plain
+                   ? plain_material(scene.materials[i])
+                   : pack_material(static_cast<MaterialId>(i), scene.materials[i]);
   }
 }
 

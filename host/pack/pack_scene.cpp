@@ -49,18 +49,29 @@ AeroCumulus pack_cumulus(const scene::Cumulus& from) {
 
 AeroSky pack_sky(const scene::Scene& scene) {
   AeroSky sky{};
-  const scene::KeyLight key = scene::key_light(scene);
+  scene::KeyLight key = scene::key_light(scene);
+  // Under an even sky it is never night.
+  if (scene.sky.radiance) {
+    key = {glm::normalize(scene.sun.direction), dvec3(scene.sun.color) * scene.sun.irradiance};
+  }
   copy(sky.sun_direction, key.direction);
   copy(sky.sun_irradiance, key.irradiance);
   sky.moonlit = key.is_moon ? 1u : 0u;
-  sky.sun_cos = static_cast<float>(std::cos(air::kSunRadius));
+  const double radius = 0.5 * glm::radians(scene.sun.diameter_deg);
+  sky.sun_cos = static_cast<float>(std::cos(radius));
+  sky.sun_chord = static_cast<float>(2.0 * std::sin(0.5 * radius));
   sky.cloud_cover = static_cast<float>(scene.sky.cloud_cover);
   sky.cloud_height = static_cast<float>(scene.sky.cloud_height_m);
   sky.sun_shadows = scene.sun.shadows ? 1u : 0u;
-  sky.sun_spread = scene.sun.soft_shadows ? static_cast<float>(std::tan(air::kSunRadius)) : 0.0f;
+  sky.sun_spread = scene.sun.soft_shadows ? static_cast<float>(std::tan(radius)) : 0.0f;
   sky.ambient_reach =
       scene.sky.ambient_occlusion ? static_cast<float>(scene.sky.occlusion_m) : 0.0f;
   sky.bounced = scene.sky.bounced_light ? 1u : 0u;
+  if (scene.sky.radiance) {
+    sky.is_even = 1u;
+    sky.cloud_cover = 0.0f;
+    return sky;
+  }
   sky.cumulus = pack_cumulus(scene.sky.cumulus);
   return sky;
 }

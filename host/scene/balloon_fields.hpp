@@ -93,7 +93,9 @@ template <>
 inline constexpr auto kTable<Material> = table(
     "Phong coefficients of one material.",
     field("albedo", &Material::albedo,
-          color("Factor on the colours of the object.").control(EditGroup::material, "Albedo")),
+          color("Factor on the colours of the object. For terrain and water, it is their colour if "
+                "/surfaces is plain, and has no effect otherwise.")
+              .control(EditGroup::material, "Albedo")),
     field("ambient", &Material::ambient,
           number(0, 10, "Factor on the light of the sky, {from} to {to}.")
               .slider(EditGroup::material, "Ambient", 0, 2, 2)),

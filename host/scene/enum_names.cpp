@@ -58,6 +58,12 @@ std::span<const char* const> enum_names<Shading>() {
 }
 
 template <>
+std::span<const char* const> enum_names<Surfaces>() {
+  static constexpr const char* kNames[] = {"full", "plain"};
+  return kNames;
+}
+
+template <>
 std::span<const char* const> enum_names<Integrator>() {
   static constexpr const char* kNames[] = {"local", "path"};
   return kNames;

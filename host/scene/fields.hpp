@@ -38,7 +38,14 @@ inline constexpr auto kTable<Scene> = table(
     field("fog", &Scene::fog),
     field("materials", &Scene::materials,
           object("Phong coefficients of each material. Ground and sea have their colours from the "
-                 "biome.")),
+                 "biome unless surfaces is plain.")),
+    field("surfaces", &Scene::surfaces,
+          word("Look of all surfaces. full (the default) has textures, bumps, gloss, waves and "
+               "translucent cloth. plain has none of them: each surface reflects light evenly in "
+               "all directions (Lambert), and nothing shines. Its albedo is that of its material, "
+               "multiplied by the colours of balloon, plants and stones. Such pictures can be "
+               "compared with those of other renderers.")
+              .control(EditGroup::picture, "Surfaces")),
     field("shading", &Scene::shading,
           word("Shading over a triangle: flat is the same everywhere, gouraud interpolates "
                "colours, and phong (the default) interpolates normals.")

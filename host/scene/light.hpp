@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 
 #include "core/math.hpp"
 
@@ -11,8 +12,9 @@ namespace aerostat::scene {
 /// azimuth_deg and elevation_deg, or date, time, latitude_deg and longitude_deg.
 struct Sun {
   dvec3 direction{0.0, 1.0, 0.0};
-  vec3 color{1.0f};         // colour outside the air; its largest component is 1
-  double irradiance = 5.0;  // irradiance outside the air, on a plane that faces the sun
+  vec3 color{1.0f};            // colour outside the air; its largest component is 1
+  double irradiance = 5.0;     // irradiance outside the air, on a plane that faces the sun
+  double diameter_deg = 0.53;  // angular diameter of the disc that the eye and shadows see
   bool shadows = true;
   bool soft_shadows = true;  // shadows are cast by the sun's disc, not by its centre
 };
@@ -56,6 +58,9 @@ struct Cumulus {
 
 /// The clouds and the light of the sky, apart from sun and air.
 struct Sky {
+  /// The radiance of the sky in all directions, also below the horizon. If it is given, there are
+  /// neither air, haze and fog nor clouds.
+  std::optional<vec3> radiance;
   double cloud_cover = 0.4;        // share of the sky that thin high cloud covers, 0 to 1
   double cloud_height_m = 7000.0;  // height of the thin cloud above the eye
   bool ambient_occlusion = true;   // near surfaces block light of the sky

@@ -43,6 +43,11 @@ inline constexpr auto kTable<Sun> = table(
           number(0, 1000,
                  "Irradiance of a plane that faces the sun outside the atmosphere, {from} to {to}.")
               .slider(EditGroup::sun, "Brightness", 0, 20, 1)),
+    field("diameter_deg", &Sun::diameter_deg,
+          number(0.01, 10,
+                 "Angular diameter in degrees of the sun's disc, which makes the edges of shadows "
+                 "soft, {from} to {to}. The irradiance does not depend on it.")
+              .slider(EditGroup::sun, "Diameter", 0.1, 10, 2)),
     field("shadows", &Sun::shadows,
           truth("Whether the sun casts shadows.").control(EditGroup::sun, "Shadows")),
     field("soft_shadows", &Sun::soft_shadows,
@@ -136,6 +141,11 @@ inline constexpr auto kTable<Cumulus> = table(
 template <>
 inline constexpr auto kTable<Sky> = table(
     "Clouds, and the light that comes from the sky.",
+    field("radiance", &Sky::radiance,
+          color("Radiance of the sky in all directions, also below the horizon. If it is given, "
+                "there are neither air, haze and fog nor clouds, and sunlight arrives as "
+                "/sun/irradiance says. If it is left out, the sky follows from the air.",
+                1000000)),
     field("cloud_cover", &Sky::cloud_cover,
           number(0, 1, "Share of the sky that thin, high clouds cover, {from} to {to}.")
               .slider(EditGroup::clouds, "High cloud", 0, 1, 2)),

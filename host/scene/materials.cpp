@@ -24,19 +24,30 @@ Material surface(double specular, double shininess, double translucency = 0.0) {
   return material;
 }
 
+Material colored(const vec3& albedo, Material material) {
+  material.albedo = albedo;
+  return material;
+}
+
 /// Returns the terrain's material. Snow glitters a little, and wet leaves and sand hardly at all.
-/// Chosen by eye.
+/// The albedo is that of plain ground. Chosen by eye.
 Material terrain(BiomeKind biome) {
   switch (biome) {
     case BiomeKind::snow:
-      return surface(0.06, 24.0);
+      return colored({0.62f, 0.63f, 0.65f}, surface(0.06, 24.0));
     case BiomeKind::tropical:
+      return colored({0.06f, 0.11f, 0.03f}, surface(0.02, 12.0));
     case BiomeKind::meadow:
-      return surface(0.02, 12.0);
+      return colored({0.09f, 0.13f, 0.04f}, surface(0.02, 12.0));
     case BiomeKind::sand:
       break;
   }
-  return surface(0.015, 10.0);
+  return colored({0.5f, 0.32f, 0.17f}, surface(0.015, 10.0));
+}
+
+/// Returns the sea's material. The albedo is that of a plain sea. Chosen by eye.
+Material water() {
+  return colored({0.03f, 0.1f, 0.12f}, surface(0.6, 220.0));
 }
 
 /// Returns the material of coated ripstop nylon. It does not reflect the light that it transmits.
@@ -60,7 +71,7 @@ const std::array<Row, kMaterialCount>& table() {
   using Kind = MaterialKind;
   static const std::array<Row, kMaterialCount> rows{{
       {Id::terrain, "terrain", Kind::ground, false, terrain(BiomeKind::sand)},
-      {Id::water, "water", Kind::water, false, surface(0.6, 220.0)},
+      {Id::water, "water", Kind::water, false, water()},
       {Id::envelope, "envelope", Kind::envelope, true, ripstop()},
       {Id::skirt, "skirt", Kind::skirt, true, surface(0.03, 14.0, 0.15)},  // Nomex
       {Id::basket, "basket", Kind::plain, true, surface(0.05, 18.0)},      // willow

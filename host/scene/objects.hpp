@@ -52,7 +52,7 @@ inline constexpr std::size_t kMaterialCount = static_cast<std::size_t>(MaterialI
 enum class MaterialKind { plain, ground, water, envelope, skirt, suede };
 
 /// Phong coefficients. Most materials multiply the colours of vertices by `albedo`. Terrain and
-/// water take their colours from Ground and Water.
+/// water take their colours from Ground and Water, and from `albedo` only if surfaces are plain.
 struct Material {
   vec3 albedo{1.0f};
   double ambient = 1.0;

@@ -15,6 +15,9 @@ enum class View { outside, basket };
 /// 360 degrees of azimuth across the picture and 180 degrees of height down it.
 enum class Lens { pinhole, thin_lens, panorama, orthographic };
 enum class Shading { flat, gouraud, phong };
+/// What surfaces look like: with all of their textures, gloss and bumps, or of one colour that
+/// reflects light evenly, so that pictures can be compared with those of other renderers.
+enum class Surfaces { full, plain };
 enum class Integrator { local, path };
 inline constexpr std::size_t kIntegratorCount = 2;
 enum class Filter { box, tent, gaussian };

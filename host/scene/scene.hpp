@@ -34,6 +34,7 @@ struct Scene {
   Haze haze;
   Fog fog;
   std::array<Material, kMaterialCount> materials;  // indexed by MaterialId
+  Surfaces surfaces = Surfaces::full;
   Shading shading = Shading::phong;
   Integrator light = Integrator::local;
   int bounces = 6;  // of paths between surfaces

@@ -11,6 +11,8 @@ Shape build(const GroupInput& input) {
   const scene::Scene& local = input.local;
   Objects objects;
   mesh::TriangleMesh water = terrain::water_mesh(local.terrain, local.biome.water, *input.ground);
+  // The colours of the sea's vertices are depths, which a plain sea does not show.
+  if (local.surfaces == scene::Surfaces::plain) water.colors.clear();
   if (!water.empty())
     objects.push_back({scene::ObjectId::water, scene::MaterialId::water, std::move(water)});
   return objects;
@@ -18,7 +20,8 @@ Shape build(const GroupInput& input) {
 
 bool same(const GroupRequest& now, const GroupRequest& before) {
   const scene::Water &a = now.scene->biome.water, &b = before.scene->biome.water;
-  return a.enabled == b.enabled && a.level_m == b.level_m;
+  return a.enabled == b.enabled && a.level_m == b.level_m &&
+         now.scene->surfaces == before.scene->surfaces;
 }
 
 }  // namespace

@@ -50,7 +50,37 @@ class Appender {
   Placed placed_;
 };
 
+/// Counts the triangles of a shape.
+struct Counter {
+  Placed placed;
+
+  std::uint64_t operator()(const Objects& objects) const {
+    std::uint64_t count = 0;
+    for (const Object& object : objects) count += object.mesh.triangles.size();
+    return count;
+  }
+
+  std::uint64_t operator()(const HeightGrid& grid) const { return grid.mesh->triangles(); }
+
+  std::uint64_t operator()(const Instances& instances) const {
+    if (placed == Placed::left_out) return 0;
+    std::uint64_t count = 0;
+    for (const scatter::Instance& instance : instances.places) {
+      count += instances.models[instance.model].mesh.triangles.size();
+    }
+    return count;
+  }
+};
+
 }  // namespace
+
+std::uint64_t count_triangles(const World& world, Placed instances) {
+  std::uint64_t count = 0;
+  for (const Group& group : world.groups) {
+    if (group.shape) count += std::visit(Counter{instances}, *group.shape);
+  }
+  return count;
+}
 
 Objects as_triangles(const World& world, Placed instances) {
   Objects objects;

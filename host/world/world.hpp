@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <vector>
 
 #include "scatter/scatter.hpp"
@@ -48,6 +49,9 @@ World build(const scene::ResolvedScene& scene, const BuildOptions& options = {})
 
 /// Says whether instances are among what is written out as triangles.
 enum class Placed { left_out, included };
+
+/// Returns the number of triangles that as_triangles() would write out.
+std::uint64_t count_triangles(const World& world, Placed instances = Placed::left_out);
 
 /// Returns the world as triangles, group by group. Instances, if asked for, are written out one by
 /// one, into one mesh for each object and material. Groups whose shape was given up are left out.

@@ -64,6 +64,7 @@ typedef struct AeroSky {
   aero_float sun_direction[3];
   aero_float sun_irradiance[3]; /* irradiance outside the air */
   aero_float sun_cos;           /* cosine of the disc's angular radius */
+  aero_float sun_chord;         /* distance between unit vectors to the disc's middle and rim */
   aero_float cloud_cover;       /* cover of thin high cloud, 0 to 1 */
   aero_float cloud_height;      /* height of thin high cloud above the eye, metres */
   aero_uint sun_shadows;
@@ -71,10 +72,13 @@ typedef struct AeroSky {
   aero_float ambient_reach; /* metres within which occluders of the sky count, or 0 if none do */
   aero_uint bounced;        /* 1 if surfaces that hide the sky are lit by the sun */
   aero_uint moonlit;        /* 1 if the sun of all this is the moon, because the sun is down */
+  /* 1 if there is no air, and the sky has one radiance in all directions. Its table and its ambient
+   * light are then radiances and no multiples of sun_irradiance. */
+  aero_uint is_even;
   AeroCumulus cumulus;
 } AeroSky;
 
-AERO_ASSERT_LAYOUT(AeroSky, 96);
+AERO_ASSERT_LAYOUT(AeroSky, 104);
 
 /* Lists the numbers that the host copies from scene::Ground as they are. NUMBER is called with the
  * member of AeroGround and the member of scene::Ground. */
@@ -158,6 +162,6 @@ typedef struct AeroScene {
   AeroNight night;
 } AeroScene;
 
-AERO_ASSERT_LAYOUT(AeroScene, (2668 + 32 * 60 + 12) + sizeof(AeroGround) + sizeof(AeroNight));
+AERO_ASSERT_LAYOUT(AeroScene, (2676 + 32 * 60 + 12) + sizeof(AeroGround) + sizeof(AeroNight));
 
 #endif

@@ -10,8 +10,9 @@ _aerostat_options() {
     contact-sheet) echo "$scene $device --seeds --output --columns --tile-width --quality" ;;
     scenes) echo "$common --folder" ;;
     devices) echo "$common --json" ;;
-    check | dump) echo "$scene" ;;
-    export) echo "$scene --output --format --plants" ;;
+    check) echo "$scene" ;;
+    dump) echo "$scene --view" ;;
+    export) echo "$scene --output --format --plants --most-triangles" ;;
     *) echo "$common --version" ;;
   esac
 }
@@ -52,9 +53,10 @@ _aerostat_values() {
     --quality) compgen -W 'draft standard final' -- "$word" ;;
     --lanes) compgen -W '1 4 8 16' -- "$word" ;;
     --format) compgen -W "$([[ $command == export ]] && echo ply obj || echo png exr)" -- "$word" ;;
+    --plants) compgen -W 'none seen all' -- "$word" ;;
     -o | --output) _aerostat_outputs "$command" "$word" ;;
     --set | --width | --height | --spp | --seed | --seeds | --crop | --memory-limit | --columns | \
-      --tile-width) ;;
+      --tile-width | --most-triangles) ;;
     *) return 1 ;;
   esac
 }

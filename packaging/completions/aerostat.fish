@@ -50,4 +50,6 @@ complete -c aerostat -n '__fish_seen_subcommand_from contact-sheet' -x -l tile-w
 
 complete -c aerostat -n '__fish_seen_subcommand_from scenes' -l folder -d 'Print only the folder of the scenes'
 complete -c aerostat -n '__fish_seen_subcommand_from devices' -l json -d 'Print JSON'
-complete -c aerostat -n '__fish_seen_subcommand_from export' -l plants -d 'Also write every plant'
+complete -c aerostat -n '__fish_seen_subcommand_from dump' -l view -d 'Print what another renderer needs beside triangles'
+complete -c aerostat -n '__fish_seen_subcommand_from export' -x -l plants -a 'none seen all' -d 'Plants to write'
+complete -c aerostat -n '__fish_seen_subcommand_from export' -x -l most-triangles -d 'Write nothing if there are more triangles'

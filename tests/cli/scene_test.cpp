@@ -180,10 +180,58 @@ TEST_F(Scenes, TheWorldIsExported) {
   arguments[3] = "world.obj";
   ASSERT_EQ(run(arguments).code, 0);
   const std::string text = read_bytes(folder_ / "world.obj");
-  for (const char* line : {"\no ", "\nv ", "\nvn ", "\nf "}) {
+  for (const char* line :
+       {"\nmtllib world.mtl\n", "\no ", "\nusemtl terrain\n", "\nv ", "\nvn ", "\nf "}) {
     EXPECT_NE(text.find(line), std::string::npos) << line;
   }
   EXPECT_EQ(files(), (std::vector<std::string>{"world.obj", "world.ply"}));
+}
+
+TEST_F(Scenes, AnExportHasItsMaterialsBesideIt) {
+  const Outcome outcome =
+      run({"export", scene_path("snow"), "-o", "world.obj", "--set", "/terrain/cells=16",
+           "--plants", "none", "--set", "/materials/terrain/albedo=[0.5, 0.25, 0.125]"});
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  const std::string library = read_bytes(folder_ / "world.mtl");
+  EXPECT_TRUE(contains(library, "newmtl terrain\nKd 0.5 0.25 0.125\n")) << library;
+  EXPECT_TRUE(contains(library, "newmtl envelope\nKd "));
+}
+
+TEST_F(Scenes, AnExportHasThePlantsThatAreAskedFor) {
+  const auto faces_with = [&](const std::string& plants) {
+    const Outcome outcome =
+        run({"export", scene_path("snow"), "-o", plants + ".ply", "--plants", plants, "--set",
+             "/terrain/cells=64", "--set", "/vegetation/reach_m=400"});
+    EXPECT_EQ(outcome.code, 0) << outcome.err;
+    return header_count(read_bytes(folder_ / (plants + ".ply")), "face");
+  };
+  const std::size_t none = faces_with("none"), seen = faces_with("seen"), all = faces_with("all");
+  EXPECT_LT(none, seen);
+  EXPECT_LT(seen, all);
+}
+
+TEST_F(Scenes, AnExportThatIsTooLargeIsRefused) {
+  const Outcome outcome = run({"export", scene_path("sand-empty"), "-o", "world.ply", "--set",
+                               "/terrain/cells=32", "--most-triangles", "2047"});
+  EXPECT_EQ(outcome.code, 75);
+  EXPECT_TRUE(contains(outcome.err, "2048 triangles")) << outcome.err;
+  EXPECT_TRUE(contains(outcome.err, "--most-triangles")) << outcome.err;
+  EXPECT_FALSE(std::filesystem::exists(folder_ / "world.ply"));
+}
+
+TEST_F(Scenes, TheViewForAnotherRendererIsPrinted) {
+  const Outcome outcome =
+      run({"dump", scene_path("sand-empty"), "--view", "--set", "/camera/position=[0, 500, 0]",
+           "--set", "/camera/target=[0, 500, -10]", "--set", "/camera/fov_y_deg=90", "--set",
+           "/image/width=200", "--set", "/image/height=100", "--set", "/sky/radiance=[1, 2, 3]",
+           "--set", "/sun/irradiance=4", "--set", "/camera/height_above=sea"});
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  for (const char* line :
+       {"\"origin\": [0, 0, 0]", "\"position\": [0, 500, 0]", "\"right\": [1, 0, 0]",
+        "\"up\": [0, 1, 0]", "\"forward\": [0, 0, -1]", "\"fov_y_deg\": 90",
+        "\"fov_x_deg\": 126.86989", "\"radiance\": [1, 2, 3]"}) {
+    EXPECT_TRUE(contains(outcome.out, line)) << line << " in " << outcome.out;
+  }
 }
 
 TEST_F(Scenes, AFarWorldIsExportedAsTheNearOneWithItsOrigin) {

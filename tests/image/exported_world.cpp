@@ -9,20 +9,16 @@
 
 #include <nlohmann/json.hpp>
 
-#include "mesh/export.hpp"
 #include "scene/io.hpp"
 #include "support/resolved.hpp"
+#include "world/exported.hpp"
 
 namespace aerostat::test {
 namespace {
 
 std::vector<std::uint8_t> ply_of(const scene::Scene& scene, world::Placed instances) {
-  const world::Objects world = world::as_triangles(world::build(resolved(scene)), instances);
-  std::vector<mesh::ExportObject> objects;
-  for (const world::Object& object : world) {
-    objects.push_back(
-        {static_cast<std::uint32_t>(object.id), scene::object_name(object.id), &object.mesh});
-  }
+  world::Objects world = world::as_triangles(world::build(resolved(scene)), instances);
+  const std::vector<mesh::ExportObject> objects = world::exported_objects(world, scene);
   return mesh::ply_bytes(objects);
 }
 
@@ -71,8 +67,13 @@ ExportedWorld exported_world(const scene::Scene& scene, world::Placed instances)
   world.triangles.resize(header.faces);
   world.objects.resize(header.faces);
   const std::uint8_t* at = file.data() + header.bytes;
-  for (vec3& position : world.positions) {
-    std::memcpy(&position, at, sizeof(position));
+  world.colors.assign(header.vertices, vec3(1.0f));
+  constexpr std::size_t kColorAt = 6 * sizeof(float) + 3;
+  for (std::size_t i = 0; i < header.vertices; ++i) {
+    std::memcpy(&world.positions[i], at, sizeof(vec3));
+    if (header.vertex_bytes > kColorAt) {
+      std::memcpy(&world.colors[i], at + kColorAt, sizeof(vec3));
+    }
     at += header.vertex_bytes;
   }
   for (std::size_t i = 0; i < header.faces; ++i) {
@@ -101,14 +102,14 @@ DumpedCamera::DumpedCamera(const scene::Scene& scene) {
   tangent_ = std::tan(glm::radians(0.5 * camera.at("fov_y_deg").get<double>()));
 }
 
-dvec2 DumpedCamera::from_middle(int x, int y) const {
+dvec2 DumpedCamera::from_middle(const dvec2& point) const {
   const double half = 0.5 * height_;
-  return dvec2(x + 0.5 - 0.5 * width_, half - (y + 0.5)) / half;
+  return dvec2(point.x - 0.5 * width_, half - point.y) / half;
 }
 
 dvec3 DumpedCamera::origin(int x, int y) const {
   if (lens_ != "orthographic") return origin_;
-  const dvec2 at = half_height_m_ * from_middle(x, y);
+  const dvec2 at = half_height_m_ * from_middle({x + 0.5, y + 0.5});
   return origin_ + at.x * right_ + at.y * up_;
 }
 
@@ -120,7 +121,11 @@ dvec3 DumpedCamera::direction(int x, int y) const {
     const dvec3 level = std::cos(azimuth) * forward_ + std::sin(azimuth) * right_;
     return std::cos(height) * level + std::sin(height) * up_;
   }
-  const dvec2 at = tangent_ * from_middle(x, y);
+  return direction_through({x + 0.5, y + 0.5});
+}
+
+dvec3 DumpedCamera::direction_through(const dvec2& point) const {
+  const dvec2 at = tangent_ * from_middle(point);
   return glm::normalize(forward_ + at.x * right_ + at.y * up_);
 }
 

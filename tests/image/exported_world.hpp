@@ -13,6 +13,8 @@ namespace aerostat::test {
 
 struct ExportedWorld {
   std::vector<vec3> positions;
+  /// The linear colour of each vertex.
+  std::vector<vec3> colors;
   std::vector<uvec3> triangles;
   /// The object of each triangle.
   std::vector<std::uint32_t> objects;
@@ -34,11 +36,14 @@ class DumpedCamera {
   dvec3 origin(int x, int y) const;
   /// Returns the unit direction through the middle of pixel (x, y).
   dvec3 direction(int x, int y) const;
+  /// Returns the unit direction through a point of the picture, in pixels from its top left corner.
+  /// The lens must be a pinhole.
+  dvec3 direction_through(const dvec2& point) const;
 
  private:
-  /// Returns the offset of the middle of pixel (x, y) from the middle of the picture, to the right
-  /// and up, in halves of the picture's height.
-  dvec2 from_middle(int x, int y) const;
+  /// Returns the offset of a point of the picture from its middle, to the right and up, in halves
+  /// of the picture's height.
+  dvec2 from_middle(const dvec2& point) const;
 
   std::string lens_;
   dvec3 origin_, forward_, right_, up_;

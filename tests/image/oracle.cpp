@@ -18,7 +18,7 @@ struct Oracle::State {
 Oracle::Answer Oracle::nearest(const dvec3& origin, const dvec3& direction) const {
   const EmbreeMesh::Hit hit = state_->mesh.nearest(vec3(origin), vec3(direction));
   if (!hit.met()) return {};
-  return {hit.distance, state_->world.objects[hit.triangle]};
+  return {hit.distance, state_->world.objects[hit.triangle], hit.triangle};
 }
 
 int Oracle::stride() {
@@ -49,7 +49,7 @@ Oracle::Answer Oracle::nearest(const dvec3& origin, const dvec3& direction) cons
     const double v = glm::dot(direction, q) / determinant;
     const double distance = glm::dot(e2, q) / determinant;
     if (v < 0.0 || u + v > 1.0 || distance <= 0.0 || distance >= answer.distance) continue;
-    answer = {distance, world.objects[i]};
+    answer = {distance, world.objects[i], i};
   }
   return answer;
 }

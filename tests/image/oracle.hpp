@@ -17,6 +17,8 @@ class Oracle {
     double distance = std::numeric_limits<double>::infinity();
     /// The object that was hit, or 0 if nothing was hit.
     std::uint32_t object = 0;
+    /// The triangle that was hit.
+    std::size_t triangle = 0;
   };
   Answer nearest(const dvec3& origin, const dvec3& direction) const;
 

@@ -682,6 +682,8 @@
     <message>
         <source>Milky Way</source>
         <translation>Млечный Путь</translation>
+        <source>Surfaces</source>
+        <translation>Поверхности</translation>
     </message>
 </context>
 <context>
@@ -1229,10 +1231,6 @@
         <translation>Длина волны подъёмов и спусков его верха в метрах, от 10 до 100000.</translation>
     </message>
     <message>
-        <source>Phong coefficients of each material. Ground and sea have their colours from the biome.</source>
-        <translation>Коэффициенты Фонга для каждого предмета; цвета земли и моря задаёт биом.</translation>
-    </message>
-    <message>
         <source>Shading over a triangle: flat is the same everywhere, gouraud interpolates colours, and phong (the default) interpolates normals.</source>
         <translation>Как меняются нормали и цвета по треугольнику: никак, интерполяция цветов или интерполяция нормалей (по умолчанию).</translation>
     </message>
@@ -1267,10 +1265,6 @@
     <message>
         <source>Phong coefficients of one material.</source>
         <translation>Коэффициенты Фонга одного предмета.</translation>
-    </message>
-    <message>
-        <source>Factor on the colours of the object. Linear Rec. 709 [red, green, blue], each 0 to 1.</source>
-        <translation>Множитель собственных цветов предмета. Линейные Rec. 709: [красный, зелёный, синий], каждый от 0 до 1.</translation>
     </message>
     <message>
         <source>Factor on the light of the sky, 0 to 10.</source>
@@ -1467,6 +1461,24 @@
     <message>
         <source>Brightness of the Milky Way relative to the real one, 0 to 10.</source>
         <translation>Яркость Млечного Пути относительно настоящего, от 0 до 10.</translation>
+        <source>Angular diameter in degrees of the sun&apos;s disc, which makes the edges of shadows soft, 0.01 to 10. The irradiance does not depend on it.</source>
+        <translation>Угловой диаметр солнечного диска в градусах, от 0,01 до 10: из-за него края теней мягкие. Облучённость от него не зависит.</translation>
+    </message>
+    <message>
+        <source>Radiance of the sky in all directions, also below the horizon. If it is given, there are neither air, haze and fog nor clouds, and sunlight arrives as /sun/irradiance says. If it is left out, the sky follows from the air. Linear Rec. 709 [red, green, blue], each 0 to 1000000.</source>
+        <translation>Яркость неба во всех направлениях, также ниже горизонта. Если она задана, нет ни воздуха, дымки и тумана, ни облаков, и свет солнца доходит таким, как задано в /sun/irradiance. Если её нет, небо следует из воздуха. Линейный Rec. 709 [красный, зелёный, синий], каждый от 0 до 1000000.</translation>
+    </message>
+    <message>
+        <source>Phong coefficients of each material. Ground and sea have their colours from the biome unless surfaces is plain.</source>
+        <translation>Коэффициенты Фонга для каждого материала. Цвета земли и моря задаёт биом, если surfaces не plain.</translation>
+    </message>
+    <message>
+        <source>Look of all surfaces. full (the default) has textures, bumps, gloss, waves and translucent cloth. plain has none of them: each surface reflects light evenly in all directions (Lambert), and nothing shines. Its albedo is that of its material, multiplied by the colours of balloon, plants and stones. Such pictures can be compared with those of other renderers.</source>
+        <translation>Вид всех поверхностей. full (по умолчанию): с текстурами, рельефом, бликами, волнами и просвечивающей тканью. plain: без всего этого; каждая поверхность отражает свет равномерно во все стороны (по Ламберту), и ничто не светится. Альбедо задаёт материал; у шара, растений и камней оно умножается на их цвета. Такие картины можно сравнивать с картинами других программ.</translation>
+    </message>
+    <message>
+        <source>Factor on the colours of the object. For terrain and water, it is their colour if /surfaces is plain, and has no effect otherwise. Linear Rec. 709 [red, green, blue], each 0 to 1.</source>
+        <translation>Множитель цветов объекта. Для земли и воды это их цвет, если /surfaces — plain; иначе он не действует. Линейный Rec. 709 [красный, зелёный, синий], каждый от 0 до 1.</translation>
     </message>
 </context>
 <context>
@@ -1753,6 +1765,12 @@
     <message>
         <source>mist</source>
         <translation>туман</translation>
+        <source>full</source>
+        <translation>полный</translation>
+    </message>
+    <message>
+        <source>plain</source>
+        <translation>простой</translation>
     </message>
 </context>
 <context>

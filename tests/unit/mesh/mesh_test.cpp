@@ -112,12 +112,13 @@ TEST(Ply, ReadsBackExactly) {
   EXPECT_EQ(ply.header[1], "format binary_little_endian 1.0");
   ASSERT_EQ(ply.vertices, 8u);
   ASSERT_EQ(ply.faces, 4u);
-  ASSERT_EQ(ply.body.size(), 8u * 27 + 4 * 17);
-  EXPECT_EQ(ply.at<vec3>(2 * 27), first.positions[2]);
-  EXPECT_EQ(ply.at<vec3>(5 * 27), second.positions[1]);
-  EXPECT_EQ(ply.at<vec3>(5 * 27 + 12), vec3(0, 0, 1));
+  ASSERT_EQ(ply.body.size(), 8u * 39 + 4 * 17);
+  constexpr std::size_t kColored = 24 + 3 + 12;
+  EXPECT_EQ(ply.at<vec3>(2 * kColored), first.positions[2]);
+  EXPECT_EQ(ply.at<vec3>(5 * kColored), second.positions[1]);
+  EXPECT_EQ(ply.at<vec3>(5 * kColored + 12), vec3(0, 0, 1));
   const auto rgb = [&](std::size_t vertex, std::size_t channel) {
-    return ply.at<std::uint8_t>(vertex * 27 + 24 + channel);
+    return ply.at<std::uint8_t>(vertex * kColored + 24 + channel);
   };
   EXPECT_EQ(rgb(0, 0), 0);
   EXPECT_EQ(rgb(1, 0), 255);
@@ -126,14 +127,52 @@ TEST(Ply, ReadsBackExactly) {
   EXPECT_EQ(rgb(3, 0), 255);
   EXPECT_EQ(rgb(3, 1), 0);
   EXPECT_EQ(rgb(3, 2), 10);
+  EXPECT_EQ(ply.at<vec3>(3 * kColored + 27), first.colors[3]) << "as exact floats";
   // The second object has no colours.
   EXPECT_EQ(rgb(6, 1), 255);
-  const std::size_t faces = 8 * 27;
+  const std::size_t faces = 8 * kColored;
   EXPECT_EQ(ply.at<std::uint8_t>(faces), 3);
   EXPECT_EQ(ply.at<uvec3>(faces + 17 + 1), uvec3(0, 2, 3));
   EXPECT_EQ(ply.at<std::uint32_t>(faces + 17 + 13), 3u);
   EXPECT_EQ(ply.at<uvec3>(faces + 3 * 17 + 1), uvec3(4, 6, 7));
   EXPECT_EQ(ply.at<std::uint32_t>(faces + 3 * 17 + 13), 7u);
+}
+
+TEST(Export, MultipliesColorsByThatOfTheObject) {
+  const TriangleMesh first = quad(0, true), second = quad(1, false);
+  const vec3 factor(0.5f, 0.25f, 0.125f);
+  const ExportObject objects[] = {{1, "land", &first, "ground", factor},
+                                  {2, "sea", &second, "water", factor}};
+  const Ply ply(ply_bytes(objects));
+  EXPECT_EQ(ply.at<vec3>(2 * 39 + 27), factor * first.colors[2]);
+  EXPECT_EQ(ply.at<vec3>(6 * 39 + 27), factor);
+  const std::vector<std::uint8_t> bytes = obj_bytes(objects, dvec3(0.0), "world.mtl");
+  const std::string obj(bytes.begin(), bytes.end());
+  for (const char* line : {"\nmtllib world.mtl\n", "\no land\nusemtl ground\n",
+                           "\no sea\nusemtl water\n", " 0.5 0.25 0.125\n"}) {
+    EXPECT_NE(obj.find(line), std::string::npos) << line;
+  }
+}
+
+/// A right triangle of one colour with two sides of a size.
+TriangleMesh triangle(float size, const vec3& color) {
+  TriangleMesh mesh;
+  mesh.positions = {{0, 0, 0}, {size, 0, 0}, {0, size, 0}};
+  mesh.normals.assign(3, vec3(0, 0, 1));
+  mesh.colors.assign(3, color);
+  mesh.triangles = {{0, 1, 2}};
+  return mesh;
+}
+
+TEST(Mtl, HasMeansByArea) {
+  const TriangleMesh small = triangle(1.0f, vec3(1.0f, 0.0f, 0.5f)),
+                     large = triangle(2.0f, vec3(0.0f, 0.5f, 0.5f));
+  const ExportObject objects[] = {
+      {1, "a", &small, "cloth"}, {2, "b", &large, "cloth"}, {3, "c", &small, "wood", vec3(0.5f)}};
+  const std::vector<std::uint8_t> bytes = mtl_bytes(objects);
+  const std::string text(bytes.begin(), bytes.end());
+  EXPECT_NE(text.find("newmtl cloth\nKd 0.2 0.4 0.5\n"), std::string::npos) << text;
+  EXPECT_NE(text.find("newmtl wood\nKd 0.5 0 0.25\n"), std::string::npos) << text;
 }
 
 TEST(Ply, LeavesColorsOutWhereThereAreNone) {

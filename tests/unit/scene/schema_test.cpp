@@ -50,6 +50,7 @@ Scene full_scene() {
   scene.image.white_balance_k = 6504.0;
   scene.camera.aperture_m = 0.0;
   scene.camera.focus_m = 10.0;
+  scene.sky.radiance = vec3(1.0f);
   return scene;
 }
 
