@@ -5,9 +5,16 @@
 __kernel void clear_film(__global AeroFilmPixel* film, const uint pixels) {
   const uint i = (uint)get_global_id(0);
   if (i >= pixels) return;
-  AeroFilmPixel empty = {
-      {0.0f, 0.0f, 0.0f}, 0.0f, INFINITY, {0.0f, 0.0f, 0.0f}, AERO_OBJECT_SKY, 0u, 0u, 0.0f, 0.0f};
+  AeroFilmPixel empty = {{0.0f, 0.0f, 0.0f}, 0.0f, INFINITY, AERO_OBJECT_SKY, 0u, 0u, 0.0f, 0.0f};
   film[i] = empty;
+}
+
+/* Empties the guides of a denoiser. */
+__kernel void clear_guides(__global AeroFilmGuide* guides, const uint pixels) {
+  const uint i = (uint)get_global_id(0);
+  if (i >= pixels) return;
+  AeroFilmGuide empty = {{0.0f, 0.0f, 0.0f}, {0.0f, 0.0f, 0.0f}};
+  guides[i] = empty;
 }
 
 /* Marks the pixels as converged that have enough samples. */

@@ -77,7 +77,7 @@ __kernel void scatter_at_hits(const AeroLaunch launch, const uint bounce,
     load_texture_coordinates(scene, &meshes, &hit, &triangle);
     const SurfacePoint seen = surface_point(scene, &triangle, &state.path.ray, &hit,
                                             cone_across(&state.path.cone, distance));
-    if (bounce == 0u) note_first_hit(&seen, triangle.object, distance, met, &state);
+    if (bounce == 0u) note_first_hit(triangle.object, distance, met, &state);
     const Surface surface = surface_at(scene, &seen);
     const Lane3 emitted = emitted_radiance(scene, &surface, state.lit_by_burners);
     add_where(met, mul3(state.path.throughput, emitted), &state.radiance);
@@ -148,7 +148,6 @@ __kernel void add_paths(const AeroLaunch launch, __global const PathState* paths
   const PathState state = paths[block];
   Samples samples;
   store3(samples.radiance, state.radiance);
-  store3(samples.normal, state.normal);
   samples.distance.lanes = state.distance;
   samples.object.lanes = state.object;
   samples.x.lanes = packet.x;

@@ -28,7 +28,6 @@ __kernel void shade_hits(const AeroLaunch launch, __global const AeroScene* scen
 
   const lane_float zero = (lane_float)0.0f;
   Lane3 radiance = lane3(zero, zero, zero);
-  Lane3 normal = lane3(zero, zero, zero);
   lane_uint object = (lane_uint)AERO_OBJECT_SKY;
   if (!lane_all(met)) radiance = sky_radiance(&view, &way);
   if (lane_any(met)) {
@@ -43,7 +42,6 @@ __kernel void shade_hits(const AeroLaunch launch, __global const AeroScene* scen
         surface_point(scene, &triangle, &ray, &hit, cone_across(&cone, distance));
     const Lane3 surface = shade_hit(&view, &point, &triangle, &ray, &hit, visible[block], &around);
     radiance = select3(met, through_air(scene, surface, &way, distance), radiance);
-    normal = select3(met, point.normal, normal);
     object = lane_select(met, triangle.object, object);
   }
   if (scene->sky.cumulus.extinction > 0.0f) {
@@ -53,7 +51,6 @@ __kernel void shade_hits(const AeroLaunch launch, __global const AeroScene* scen
 
   Samples samples;
   store3(samples.radiance, radiance);
-  store3(samples.normal, normal);
   samples.distance.lanes = distance;
   samples.object.lanes = object;
   samples.x.lanes = packet.x;

@@ -5,6 +5,7 @@
 #include "aerostat/error.hpp"
 #include "api/state.hpp"
 #include "core/file.hpp"
+#include "denoise/denoise.hpp"
 #include "image/write.hpp"
 #include "render/development.hpp"
 
@@ -42,12 +43,27 @@ std::span<const float> Film::distance_m() const {
   return {state_->film.distance_m.data(), state_->film.distance_m.size()};
 }
 
+std::span<const float> Film::albedo() const {
+  return floats_of(state_->film.albedo);
+}
+
 std::span<const float> Film::normal() const {
   return floats_of(state_->film.normal_ws);
 }
 
 std::span<const std::uint32_t> Film::object_id() const {
   return {state_->film.object_id.data(), state_->film.object_id.size()};
+}
+
+Film Film::denoised() const {
+  if (state_->film.albedo.empty() && !state_->film.radiance.empty()) {
+    throw Error(
+        ErrorKind::usage,
+        "denoising: the film has no albedos and normals; SessionOptions::guides keeps them");
+  }
+  auto state = std::make_shared<State>(*state_);
+  denoise::denoise(state->film);
+  return Film(std::move(state));
 }
 
 std::vector<std::uint8_t> Film::to_rgb8() const {

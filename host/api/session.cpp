@@ -60,6 +60,7 @@ render::Options render_options(const SessionOptions& options) {
   result.lanes = options.lanes;
   result.memory_limit_bytes = options.memory_limit_bytes;
   result.use = options.interactive ? render::Use::interactive : render::Use::single_picture;
+  result.guides = options.guides;
   result.cache = std::make_shared<render::SceneCache>();
   return result;
 }

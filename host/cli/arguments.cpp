@@ -126,13 +126,17 @@ class Arguments {
     CLI::App* sub = add("render", "Render a scene to a PNG or EXR file", kRenderFooter,
                         [this] { return render(render_); });
     add_scene(sub, render_.input);
-    sub->add_option("-o,--output", render_.output,
-                    "x.png (8-bit sRGB) or x.exr (linear R G B A, Z, N, id, samples), or - for "
-                    "standard output; by default the scene's name and .png, in this folder")
+    sub->add_option(
+           "-o,--output", render_.output,
+           "x.png (8-bit sRGB) or x.exr (linear R G B A, Z, N, albedo, id, samples), or - for "
+           "standard output; by default the scene's name and .png, in this folder")
         ->type_name("FILE");
     add_format(sub, render_.format, {"png", "exr"},
                "File format, png or exr; by default the one that the name ends in, png for -o -");
     add_image(sub);
+    sub->add_flag("--denoise", render_.denoise,
+                  "Take the noise out of the picture with Open Image Denoise 2, which must be "
+                  "installed");
     add_device(sub, render_.device);
     add_quiet(sub, render_.quiet);
     sub->add_flag("--stats", render_.stats, "Report rays, times and memory on stderr");

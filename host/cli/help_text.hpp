@@ -18,10 +18,11 @@ Environment:
   AEROSTAT_KERNEL_DIR  reads the kernels from this folder instead of the program
   AEROSTAT_KERNEL_BINARIES
                        on or off: whether compiled programs are kept in the user's cache folder; by default for drivers that keep none themselves
+  AEROSTAT_OIDN_DIR    the folder of Open Image Denoise's library for --denoise, if the system's loader does not find it
   POCL_CACHE_DIR       where PoCL keeps compiled kernels; by default aerostat/pocl in the user's cache folder
   NO_COLOR             if set, nothing is coloured
 
-Exit codes: 0 done, 64 wrong command line, 65 bad scene, 69 no such device, 70 internal fault, 74 file cannot be read or written, 75 out of memory or device lost, 130 and 143 interrupted.)";
+Exit codes: 0 done, 64 wrong command line, 65 bad scene, 69 no such device or no Open Image Denoise, 70 internal fault, 74 file cannot be read or written, 75 out of memory or device lost, 130 and 143 interrupted.)";
 
 inline constexpr const char* kRenderFooter = R"(Examples:
   aerostat render scenes/snow.json

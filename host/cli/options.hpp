@@ -34,6 +34,7 @@ struct RenderOptions {
   std::optional<std::uint32_t> seed;
   std::optional<render::Crop> crop;
   DeviceOptions device;
+  bool denoise = false;
   bool quiet = false;
   bool stats = false;
 };

@@ -15,6 +15,7 @@
 #include "core/file.hpp"
 #include "core/stop_scope.hpp"
 #include "core/stopwatch.hpp"
+#include "denoise/denoise.hpp"
 #include "image/write.hpp"
 #include "render/scene_cache.hpp"
 #include "render/session.hpp"
@@ -40,8 +41,10 @@ scene::Scene scene_to_render(const RenderOptions& options) {
   return scene;
 }
 
+/// Throws an Error if the picture could not be finished, before work is done for nothing.
 void require_encodable(const RenderOptions& options, const scene::Image& image,
                        PictureFormat format) {
+  if (options.denoise) denoise::require_library();
   const int width = options.crop ? options.crop->x1 - options.crop->x0 : image.width;
   const int height = options.crop ? options.crop->y1 - options.crop->y0 : image.height;
   if (format == PictureFormat::exr || image::png_can_hold(width, height)) return;
@@ -70,6 +73,7 @@ Opened open_session(const RenderOptions& options, PictureFormat format, scene::I
   session_options.cache = cache;
   session_options.contents =
       format == PictureFormat::png ? render::Contents::picture : render::Contents::layers;
+  session_options.guides = format == PictureFormat::exr || options.denoise;
   Opened opened{std::make_unique<render::Session>(session_options), session_options.devices,
                 watch.seconds()};
   opened.session->begin_kernels(light);
@@ -118,12 +122,14 @@ int render(const RenderOptions& options) {
   seconds.placing = phase.seconds();
   Opened opened = opening.get();
   seconds.device = opened.seconds;
-  const image::Film film = opened.session->render(
+  image::Film film = opened.session->render(
       resolved, interrupt.token(),
       [&bar](const render::Progress& progress) { bar.update(progress); }, options.crop);
   bar.clear();
   warn_of_nan(film);
   phase.restart();
+  if (options.denoise) denoise::denoise(film, {.stop = interrupt.token()});
+  seconds.denoising = phase.restart();
   const auto bytes = encode(film, format, scene.image);
   seconds.encoding = phase.restart();
   stop_if_asked(interrupt.token());

@@ -111,10 +111,10 @@ std::string stats_text(const render::Stats& stats, std::uint64_t peak_bytes) {
 
 std::string seconds_text(const CommandSeconds& seconds) {
   return fmt::format(
-      "{:<10}reading {:.3f} s, device {:.3f} s, placing {:.3f} s, encoding {:.3f} s, writing "
-      "{:.3f} s\n",
-      "around it", seconds.reading, seconds.device, seconds.placing, seconds.encoding,
-      seconds.writing);
+      "{:<10}reading {:.3f} s, device {:.3f} s, placing {:.3f} s, denoising {:.3f} s, "
+      "encoding {:.3f} s, writing {:.3f} s\n",
+      "around it", seconds.reading, seconds.device, seconds.placing, seconds.denoising,
+      seconds.encoding, seconds.writing);
 }
 
 }  // namespace aerostat::cli

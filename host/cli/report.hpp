@@ -21,9 +21,10 @@ std::string stats_text(const render::Stats& stats, std::uint64_t peak_bytes);
 
 /// The seconds that a render command spends outside of the session.
 struct CommandSeconds {
-  double reading = 0.0;   // reading the scene file
-  double device = 0.0;    // finding the device
-  double placing = 0.0;   // making the terrain's relief and placing objects above it
+  double reading = 0.0;  // reading the scene file
+  double device = 0.0;   // finding the device
+  double placing = 0.0;  // making the terrain's relief and placing objects above it
+  double denoising = 0.0;
   double encoding = 0.0;  // turning the film into the file's format
   double writing = 0.0;
 };

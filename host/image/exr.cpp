@@ -94,6 +94,7 @@ void require_layers(const Film& film) {
   require_layer(film.radiance.size(), pixels, false);
   require_layer(film.alpha.size(), pixels, true);
   require_layer(film.distance_m.size(), pixels, true);
+  require_layer(film.albedo.size(), pixels, true);
   require_layer(film.normal_ws.size(), pixels, true);
   require_layer(film.object_id.size(), pixels, true);
   require_layer(film.samples.size(), pixels, true);
@@ -104,6 +105,7 @@ Layers layers_of(const Film& film) {
   layers.add_vector("R", "G", "B", film.radiance);
   if (!film.alpha.empty()) layers.add("A", Imf::FLOAT, film.alpha.data(), sizeof(float));
   if (!film.distance_m.empty()) layers.add("Z", Imf::FLOAT, film.distance_m.data(), sizeof(float));
+  if (!film.albedo.empty()) layers.add_vector("albedo.R", "albedo.G", "albedo.B", film.albedo);
   if (!film.normal_ws.empty()) layers.add_vector("N.X", "N.Y", "N.Z", film.normal_ws);
   if (!film.object_id.empty()) {
     layers.add("id", Imf::UINT, film.object_id.data(), sizeof(std::uint32_t));

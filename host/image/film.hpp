@@ -16,9 +16,10 @@ struct Film {
   glm::ivec2 first{0, 0};  // position of the first pixel in the whole picture
   glm::ivec2 whole{0, 0};  // size of the whole picture; {0, 0}: that of the film
   Array<vec3> radiance;
-  Array<float> alpha;              // share of the samples that hit something
-  Array<float> distance_m;         // distance along the ray of the nearest sample; +inf for sky
-  Array<vec3> normal_ws;           // unit vector in world space; 0 for sky
+  Array<float> alpha;       // share of the samples that hit something
+  Array<float> distance_m;  // distance along the ray of the nearest sample; +inf for sky
+  Array<vec3> albedo;       // mean over the samples of what surfaces reflect; 0 for sky
+  Array<vec3> normal_ws;    // mean over the samples of unit vectors in world space; 0 for sky
   Array<std::uint32_t> object_id;  // scene::ObjectId; 0 for sky
   Array<std::uint32_t> samples;    // samples that each pixel has taken
   double metered_ev = 0.0;         // stops that suit the whole picture, if asked for

@@ -50,10 +50,10 @@ bool png_can_hold(int width, int height);
 std::vector<std::uint8_t> encode_png(const Pixels& pixels);
 
 /// Returns the bytes of an OpenEXR file, compressed without loss (ZIP). It has float channels R G
-/// B A, Z and N.X N.Y N.Z and uint channels id and samples. The display window is the whole
-/// picture. The data window is the part of it that the film shows. Layers that the film does not
-/// have are left out. Throws Error{internal} if a layer's length is wrong or if the encoder
-/// fails.
+/// B A, Z, N.X N.Y N.Z and albedo.R albedo.G albedo.B, and uint channels id and samples. The
+/// display window is the whole picture. The data window is the part of it that the film shows.
+/// Layers that the film does not have are left out. Throws Error{internal} if a layer's length is
+/// wrong or if the encoder fails.
 std::vector<std::uint8_t> encode_exr(const Film& film);
 
 }  // namespace aerostat::image

@@ -24,6 +24,14 @@ using InstanceBuffer = opencl::Buffer<AeroInstance>;
 /// The heights of the ground.
 using GridBuffer = opencl::Buffer<float>;
 using FilmBuffer = opencl::Buffer<AeroFilmPixel>;
+using GuideBuffer = opencl::Buffer<AeroFilmGuide>;
+
+/// The film of a device.
+struct DeviceFilm {
+  FilmBuffer pixels;
+  /// The guides of a denoiser, or nothing if nobody asks for them.
+  GuideBuffer guides;
+};
 
 /// An element for each lane of each packet of a tile.
 using HitBuffer = opencl::Buffer<AeroHitWords>;

@@ -65,8 +65,8 @@ void DeviceTeam::begin_frame(const pack::PackedScene& scene, std::size_t pixels)
   on_each([&](DeviceWorker& worker) { worker.begin_frame(scene, pixels); });
 }
 
-void DeviceTeam::begin_film(const Crop& window) {
-  on_each([&](DeviceWorker& worker) { worker.begin_film(window); });
+void DeviceTeam::begin_film(const Crop& window, Layers layers) {
+  on_each([&](DeviceWorker& worker) { worker.begin_film(window, layers); });
 }
 
 double DeviceTeam::programs_fraction() const {
@@ -108,7 +108,7 @@ void DeviceTeam::mark_converged(const AeroConvergence& convergence, const RowQue
 void DeviceTeam::trace(const Pass& pass, RowQueue& queue, const std::stop_token& stop,
                        const Waiting& waiting) {
   queue.begin_pass(pass.area.y0, pass.area.y1);
-  const auto film_of = [this](int index) -> const FilmBuffer& { return worker(index).film(); };
+  const auto film_of = [this](int index) -> const DeviceFilm& { return worker(index).film(); };
   std::vector<std::future<void>> running;
   const Closing closing{queue};
   for (int index = 0; index < static_cast<int>(workers_.size()); ++index) {

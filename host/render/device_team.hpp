@@ -32,7 +32,7 @@ class DeviceTeam {
                     const std::shared_ptr<const FrameArrays>& frame,
                     const std::function<void()>& between);
   void begin_frame(const pack::PackedScene& scene, std::size_t pixels);
-  void begin_film(const Crop& window);
+  void begin_film(const Crop& window, Layers layers);
 
   /// Waits for programs that are being built, and tells `waiting` the progress of all devices
   /// together, from 0 to 1. Returns how many programs were built since the last call, and adds to

@@ -18,6 +18,14 @@ std::uint64_t pixels_of(const AeroTile& tile) {
   return std::uint64_t{tile.x1 - tile.x0} * (tile.y1 - tile.y0);
 }
 
+template <typename T>
+void copy_rows(const opencl::Buffer<T>& from, opencl::Buffer<T>& to, std::size_t first,
+               std::size_t count) {
+  std::vector<T> rows(count);
+  from.read(std::span(rows), first);
+  to.write(rows, first);
+}
+
 }  // namespace
 
 DeviceWorker::DeviceWorker(const opencl::Device& device, const Options& options, TestHooks hooks)
@@ -26,7 +34,8 @@ DeviceWorker::DeviceWorker(const opencl::Device& device, const Options& options,
       budget_(options.memory_limit_bytes != 0
                   ? opencl::MemoryBudget(options.memory_limit_bytes)
                   : opencl::MemoryBudget(device.memory_bytes, device.memory_bound)),
-      hooks_(std::move(hooks)) {}
+      hooks_(std::move(hooks)),
+      layers_(layers_of(options)) {}
 
 void DeviceWorker::begin_programs(scene::Integrator integrator) {
   if (integrator != integrator_) {
@@ -36,7 +45,7 @@ void DeviceWorker::begin_programs(scene::Integrator integrator) {
   integrator_ = integrator;
   if (has_programs() || built().to_come.valid()) return;
   built().to_come = std::async(std::launch::async, [this, integrator, &now = built()] {
-    return build_programs(context_, lanes_, integrator, now.progress);
+    return build_programs(context_, lanes_, integrator, layers_ == Layers::all, now.progress);
   });
 }
 
@@ -70,27 +79,37 @@ void DeviceWorker::begin_frame(const pack::PackedScene& given, std::size_t pixel
     frame_.cloud_chart = {context_, budget_, scene.cloud_chart, std::span(scene.cloud_chart->words),
                           "the chart of clouds"};
   }
-  if (frame_.film.size() != pixels) {
-    frame_.film = {};
-    frame_.film = {
-        context_, budget_, pixels, "the film", opencl::Access::read_write, opencl::Content::unset};
-  }
+  if (frame_.film.pixels.size() == pixels) return;
+  frame_.film = {};
+  frame_.film.pixels = {
+      context_, budget_, pixels, "the film", opencl::Access::read_write, opencl::Content::unset};
+  if (layers_ != Layers::all) return;
+  frame_.film.guides = {context_,
+                        budget_,
+                        pixels,
+                        "the guides of the film",
+                        opencl::Access::read_write,
+                        opencl::Content::unset};
 }
 
-void DeviceWorker::begin_film(const Crop& window) {
+void DeviceWorker::begin_film(const Crop& window, Layers layers) {
   in_flight_.clear();
   rays_done_ = 0;
   some_converged_ = false;
   stats_ = {};
   window_ = window;
-  opencl::launch(context_, built().programs->clear_film, packet_range(window.pixels(), 1),
-                 frame_.film, static_cast<std::uint32_t>(window.pixels()));
+  frame_.guides = layers == Layers::all;
+  const auto pixels = static_cast<std::uint32_t>(window.pixels());
+  const opencl::LaunchSize range = packet_range(pixels, 1);
+  opencl::launch(context_, built().programs->clear_film, range, frame_.film.pixels, pixels);
+  if (!frame_.guides) return;
+  opencl::launch(context_, built().programs->clear_guides, range, frame_.film.guides, pixels);
 }
 
 void DeviceWorker::mark_converged(const AeroConvergence& convergence) {
   some_converged_ = true;
   opencl::launch(context_, built().programs->mark_converged, packet_range(window_.pixels(), 1),
-                 frame_.film, convergence);
+                 frame_.film.pixels, convergence);
 }
 
 /// Returns the number of rows that keep the device busy for the time of a launch. If a packet holds
@@ -110,7 +129,7 @@ int DeviceWorker::rows_at_once(const Pass& pass, const PacketShape& shape) const
 }
 
 void DeviceWorker::trace(const Pass& pass, RowQueue& queue, int index,
-                         const std::function<const FilmBuffer&(int)>& film_of,
+                         const std::function<const DeviceFilm&(int)>& film_of,
                          const std::stop_token& stop) {
   const PacketShape shape = packet_shape(lanes_, pass.samples);
   AeroLaunch launch{pass.frame, {}, window_of(window_)};
@@ -133,12 +152,12 @@ void DeviceWorker::trace(const Pass& pass, RowQueue& queue, int index,
 
 /// Copies these rows from the film of another device, so that their sums are continued in the same
 /// order of samples.
-void DeviceWorker::adopt(int y0, int y1, const FilmBuffer& from) {
+void DeviceWorker::adopt(int y0, int y1, const DeviceFilm& from) {
   const auto width = static_cast<std::size_t>(window_.x1 - window_.x0);
   const std::size_t first = static_cast<std::size_t>(y0 - window_.y0) * width;
-  std::vector<AeroFilmPixel> rows(static_cast<std::size_t>(y1 - y0) * width);
-  from.read(std::span(rows), first);
-  frame_.film.write(rows, first);
+  const std::size_t count = static_cast<std::size_t>(y1 - y0) * width;
+  copy_rows(from.pixels, frame_.film.pixels, first, count);
+  if (frame_.guides) copy_rows(from.guides, frame_.film.guides, first, count);
 }
 
 /// Lets the integrator allocate the buffers that its kernels hand to each other.

@@ -62,15 +62,16 @@ class DeviceWorker {
   void drop_geometry() { geometry_ = {}; }
   const DeviceGeometry& geometry() const { return geometry_; }
 
-  /// Gives the scene to the device, and allocates a film of `pixels` pixels.
+  /// Gives the scene to the device, and allocates a film of `pixels` pixels, with guides if the
+  /// options ask for them.
   void begin_frame(const pack::PackedScene& scene, std::size_t pixels);
 
   /// Begins an empty film of these pixels of the image. They must be at most as many as
-  /// `begin_frame` allocated.
-  void begin_film(const Crop& window);
+  /// `begin_frame` allocated. Only a film of all layers has guides.
+  void begin_film(const Crop& window, Layers layers);
 
   /// Copies the rows y0 <= y < y1 of the image from another device's film of the same window.
-  void adopt(int y0, int y1, const FilmBuffer& from);
+  void adopt(int y0, int y1, const DeviceFilm& from);
 
   /// Marks those pixels of the film as converged that have enough samples. Call it between passes.
   void mark_converged(const AeroConvergence& convergence);
@@ -79,10 +80,10 @@ class DeviceWorker {
   /// After a stop, launches may still be running when it returns. `film_of(i)` is the film of
   /// device i.
   void trace(const Pass& pass, RowQueue& queue, int index,
-             const std::function<const FilmBuffer&(int)>& film_of, const std::stop_token& stop);
+             const std::function<const DeviceFilm&(int)>& film_of, const std::stop_token& stop);
 
   /// Returns the film with the sums over the samples so far. Reading it waits for the launches.
-  const FilmBuffer& film() const { return frame_.film; }
+  const DeviceFilm& film() const { return frame_.film; }
 
   /// Returns the number of eye rays that are done. It counts those whose light is in the film, and
   /// those that converged pixels did not need. It may be called from any thread.
@@ -105,6 +106,8 @@ class DeviceWorker {
   opencl::Context context_;
   opencl::MemoryBudget budget_;
   TestHooks hooks_;
+  /// The layers that films can have.
+  Layers layers_;
   /// The programs of an integrator.
   struct Built {
     std::optional<Programs> programs;

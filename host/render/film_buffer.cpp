@@ -36,7 +36,6 @@ void store_layers(image::Film& film, std::size_t i, const AeroFilmPixel& pixel) 
   const float per_sample = 1.0f / static_cast<float>(std::max(pixel.samples, 1u));
   film.alpha[i] = pixel.coverage * per_sample;
   film.distance_m[i] = pixel.distance;
-  film.normal_ws[i] = vec3(pixel.normal[0], pixel.normal[1], pixel.normal[2]);
   film.object_id[i] = pixel.object;
   film.samples[i] = pixel.samples;
 }
@@ -55,6 +54,12 @@ Counts store_row(image::Film& film, std::size_t first, std::span<const AeroFilmP
   return counts;
 }
 
+void store_guide(image::Film& film, std::size_t i, const AeroFilmGuide& guide) {
+  const float per_sample = 1.0f / static_cast<float>(std::max(film.samples[i], 1u));
+  film.albedo[i] = vec3(guide.albedo[0], guide.albedo[1], guide.albedo[2]) * per_sample;
+  film.normal_ws[i] = vec3(guide.normal[0], guide.normal[1], guide.normal[2]) * per_sample;
+}
+
 image::Film empty_film(const FilmArea& area, Layers layers) {
   const Crop& crop = area.crop;
   image::Film film;
@@ -67,38 +72,73 @@ image::Film empty_film(const FilmArea& area, Layers layers) {
   if (layers == Layers::light_alone) return film;
   film.alpha.resize(pixels);
   film.distance_m.resize(pixels);
-  film.normal_ws.resize(pixels);
   film.object_id.resize(pixels);
   film.samples.resize(pixels);
+  if (layers == Layers::hits) return film;
+  film.albedo.resize(pixels);
+  film.normal_ws.resize(pixels);
   return film;
+}
+
+/// Rows of a part of the film that are read at once.
+struct Band {
+  int y0 = 0, y1 = 0;
+  /// The elements of a buffer that hold the rows of the window.
+  std::size_t first = 0, count = 0;
+};
+
+/// Calls `read` for the rows of a part that lie in the crop, some at a time.
+template <typename Read>
+void for_bands(const FilmRows& part, const FilmArea& area, Read&& read) {
+  const auto columns = static_cast<std::size_t>(area.window.x1 - area.window.x0);
+  const int end = std::min(part.y1, area.crop.y1);
+  for (int y0 = std::max(part.y0, area.crop.y0); y0 < end; y0 += kBandRows) {
+    const int y1 = std::min(y0 + kBandRows, end);
+    read(Band{y0, y1, static_cast<std::size_t>(y0 - area.window.y0) * columns,
+              static_cast<std::size_t>(y1 - y0) * columns});
+  }
+}
+
+/// Calls `store(first, row)` for each row of a band on all cores: with the place of its first pixel
+/// in the film, and its elements in the crop.
+template <typename T, typename Store>
+void for_rows(const Band& band, const FilmArea& area, std::span<const T> elements, Store&& store) {
+  const auto width = static_cast<std::size_t>(area.crop.x1 - area.crop.x0);
+  const auto columns = static_cast<std::size_t>(area.window.x1 - area.window.x0);
+  const auto left = static_cast<std::size_t>(area.crop.x0 - area.window.x0);
+  tbb::parallel_for(band.y0, band.y1, [&](int y) {
+    const std::size_t row = static_cast<std::size_t>(y - band.y0) * columns;
+    store(static_cast<std::size_t>(y - area.crop.y0) * width, elements.subspan(row + left, width));
+  });
+}
+
+void read_guides(const FilmRows& part, const FilmArea& area, image::Film& film) {
+  for_bands(part, area, [&](const Band& band) {
+    part.film->guides.look_at(band.first, band.count, [&](std::span<const AeroFilmGuide> guides) {
+      for_rows(band, area, guides, [&](std::size_t first, std::span<const AeroFilmGuide> row) {
+        for (std::size_t x = 0; x < row.size(); ++x) store_guide(film, first + x, row[x]);
+      });
+    });
+  });
 }
 
 }  // namespace
 
 ReadFilm read_film(std::span<const FilmRows> parts, const FilmArea& area, Layers layers) {
   image::Film film = empty_film(area, layers);
-  const Crop &window = area.window, &crop = area.crop;
-  const auto width = static_cast<std::size_t>(film.width);
-  const auto columns = static_cast<std::size_t>(window.x1 - window.x0);
-  const auto left = static_cast<std::size_t>(crop.x0 - window.x0);
   Counts all;
   std::mutex counting;
   for (const FilmRows& part : parts) {
-    const int end = std::min(part.y1, crop.y1);
-    for (int y0 = std::max(part.y0, crop.y0); y0 < end; y0 += kBandRows) {
-      const int y1 = std::min(y0 + kBandRows, end);
-      const std::size_t first = static_cast<std::size_t>(y0 - window.y0) * columns;
-      const std::size_t count = static_cast<std::size_t>(y1 - y0) * columns;
-      part.film->look_at(first, count, [&](std::span<const AeroFilmPixel> band) {
-        tbb::parallel_for(y0, y1, [&](int y) {
-          const std::size_t row = static_cast<std::size_t>(y - y0) * columns;
-          const Counts counts = store_row(film, static_cast<std::size_t>(y - crop.y0) * width,
-                                          band.subspan(row + left, width));
+    for_bands(part, area, [&](const Band& band) {
+      part.film->pixels.look_at(band.first, band.count, [&](std::span<const AeroFilmPixel> pixels) {
+        for_rows(band, area, pixels, [&](std::size_t first, std::span<const AeroFilmPixel> row) {
+          const Counts counts = store_row(film, first, row);
           const std::lock_guard lock(counting);
           all.add(counts);
         });
       });
-    }
+    });
+    if (layers == Layers::all) read_guides(part, area, film);
   }
   film.nan_pixels = all.nan_pixels;
   return {std::move(film), all.samples, all.hits};

@@ -11,7 +11,7 @@ namespace aerostat::render {
 /// Rows of the image, y0 <= y < y1, and the film that holds them.
 struct FilmRows {
   int y0 = 0, y1 = 0;
-  const FilmBuffer* film = nullptr;
+  const DeviceFilm* film = nullptr;
 };
 
 struct ReadFilm {
@@ -31,8 +31,15 @@ struct FilmArea {
   Crop crop;
 };
 
-/// The layers that are read. `light_alone` means the light without other layers.
-enum class Layers { all, light_alone };
+/// The layers of a film: the light alone, the light and what the samples hit, or also the guides of
+/// a denoiser.
+enum class Layers { light_alone, hits, all };
+
+/// Returns the layers of the films of a session.
+inline Layers layers_of(const Options& options) {
+  if (options.guides) return Layers::all;
+  return options.contents == Contents::picture ? Layers::light_alone : Layers::hits;
+}
 
 /// Reads the pixels of the crop, whose rows are among `parts`, and averages their samples. Pixels
 /// that are NaN or infinite become black and are counted.

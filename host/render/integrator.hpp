@@ -18,7 +18,9 @@ struct FrameBuffers {
   SkyTableBuffer sky_table;
   SkyChancesBuffer sky_chances;
   CloudChartBuffer cloud_chart;
-  FilmBuffer film;
+  DeviceFilm film;
+  /// Whether launches add to the guides of the film.
+  bool guides = false;
   /// The numbers of the scene that decide which kernels run.
   bool ambient_occlusion = false;
   bool lamps = false;
@@ -48,6 +50,16 @@ class Integrator {
                                          const FrameBuffers& frame) const = 0;
 };
 
+/// The kernel that adds to the guides of a film.
+using NoteGuides =
+    opencl::TypedKernel<AeroLaunch, SceneBuffer, InstanceBuffer, GridBuffer, FaceBuffer,
+                        VertexBuffer, HitBuffer, FilmBuffer, GuideBuffer>;
+
+/// Enqueues it for the hits of a tile's eye rays if the frame asks for guides.
+void note_guides(const NoteGuides& kernel, const opencl::Context& context, const AeroLaunch& launch,
+                 const opencl::LaunchSize& size, const DeviceGeometry& geometry,
+                 const FrameBuffers& frame, const HitBuffer& hits, std::vector<StageEvent>& events);
+
 /// The kernels of the local integrator.
 struct LocalKernels {
   opencl::TypedKernel<AeroLaunch, NodeBuffer, TriangleBuffer, InstanceBuffer, GridBuffer,
@@ -63,6 +75,7 @@ struct LocalKernels {
                       GridBuffer, FaceBuffer, VertexBuffer, HitBuffer, VisibleBuffer, FoundBuffer,
                       FilmBuffer>
       shade_hits;
+  NoteGuides note_guides;
 };
 
 /// The kernels of the path integrator.
@@ -79,6 +92,7 @@ struct PathKernels {
                       GridBuffer, PathBuffer>
       trace_light_rays;
   opencl::TypedKernel<AeroLaunch, PathBuffer, FilmBuffer> add_paths;
+  NoteGuides note_guides;
 };
 
 std::unique_ptr<Integrator> make_integrator(LocalKernels kernels);

@@ -23,10 +23,11 @@ class LocalIntegrator final : public Integrator {
                                  const opencl::LaunchSize& size, const DeviceGeometry& geometry,
                                  const FrameBuffers& frame) const override {
     std::vector<StageEvent> events;
-    events.emplace_back(
-        KernelStage::primary,
-        opencl::launch(context, kernels_.trace_camera_rays, size, launch, geometry.nodes,
-                       geometry.triangles, geometry.instances, geometry.grid, frame.film, hits_));
+    events.emplace_back(KernelStage::primary,
+                        opencl::launch(context, kernels_.trace_camera_rays, size, launch,
+                                       geometry.nodes, geometry.triangles, geometry.instances,
+                                       geometry.grid, frame.film.pixels, hits_));
+    note_guides(kernels_.note_guides, context, launch, size, geometry, frame, hits_, events);
     events.emplace_back(
         KernelStage::shadow,
         opencl::launch(context, kernels_.trace_shadow_rays, size, launch, frame.scene,
@@ -43,7 +44,7 @@ class LocalIntegrator final : public Integrator {
         KernelStage::shading,
         opencl::launch(context, kernels_.shade_hits, size, launch, frame.scene, frame.sky_table,
                        frame.cloud_chart, geometry.instances, geometry.grid, geometry.faces,
-                       geometry.vertices, hits_, visible_, found_, frame.film));
+                       geometry.vertices, hits_, visible_, found_, frame.film.pixels));
     return events;
   }
 

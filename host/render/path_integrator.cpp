@@ -28,13 +28,16 @@ class PathIntegrator final : public Integrator {
     std::vector<StageEvent> events;
     const std::uint32_t blocks = launch.tile.block_count;
     events.emplace_back(KernelStage::shading, opencl::launch(context, kernels_.start_paths, size,
-                                                             launch, frame.film, paths_));
+                                                             launch, frame.film.pixels, paths_));
     // After the last surface, paths still look for the sky and for surfaces that shine.
     for (std::uint32_t bounce = 0; bounce <= frame.bounces + 1; ++bounce) {
       events.emplace_back(
           bounce == 0 ? KernelStage::primary : KernelStage::bounced,
           opencl::launch(context, kernels_.extend_paths, size, blocks, geometry.nodes,
                          geometry.triangles, geometry.instances, geometry.grid, paths_, hits_));
+      if (bounce == 0) {
+        note_guides(kernels_.note_guides, context, launch, size, geometry, frame, hits_, events);
+      }
       events.emplace_back(
           KernelStage::shading,
           opencl::launch(context, kernels_.scatter_at_hits, size, launch, bounce, frame.scene,
@@ -50,7 +53,7 @@ class PathIntegrator final : public Integrator {
       }
     }
     events.emplace_back(KernelStage::shading, opencl::launch(context, kernels_.add_paths, size,
-                                                             launch, paths_, frame.film));
+                                                             launch, paths_, frame.film.pixels));
     return events;
   }
 

@@ -66,22 +66,27 @@ class FirstLaunches {
   KernelProgress& progress_;
 };
 
-std::unique_ptr<Integrator> local_integrator(const FirstLaunches& first) {
+/// The share of the kernel that adds to the guides of a film.
+constexpr double kGuidesShare = 0.08;
+
+std::unique_ptr<Integrator> local_integrator(const FirstLaunches& first, bool guides) {
   LocalKernels kernels;
   first.take("trace_camera_rays", 0.19, kernels.trace_camera_rays);
   first.take("trace_shadow_rays", 0.20, kernels.trace_shadow_rays);
   first.take("trace_ambient_rays", 0.18, kernels.trace_ambient_rays);
   first.take("shade_hits", 0.15, kernels.shade_hits);
+  if (guides) first.take("note_guides", kGuidesShare, kernels.note_guides);
   return make_integrator(std::move(kernels));
 }
 
-std::unique_ptr<Integrator> path_integrator(const FirstLaunches& first) {
+std::unique_ptr<Integrator> path_integrator(const FirstLaunches& first, bool guides) {
   PathKernels kernels;
   first.take("start_paths", 0.01, kernels.start_paths);
   first.take("extend_paths", 0.19, kernels.extend_paths);
   first.take("scatter_at_hits", 0.30, kernels.scatter_at_hits);
   first.take("trace_light_rays", 0.19, kernels.trace_light_rays);
   first.take("add_paths", 0.01, kernels.add_paths);
+  if (guides) first.take("note_guides", kGuidesShare, kernels.note_guides);
   return make_integrator(std::move(kernels));
 }
 
@@ -93,7 +98,7 @@ opencl::LaunchSize packet_range(std::uint64_t packets, int lanes) {
 }
 
 Programs build_programs(const opencl::Context& context, int lanes, scene::Integrator integrator,
-                        KernelProgress& progress) {
+                        bool guides, KernelProgress& progress) {
   const Stopwatch watch;
   const opencl::DriverAbortGuard guard;
   const bool local = integrator == scene::Integrator::local;
@@ -102,9 +107,10 @@ Programs build_programs(const opencl::Context& context, int lanes, scene::Integr
                                 lanes);
   const FirstLaunches first(context, program, lanes, progress);
   Programs programs;
-  programs.integrator = local ? local_integrator(first) : path_integrator(first);
+  programs.integrator = local ? local_integrator(first, guides) : path_integrator(first, guides);
   first.take_film("clear_film", programs.clear_film);
   first.take_film("mark_converged", programs.mark_converged);
+  if (guides) first.take_film("clear_guides", programs.clear_guides);
   opencl::keep_compiled_kernels();
   progress.finish();
   programs.seconds = watch.seconds();

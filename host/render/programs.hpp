@@ -21,15 +21,17 @@ inline constexpr int kProgramCount = 1;
 struct Programs {
   opencl::TypedKernel<FilmBuffer, std::uint32_t> clear_film;
   opencl::TypedKernel<FilmBuffer, AeroConvergence> mark_converged;
+  opencl::TypedKernel<GuideBuffer, std::uint32_t> clear_guides;
   std::unique_ptr<Integrator> integrator;
   /// The time that building took.
   double seconds = 0.0;
 };
 
 /// Builds the kernels up to the machine code for launches of whole work-groups, because some
-/// drivers compile only at a launch. Throws Error{internal} with the build log.
+/// drivers compile only at a launch. Without `guides`, the kernels that add to the guides of a film
+/// are left out. Throws Error{internal} with the build log.
 Programs build_programs(const opencl::Context& context, int lanes, scene::Integrator integrator,
-                        KernelProgress& progress);
+                        bool guides, KernelProgress& progress);
 
 /// Returns the range of a kernel that works on `packets` packets. It consists of whole work-groups,
 /// which are large enough to keep a GPU busy and small enough to spread over the cores of a CPU.

@@ -59,10 +59,6 @@ double launch_seconds_of(Use use) {
   return use == Use::interactive ? 0.02 : 0.03;
 }
 
-Layers layers_of(Contents contents) {
-  return contents == Contents::picture ? Layers::light_alone : Layers::all;
-}
-
 }  // namespace
 
 struct Session::State {
@@ -220,7 +216,7 @@ void Session::State::meter(const AeroFrame& metering) {
   const Stopwatch metering_watch;
   const auto width = static_cast<int>(metering.width), height = static_cast<int>(metering.height);
   const Crop all{0, 0, width, height};
-  team.begin_film(all);
+  team.begin_film(all, Layers::light_alone);
   RowQueue queue(0, height, static_cast<int>(options.devices.size()));
   const Pass pass{metering,
                   all,
@@ -246,7 +242,7 @@ image::Film Session::State::trace(const scene::ResolvedScene& resolved, const Cr
   if (is_metered && !meters_itself) meter(metering);
   const Stopwatch rays_watch;
   const FilmArea area{scene.image.width, scene.image.height, plan.area_from(0), crop};
-  team.begin_film(area.window);
+  team.begin_film(area.window, layers_of(options));
   RowQueue queue(area.window.y0, area.window.y1, static_cast<int>(options.devices.size()));
   Pass pass{whole, {}, 0, 0, options.tile_pixels, launch_seconds_of(options.use)};
   const AeroConvergence convergence =
@@ -270,7 +266,7 @@ image::Film Session::State::trace(const scene::ResolvedScene& resolved, const Cr
 
 image::Film Session::State::read_passes(const scene::Scene& scene, const FilmArea& area,
                                         const RowQueue& queue) {
-  ReadFilm read = read_film(team.film_rows(queue), area, layers_of(options.contents));
+  ReadFilm read = read_film(team.film_rows(queue), area, layers_of(options));
   read.film.daylight = daylight;
   read.film.metered_ev = metered_ev;
   stats.rays[KernelStage::primary] = read.samples;
@@ -290,7 +286,7 @@ void Session::State::finish(const FilmArea& area, const RowQueue& queue) {
   const std::lock_guard lock(snapshot_mutex);
   latest = {};
   finished = [parts = team.film_rows(queue), area, light = daylight, ev = metered_ev,
-              layers = layers_of(options.contents)] {
+              layers = layers_of(options)] {
     image::Film film = read_film(parts, area, layers).film;
     film.daylight = light;
     film.metered_ev = ev;

@@ -41,11 +41,12 @@ enum class Use {
 
 /// What the films of a session hold.
 enum class Contents {
-  /// All layers, and the exposure that suits the light (image::Film::metered_ev).
+  /// All layers but those of `guides`, and the exposure that suits the light
+  /// (image::Film::metered_ev).
   everything,
   /// What developing needs: the light and its exposure. Less is read back from the devices.
   picture,
-  /// All layers without an exposure, for a film that nobody develops.
+  /// The same layers without an exposure, for a film that nobody develops.
   layers
 };
 
@@ -63,6 +64,8 @@ struct Options {
   /// The detail of the land. Scenes must be resolved on land of the same detail.
   world::Carving carving = world::Carving::fine;
   Contents contents = Contents::everything;
+  /// Whether films also hold the albedos and normals that guide a denoiser. They take time.
+  bool guides = false;
   /// The kinds of groups (world/group.hpp) that scenes have beside those of world::all_kinds.
   std::vector<const world::GroupKind*> more_kinds = {};
   /// The cache of what scenes need beside their geometry. Null means that the session makes its

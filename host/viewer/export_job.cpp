@@ -70,6 +70,7 @@ void ExportJob::run(const std::stop_token& stop, const scene::Scene& scene, cons
     const bool is_exr =
         QFileInfo(path).suffix().compare(QLatin1String("exr"), Qt::CaseInsensitive) == 0;
     options.contents = is_exr ? render::Contents::layers : render::Contents::picture;
+    options.guides = is_exr;
     const auto cache = std::make_shared<render::SceneCache>();
     options.cache = cache;
     render::Session session(std::move(options));

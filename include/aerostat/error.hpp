@@ -12,7 +12,7 @@ namespace aerostat {
 enum class ErrorKind : int {
   usage = 64,         ///< wrong command line, or wrong arguments of a call
   bad_data = 65,      ///< a scene or data file that cannot be used
-  no_device = 69,     ///< no OpenCL device, not the one asked for, or no display for a window
+  no_device = 69,     ///< no OpenCL device, no display, or no Open Image Denoise
   internal = 70,      ///< a fault of aerostat itself, or a kernel that does not build
   io = 74,            ///< a file that cannot be read or written
   exhausted = 75,     ///< out of memory, or the device was lost

@@ -26,11 +26,20 @@ class AEROSTAT_API Film {
   std::span<const float> alpha() const;
   /// Returns the distance along the ray to the nearest sample in metres, or infinity for sky.
   std::span<const float> distance_m() const;
-  /// Returns the unit normal of the nearest sample in world space, as three floats for each
-  /// pixel, or 0 for sky.
+  /// Returns the share of light that surfaces reflect, as three floats for each pixel, averaged
+  /// over the samples. Sky counts as 0. It is empty if the session keeps no guides.
+  std::span<const float> albedo() const;
+  /// Returns the unit normals in world space, as three floats for each pixel, averaged over the
+  /// samples. Sky counts as 0. It is empty if the session keeps no guides.
   std::span<const float> normal() const;
   /// Returns the number of the object that the nearest sample hit, or 0 for sky.
   std::span<const std::uint32_t> object_id() const;
+
+  /// Returns the film with less noise in its radiance, as Open Image Denoise 2 finds it. That
+  /// library is loaded at the first call, from the folder in AEROSTAT_OIDN_DIR if that is set.
+  /// Throws Error{no_device} if it is missing, Error{usage} if the film has no albedos and normals,
+  /// and Error{exhausted} if memory does not suffice.
+  Film denoised() const;
 
   /// Returns the picture with the exposure, white balance and tone mapping that the scene asks
   /// for, as three bytes of sRGB for each pixel.

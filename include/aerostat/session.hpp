@@ -25,6 +25,8 @@ struct SessionOptions {
   /// camera that turns causes no work. Without this, each single picture is rendered as fast as
   /// possible.
   bool interactive = false;
+  /// Whether films hold albedos and normals. Without them, rendering takes less time.
+  bool guides = true;
 };
 
 enum class Stage { world, trees, kernels, upload, rays, done };

@@ -15,7 +15,6 @@ typedef struct AeroFilmPixel {
   aero_float radiance[3];
   aero_float coverage; /* number of samples that hit something */
   aero_float distance;
-  aero_float normal[3];
   aero_uint object;
   aero_uint samples;
   aero_uint converged; /* 1 if the pixel takes no further samples */
@@ -23,7 +22,16 @@ typedef struct AeroFilmPixel {
   aero_float squares;  /* sum of the squared luminances of whole batches */
 } AeroFilmPixel;
 
-AERO_ASSERT_LAYOUT(AeroFilmPixel, 52);
+AERO_ASSERT_LAYOUT(AeroFilmPixel, 40);
+
+/* Sums over the samples of one pixel that guide a denoiser. They are kept apart from the film,
+ * because most pictures need none. A sample of the sky adds zeros. */
+typedef struct AeroFilmGuide {
+  aero_float albedo[3];
+  aero_float normal[3];
+} AeroFilmGuide;
+
+AERO_ASSERT_LAYOUT(AeroFilmGuide, 24);
 
 /* The condition under which a pixel is sure: noise^2 <= scale (luminance + floor). */
 typedef struct AeroConvergence {

@@ -27,9 +27,9 @@ AERO_ASSERT_LAYOUT(AeroFoundWords, 8);
 
 /* PathState: the next ray, what it carries, what the path has found, and three rays to lights. */
 typedef struct AeroPathWords {
-  aero_uint words[53];
+  aero_uint words[50];
 } AeroPathWords;
-AERO_ASSERT_LAYOUT(AeroPathWords, 212);
+AERO_ASSERT_LAYOUT(AeroPathWords, 200);
 
 /* Fails to compile if a struct of lane vectors has other words than the host allocates for it. */
 #ifdef __OPENCL_C_VERSION__

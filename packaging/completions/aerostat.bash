@@ -6,7 +6,7 @@ _aerostat_options() {
   local common='--help' scene='--help --set' device='--device --lanes --memory-limit --quiet'
   case $1 in
     render)
-      echo "$scene $device --output --format --width --height --quality --spp --seed --crop --stats" ;;
+      echo "$scene $device --output --format --width --height --quality --spp --seed --crop --denoise --stats" ;;
     contact-sheet) echo "$scene $device --seeds --output --columns --tile-width --quality" ;;
     scenes) echo "$common --folder" ;;
     devices) echo "$common --json" ;;

@@ -42,6 +42,7 @@ complete -c aerostat -n '__fish_seen_subcommand_from render' -x -l height -d 'Pi
 complete -c aerostat -n '__fish_seen_subcommand_from render' -x -l spp -d 'Samples per pixel'
 complete -c aerostat -n '__fish_seen_subcommand_from render' -x -l seed -d 'Seed of the samples'
 complete -c aerostat -n '__fish_seen_subcommand_from render' -x -l crop -d 'Render only a part: x0,y0,x1,y1'
+complete -c aerostat -n '__fish_seen_subcommand_from render' -l denoise -d 'Take the noise out of the picture'
 complete -c aerostat -n '__fish_seen_subcommand_from render' -l stats -d 'Report rays, times and memory'
 
 complete -c aerostat -n '__fish_seen_subcommand_from contact-sheet' -x -l seeds -d 'Terrain seeds and ranges of them'

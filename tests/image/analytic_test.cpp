@@ -19,6 +19,7 @@ TEST(FlatLand, LiesWhereItLies) {
       const double distance = glm::distance(point_under(scene, x, y), *scene.camera.position);
       ASSERT_NEAR(film.distance_m[i], distance, 1e-5 * distance) << x << ", " << y;
       ASSERT_LT(glm::distance(film.normal_ws[i], vec3(0.0f, 1.0f, 0.0f)), 1e-6f);
+      ASSERT_LT(glm::distance(dvec3(film.albedo[i]), kAlbedo), 1e-6);
       ASSERT_EQ(film.object_id[i], static_cast<std::uint32_t>(scene::ObjectId::terrain));
       ASSERT_EQ(film.alpha[i], 1.0f);
     }
@@ -38,6 +39,7 @@ TEST(Sky, HasNoSurface) {
     ASSERT_EQ(film.alpha[i], 0.0f);
     ASSERT_EQ(film.distance_m[i], kInfinity);
     ASSERT_EQ(film.object_id[i], 0u);
+    ASSERT_EQ(film.albedo[i], vec3(0.0f));
     ASSERT_EQ(film.normal_ws[i], vec3(0.0f));
   }
 }

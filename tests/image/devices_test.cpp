@@ -34,6 +34,7 @@ const std::string kPocl = "Portable Computing Language";
 render::Options on(const std::string& selector) {
   render::Options options;
   options.devices = opencl::select_devices(selector);
+  options.guides = true;
   return options;
 }
 

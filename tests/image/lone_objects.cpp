@@ -80,7 +80,9 @@ image::Film lone_film(world::Objects objects, const scene::Scene& scene, float s
   const auto [tree, arrays] =
       render::only_frame(render::pack_world(std::move(world), nullptr, render::Meshes::release));
 
-  render::DeviceWorker worker(devices().front(), {});
+  render::Options options;
+  options.guides = true;
+  render::DeviceWorker worker(devices().front(), options);
   worker.begin_programs(scene.light);
   while (!worker.await_programs(std::chrono::milliseconds(100))) continue;
   worker.set_geometry(tree, arrays, {});
@@ -88,12 +90,12 @@ image::Film lone_film(world::Objects objects, const scene::Scene& scene, float s
   pack::PackedScene packed = even_light(scene, sky);
   packed.numbers.plain_paths = plain_paths;
   worker.begin_frame(packed, all.pixels());
-  worker.begin_film(all);
+  worker.begin_film(all, render::Layers::all);
   render::RowQueue queue(0, all.y1, 1);
   for (int sample = 0; sample < scene.image.spp; ++sample) {
     queue.begin_pass();
     worker.trace({pack::pack_frame(resolved(scene)), all, sample, 1, 0}, queue, 0,
-                 [&](int) -> const render::FilmBuffer& { return worker.film(); }, {});
+                 [&](int) -> const render::DeviceFilm& { return worker.film(); }, {});
   }
   const render::FilmRows rows{0, all.y1, &worker.film()};
   return render::read_film(std::span(&rows, 1), {all.x1, all.y1, all, all}).film;

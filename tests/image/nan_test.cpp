@@ -25,7 +25,10 @@ void expect_clean(const image::Film& film) {
     ASSERT_EQ(sky, film.alpha[i] == 0.0f);
     ASSERT_EQ(sky, std::isinf(film.distance_m[i]));
     ASSERT_GT(film.distance_m[i], 0.0f);
-    ASSERT_NEAR(glm::length(film.normal_ws[i]), sky ? 0.0f : 1.0f, 1e-4f);
+    ASSERT_LE(glm::length(film.normal_ws[i]), sky ? 0.0f : 1.0f + 1e-4f);
+    const vec3 albedo = film.albedo[i];
+    ASSERT_GE(std::min({albedo.x, albedo.y, albedo.z}), 0.0f);
+    ASSERT_LE(std::max({albedo.x, albedo.y, albedo.z}), sky ? 0.0f : 1.0f + 1e-6f);
   }
 }
 

@@ -86,6 +86,7 @@ render::Options options(int lanes) {
   chosen.devices = devices();
   chosen.lanes = lanes;
   chosen.use = render::Use::interactive;
+  chosen.guides = true;
   return chosen;
 }
 
@@ -102,6 +103,7 @@ testing::AssertionResult same_bits(const image::Film& a, const image::Film& b) {
   if (auto r = same_layer("radiance", a.radiance, b.radiance, a.width); !r) return r;
   if (auto r = same_layer("alpha", a.alpha, b.alpha, a.width); !r) return r;
   if (auto r = same_layer("distance", a.distance_m, b.distance_m, a.width); !r) return r;
+  if (auto r = same_layer("albedo", a.albedo, b.albedo, a.width); !r) return r;
   if (auto r = same_layer("normal", a.normal_ws, b.normal_ws, a.width); !r) return r;
   if (auto r = same_layer("object", a.object_id, b.object_id, a.width); !r) return r;
   return same_layer("samples", a.samples, b.samples, a.width);
@@ -118,6 +120,7 @@ image::Film cut(const image::Film& film, const render::Crop& crop) {
   part.radiance = cut_layer(film.radiance, film.width, crop);
   part.alpha = cut_layer(film.alpha, film.width, crop);
   part.distance_m = cut_layer(film.distance_m, film.width, crop);
+  part.albedo = cut_layer(film.albedo, film.width, crop);
   part.normal_ws = cut_layer(film.normal_ws, film.width, crop);
   part.object_id = cut_layer(film.object_id, film.width, crop);
   part.samples = cut_layer(film.samples, film.width, crop);

@@ -62,12 +62,13 @@ TEST(Layers, LeftOutLeaveTheLightAndTheCountsAsTheyAre) {
   const auto scene = small_scene("snow");
   render::Options light_alone = options();
   light_alone.contents = render::Contents::picture;
+  light_alone.guides = false;
   Session whole(options()), lean(light_alone);
   const image::Film expected = whole.render(resolved(scene)), film = lean.render(resolved(scene));
   EXPECT_EQ(film.radiance, expected.radiance);
   EXPECT_EQ(lean.snapshot().radiance, expected.radiance);
-  EXPECT_TRUE(film.alpha.empty() && film.distance_m.empty() && film.normal_ws.empty() &&
-              film.object_id.empty() && film.samples.empty());
+  EXPECT_TRUE(film.alpha.empty() && film.distance_m.empty() && film.albedo.empty() &&
+              film.normal_ws.empty() && film.object_id.empty() && film.samples.empty());
   EXPECT_EQ(lean.stats().rays[render::KernelStage::primary],
             whole.stats().rays[render::KernelStage::primary]);
   EXPECT_EQ(lean.stats().rays[render::KernelStage::shadow],

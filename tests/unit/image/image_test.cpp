@@ -123,6 +123,7 @@ Film example_film(int width, int height) {
     film.alpha.push_back(is_sky ? 0.0f : 1.0f);
     film.distance_m.push_back(is_sky ? kInfinity : 10.0f * v);
     film.normal_ws.push_back(is_sky ? vec3(0.0f) : vec3(0.6f, 0.0f, -0.8f));
+    film.albedo.push_back(is_sky ? vec3(0.0f) : vec3(0.25f, 0.5f, 0.01f * v));
     film.object_id.push_back(is_sky ? 0u : 4000000000u + static_cast<unsigned>(i));
   }
   return film;
@@ -150,15 +151,16 @@ Array<T> read_channel(const std::vector<std::uint8_t>& bytes, const char* name) 
 TEST(Exr, ReadsBackAsWritten) {
   const Film film = example_film(19, 37);
   const auto bytes = encode_exr(film);
-  Array<float> expected[6];
+  Array<float> expected[9];
   for (std::size_t i = 0; i < film.radiance.size(); ++i) {
     for (int c = 0; c < 3; ++c) {
       expected[c].push_back(film.radiance[i][c]);
       expected[3 + c].push_back(film.normal_ws[i][c]);
+      expected[6 + c].push_back(film.albedo[i][c]);
     }
   }
-  const char* names[] = {"R", "G", "B", "N.X", "N.Y", "N.Z"};
-  for (int c = 0; c < 6; ++c) EXPECT_EQ(read_channel<float>(bytes, names[c]), expected[c]);
+  const char* names[] = {"R", "G", "B", "N.X", "N.Y", "N.Z", "albedo.R", "albedo.G", "albedo.B"};
+  for (int c = 0; c < 9; ++c) EXPECT_EQ(read_channel<float>(bytes, names[c]), expected[c]);
   EXPECT_EQ(read_channel<float>(bytes, "A"), film.alpha);
   EXPECT_EQ(read_channel<float>(bytes, "Z"), film.distance_m);
   EXPECT_EQ(read_channel<std::uint32_t>(bytes, "id"), film.object_id);
@@ -193,9 +195,11 @@ TEST(Exr, LeavesOutWhatTheFilmLacks) {
   Film film = example_film(4, 3);
   film.object_id.clear();
   film.normal_ws.clear();
+  film.albedo.clear();
   const auto bytes = encode_exr(film);
   EXPECT_TRUE(read_channel<std::uint32_t>(bytes, "id").empty());
   EXPECT_TRUE(read_channel<float>(bytes, "N.X").empty());
+  EXPECT_TRUE(read_channel<float>(bytes, "albedo.R").empty());
   EXPECT_EQ(read_channel<float>(bytes, "Z"), film.distance_m);
 }
 
