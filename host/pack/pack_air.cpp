@@ -41,6 +41,8 @@ std::vector<AeroSkyCell> pack_sky_table(const air::SkyTable& table) {
   return cells;
 }
 
+namespace {
+
 /// Returns a sky of one radiance and no air. Its light is no multiple of the sun's (see
 /// AeroSky::is_even).
 PackedAir even_sky(const vec3& radiance) {
