@@ -348,25 +348,6 @@ TEST_P(Air, HoldsNumbersForEverySunAndDirection) {
   }
 }
 
-TEST_P(Air, ShowsTheSunsDiscAndNothingOfItElsewhere) {
-  const scene::Scene scene = morning();
-  const vec3 sun(scene.sun.direction);
-  const vec3 side = glm::normalize(glm::cross(sun, vec3(0, 1, 0)));
-  Paths paths;
-  for (const float degrees : {0.0f, 0.2f, 0.35f, 1.0f}) {
-    const float a = radians_from_degrees(degrees);
-    paths.add(std::cos(a) * sun + std::sin(a) * side, 400.0f, 1.0f);
-  }
-  const auto [sky, radiance] = look(pack::pack_scene(resolved(scene)), paths);
-  const auto disc = [&, &s = sky, &r = radiance](std::size_t i) {
-    return glm::length(r[i] - s[i]);
-  };
-  EXPECT_GT(disc(0), 10.0f);
-  EXPECT_GT(disc(1), 10.0f);
-  EXPECT_EQ(disc(2), 0.0f);
-  EXPECT_EQ(disc(3), 0.0f);
-}
-
 TEST_P(Air, HoldsFogBelowItsTop) {
   scene::Scene scene = morning();
   scene.fog.enabled = true;
