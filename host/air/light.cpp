@@ -4,11 +4,18 @@
 #include <cmath>
 #include <memory>
 
+#include "core/smooth_step.hpp"
 #include "scene/key_light.hpp"
 #include "scene/scene.hpp"
 
 namespace aerostat::air {
 namespace {
+
+constexpr double kPi64 = std::numbers::pi;
+
+/// The light that diffuses in a level deck under a sun straight above, relative to that of a heap.
+/// Found by comparing slabs with spheres (tests/device/atmosphere/droplets_test.cpp).
+constexpr double kLevelDeck = 1.8;
 
 /// Returns the height from which a sun at this elevation is seen over the horizon. Returns a
 /// height far below the ground if the sun is above the horizon.
@@ -58,16 +65,17 @@ Light::Light(const scene::ResolvedScene& scene)
     : Light(scene, *std::make_unique<ScatteringCache>()) {}
 
 Light::Light(const scene::ResolvedScene& scene, ScatteringCache& cache)
-    : Light(scene.eye().y, *scattering_of(*scene, scene::key_light(*scene).direction, cache.key)) {
+    : Light(scene.eye().y, cloud_deck_of(*scene),
+            *scattering_of(*scene, scene::key_light(*scene).direction, cache.key)) {
   const scene::KeyLight key = scene::key_light(*scene);
   if (!key.is_moon) return;
   const dvec3 sun = glm::normalize(scene->sun.direction);
   const dvec3 strength = dvec3(scene->sun.color) * scene->sun.irradiance;
-  add_afterglow(*scattering_of(*scene, sun, cache.afterglow), scene.eye().y,
+  add_afterglow(*scattering_of(*scene, sun, cache.afterglow), cloud_deck_of(*scene), scene.eye().y,
                 ratio(strength, key.irradiance));
 }
 
-Light::Light(double eye_height, const Scattering& air)
+Light::Light(double eye_height, const CloudDeck& deck, const Scattering& air)
     : atmosphere(air.atmosphere()), sky(air, eye_height) {
   const double sun = air.sun().y;
   const double elevation = std::asin(std::clamp(sun, -1.0, 1.0));
@@ -86,19 +94,38 @@ Light::Light(double eye_height, const Scattering& air)
   sun_heights[0] = height_of_sight(elevation + kSunRadius);
   sun_heights[1] = std::max(sun_heights[0] + 1.0, height_of_sight(elevation - kSunRadius));
   take_around(air, eye_height);
-  ambient = ambient_light(sky);
+  take_clouds(deck, air, eye_height);
   depth_above = air.sun_paths().depth(std::max(eye_height, 0.0), 1.0, atmosphere.haze_extinction);
 }
 
-void Light::add_afterglow(const Scattering& air, double eye_height, const dvec3& sun_over_moon) {
-  const Light glow(eye_height, air);
+void Light::add_afterglow(const Scattering& air, const CloudDeck& deck, double eye_height,
+                          const dvec3& sun_over_moon) {
+  const Light glow(eye_height, deck, air);
   for (std::size_t i = 0; i < 3; ++i) {
     around[i] += glow.around[i] * sun_over_moon;
     around_slant[i] += glow.around_slant[i] * sun_over_moon;
   }
   around_least += glow.around_least * sun_over_moon;
   for (std::size_t i = 0; i < 9; ++i) ambient[i] += glow.ambient[i] * sun_over_moon;
+  above_clouds += glow.above_clouds * sun_over_moon;
+  below_clouds += glow.below_clouds * sun_over_moon;
   afterglow = glow.sky;
+}
+
+void Light::take_clouds(const CloudDeck& deck, const Scattering& air, double eye_height) {
+  const double sun = std::max(air.sun().y, 0.0);
+  const dvec3 level_light =
+      sky.irradiance_from_above() + sun * air.sunlight(deck.base, air.sun().y);
+  ambient = ambient_light(sky, deck, eye_height, level_light, atmosphere.ground_albedo);
+  above_clouds = sky.irradiance_from_above() / kPi64;
+  below_clouds =
+      atmosphere.ground_albedo * deck.light_below(atmosphere.ground_albedo) * level_light / kPi64;
+  // Between separate clouds, light comes to the air from the sides. Chosen by eye.
+  const double closed = smooth_step(0.4, 0.9, deck.cover);
+  deck_base = deck.base;
+  deck_level = std::lerp(1.0, kLevelDeck * sun, closed);
+  deck_sun = 1.0 - closed * (1.0 - deck.sun_below(air.sun().y));
+  deck_around = 1.0 - closed * (1.0 - deck.light_below(atmosphere.ground_albedo).y);
 }
 
 void Light::take_around(const Scattering& air, double eye_height) {

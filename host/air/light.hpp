@@ -46,7 +46,15 @@ struct Light {
   double around_top = kAroundTop;
   bool thick_haze = false;
   SkyTable sky;
-  std::array<dvec3, 9> ambient{};
+  std::array<dvec3, 9> ambient{};  // as the clouds leave it at the height of the eye
+  /// Irradiance / pi of a plane that faces up above the clouds, and of one that faces down.
+  dvec3 above_clouds{0.0}, below_clouds{0.0};
+  /// Shares of the sun's and of the other light that a closed deck of clouds leaves to the air
+  /// below its bases, at the height deck_base. Both are 1 where clouds stand apart.
+  double deck_base = 0.0, deck_sun = 1.0, deck_around = 1.0;
+  /// The light that diffuses in clouds, relative to that of separate heaps. A heap takes the light
+  /// of the sun by its sides, and a closed deck only as much as level ground does.
+  double deck_level = 1.0;
   /// The sky of the real sun by moonlight, per irradiance of the real sun.
   std::optional<SkyTable> afterglow;
   /// The optical depth from the eye straight up, without fog.
@@ -55,9 +63,11 @@ struct Light {
   static constexpr double kAroundTop = 9000.0;
 
  private:
-  Light(double eye_height, const Scattering& air);
+  Light(double eye_height, const CloudDeck& deck, const Scattering& air);
+  void take_clouds(const CloudDeck& deck, const Scattering& air, double eye_height);
   void take_around(const Scattering& air, double eye_height);
-  void add_afterglow(const Scattering& air, double eye_height, const dvec3& sun_over_moon);
+  void add_afterglow(const Scattering& air, const CloudDeck& deck, double eye_height,
+                     const dvec3& sun_over_moon);
 };
 
 }  // namespace aerostat::air

@@ -52,6 +52,26 @@ dvec3 night_light(const Atmosphere& air, double sun_sine) {
   return dvec3(kNight * dark * std::min(density, 1.0));
 }
 
+/// Returns the coefficients of ambient_light for light with the given radiance in each direction.
+template <class Radiance>
+std::array<dvec3, 9> harmonics(const Radiance& radiance) {
+  // Each weight is the square of a harmonic's factor times the share of its degree in the cosine
+  // lobe (1, 2/3 or 1/4).
+  constexpr double k0 = 1.0 / (4.0 * kPi64), k1 = 3.0 / (4.0 * kPi64) * (2.0 / 3.0);
+  constexpr double k2 = 15.0 / (4.0 * kPi64) * 0.25, k20 = 5.0 / (16.0 * kPi64) * 0.25;
+  constexpr double k22 = 15.0 / (16.0 * kPi64) * 0.25;
+  constexpr std::array<double, 9> weight = {k0, k1, k1, k1, k2, k2, k20, k2, k22};
+  std::array<dvec3, 9> sums{};
+  for (int i = 0; i < kRings * kSectors; ++i) {
+    const dvec3 d = ring_direction(i / kSectors, i % kSectors, -1.0, 1.0);
+    const dvec3 light = radiance(d);
+    const auto functions = basis(d);
+    for (std::size_t k = 0; k < 9; ++k) sums[k] += light * (functions[k] * weight[k]);
+  }
+  for (dvec3& sum : sums) sum *= 4.0 * kPi64 / (kRings * kSectors);
+  return sums;
+}
+
 }  // namespace
 
 SkyTable::SkyTable(const Scattering& air, double height)
@@ -131,21 +151,24 @@ dvec3 SkyTable::irradiance() const {
 }
 
 std::array<dvec3, 9> ambient_light(const SkyTable& sky) {
-  // Each weight is the square of a harmonic's factor times the share of its degree in the cosine
-  // lobe (1, 2/3 or 1/4).
-  constexpr double k0 = 1.0 / (4.0 * kPi64), k1 = 3.0 / (4.0 * kPi64) * (2.0 / 3.0);
-  constexpr double k2 = 15.0 / (4.0 * kPi64) * 0.25, k20 = 5.0 / (16.0 * kPi64) * 0.25;
-  constexpr double k22 = 15.0 / (16.0 * kPi64) * 0.25;
-  constexpr std::array<double, 9> weight = {k0, k1, k1, k1, k2, k2, k20, k2, k22};
-  std::array<dvec3, 9> sums{};
-  for (int i = 0; i < kRings * kSectors; ++i) {
-    const dvec3 d = ring_direction(i / kSectors, i % kSectors, -1.0, 1.0);
-    const dvec3 radiance = sky.radiance(d);
-    const auto functions = basis(d);
-    for (std::size_t k = 0; k < 9; ++k) sums[k] += radiance * (functions[k] * weight[k]);
-  }
-  for (dvec3& sum : sums) sum *= 4.0 * kPi64 / (kRings * kSectors);
-  return sums;
+  return harmonics([&sky](const dvec3& d) { return sky.radiance(d); });
+}
+
+std::array<dvec3, 9> ambient_light(const SkyTable& sky, const CloudDeck& deck, double height,
+                                   const dvec3& level_light, const dvec3& ground_albedo) {
+  if (deck.cover <= 0.0) return ambient_light(sky);
+  const double through = deck.transmittance();
+  const dvec3 below = deck.light_below(ground_albedo);
+  const dvec3 risen = ground_albedo * below * level_light;  // from the ground up to the clouds
+  const dvec3 bases = (through * level_light + (1.0 - through) * risen) / kPi64;
+  const dvec3 tops = ((1.0 - through) * level_light + through * risen) / kPi64;
+  const double above = smooth_step(deck.base, deck.top, height);
+  return harmonics([&](const dvec3& d) {
+    const dvec3 clear = sky.radiance(d);
+    const double hidden = deck.hidden(std::abs(d.y));
+    if (d.y >= 0.0) return glm::mix(clear, bases, (1.0 - above) * hidden);
+    return glm::mix(below * clear, tops, above * hidden);
+  });
 }
 
 }  // namespace aerostat::air

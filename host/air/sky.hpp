@@ -3,6 +3,7 @@
 #include <array>
 #include <vector>
 
+#include "air/cloud_deck.hpp"
 #include "air/scattering.hpp"
 
 namespace aerostat::air {
@@ -52,5 +53,12 @@ class SkyTable {
 /// Source: R. Ramamoorthi and P. Hanrahan, "An Efficient Representation for Irradiance
 /// Environment Maps" (SIGGRAPH 2001).
 std::array<dvec3, 9> ambient_light(const SkyTable& sky);
+
+/// Returns the same for land or an eye at a height among clouds. Below the clouds, their bases hide
+/// parts of the sky and are lit through the clouds, and the ground has only the light that the
+/// clouds leave. From above, their tops hide parts of the ground. `level_light` is the irradiance
+/// of level ground without clouds.
+std::array<dvec3, 9> ambient_light(const SkyTable& sky, const CloudDeck& deck, double height,
+                                   const dvec3& level_light, const dvec3& ground_albedo);
 
 }  // namespace aerostat::air

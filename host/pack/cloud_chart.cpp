@@ -25,6 +25,8 @@ constexpr float kNoiseBend = 9.24f;
 constexpr auto kNoiseBound = static_cast<float>(terrain::kNoiseBound);
 /// Beyond this share of a wavelength, value and slope say less of the noise than its bound does.
 constexpr float kFarthestShare = 0.35f;
+/// There is no cloud where the coverage noise exceeds its threshold by less.
+constexpr float kLeastExcess = CUMULUS_SPREAD * CUMULUS_LEAST_EXCESS;
 /// Single precision, on the host and on the device.
 constexpr float kNumericalMargin = 2e-3f;
 
@@ -51,6 +53,7 @@ std::vector<Wave> waves_of(const AeroCumulus& clouds) {
   std::vector<Wave> waves;
   add_waves(rules::cumulus_fields(clouds.size, clouds.seed), CUMULUS_FIELD_SHARE, waves);
   add_waves(rules::cumulus_heaps(clouds.size, clouds.seed), 1.0f, waves);
+  add_waves(rules::cumulus_rags(clouds.size, clouds.seed), CUMULUS_RAG_SHARE, waves);
   return waves;
 }
 
@@ -59,11 +62,11 @@ class Judge {
  public:
   Judge(const AeroCumulus& clouds, float side)
       : waves_(waves_of(clouds)),
-        least_(clouds.threshold + CUMULUS_LEAST_EXCESS - kNumericalMargin),
+        least_(clouds.threshold + kLeastExcess - kNumericalMargin),
         radius_(0.7072f * side) {}
 
-  /// Footprints fade octaves out from the shortest on: the sum is between those of the longest
-  /// ones.
+  /// Footprints fade octaves out from the shortest on, and rags count for a share. In both cases
+  /// the sum is between those of the longest octaves.
   void operator()(const terrain::Points& middles, std::array<bool, terrain::kBlockSize>& maybe) {
     sum_ = {};
     for (const Wave& wave : waves_) add(wave, middles);
@@ -208,7 +211,7 @@ float corner_by(float eye, float tile) {
 
 std::shared_ptr<const CloudChart> cloud_chart(const AeroCumulus& clouds, const vec3& eye,
                                               CloudChartCache& cache) {
-  const bool some_clear = clouds.threshold + CUMULUS_LEAST_EXCESS - kNumericalMargin > 0.0f;
+  const bool some_clear = clouds.threshold + kLeastExcess - kNumericalMargin > 0.0f;
   if (!(clouds.extinction > 0.0f) || !some_clear) return nullptr;
   const float cell = clouds.size / kCellsPerSize;
   const float tile = static_cast<float>(kTile) * cell;

@@ -89,6 +89,12 @@ PackedAir pack_air(const scene::ResolvedScene& scene, air::ScatteringCache& cach
   air.around_top = static_cast<float>(light.around_top);
   air.thick_haze = light.thick_haze ? 1.0f : 0.0f;
   for (std::size_t i = 0; i < 9; ++i) copy(air.ambient[i], light.ambient[i]);
+  copy(air.above_clouds, light.above_clouds);
+  copy(air.below_clouds, light.below_clouds);
+  air.deck_base = static_cast<float>(light.deck_base);
+  air.deck_sun = static_cast<float>(light.deck_sun);
+  air.deck_level = static_cast<float>(light.deck_level);
+  air.deck_around = static_cast<float>(light.deck_around);
   air.fog = pack_fog(scene->fog, from.fog, scene::key_light(*scene).direction.y);
   air.horizon_sine = static_cast<float>(light.sky.horizon_sine());
   packed.sky_table = pack_sky_table(light.sky);

@@ -2,10 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 
 #include <fmt/format.h>
 
 #include "air/atmosphere.hpp"
+#include "air/cloud_deck.hpp"
 #include "core/copy.hpp"
 #include "core/error.hpp"
 #include "ground/ground_numbers.hpp"
@@ -21,9 +23,6 @@
 namespace aerostat::pack {
 namespace {
 
-// Per metre: a cloud of fair weather with some 60 droplets of 8 um radius a cubic centimetre.
-constexpr float kCumulusExtinction = 0.03f;
-
 /// How high the tops of heaped clouds are at most, in widths of a cloud: heaps are about as high as
 /// they are wide, narrower ones would be columns. Chosen by eye.
 constexpr double kTallest = 1.5;
@@ -36,14 +35,20 @@ float cumulus_threshold(double cover) {
   return static_cast<float>(0.155 * std::log((1.0 - share) / share));
 }
 
-AeroCumulus pack_cumulus(const scene::Cumulus& from) {
+/// Each land has other clouds, too.
+std::uint32_t cumulus_seed(const scene::Scene& scene) {
+  return (scene.sky.cumulus.seed + 1009u * (scene.terrain.seed - 1u)) * 2654435761u;
+}
+
+AeroCumulus pack_cumulus(const scene::Scene& scene) {
+  const scene::Cumulus& from = scene.sky.cumulus;
   AeroCumulus cumulus{};
   cumulus.base = static_cast<float>(from.base_m);
   cumulus.thickness = static_cast<float>(std::min(from.thickness_m, kTallest * from.size_m));
   cumulus.size = static_cast<float>(from.size_m);
   cumulus.threshold = cumulus_threshold(from.cover);
-  cumulus.extinction = from.cover > 0.0 ? kCumulusExtinction : 0.0f;
-  cumulus.seed = from.seed * 2654435761u;
+  cumulus.extinction = from.cover > 0.0 ? static_cast<float>(air::kCloudExtinction) : 0.0f;
+  cumulus.seed = cumulus_seed(scene);
   return cumulus;
 }
 
@@ -72,7 +77,7 @@ AeroSky pack_sky(const scene::Scene& scene) {
     sky.cloud_cover = 0.0f;
     return sky;
   }
-  sky.cumulus = pack_cumulus(scene.sky.cumulus);
+  sky.cumulus = pack_cumulus(scene);
   return sky;
 }
 

@@ -9,36 +9,80 @@
 
 AERO_RULES_BEGIN
 
-/* Difference of the coverage noise between the edge of a cloud and its thick middle. */
+/* Difference of the coverage noise between the edge of a cloud and its thick middle. Excess of the
+ * noise over its threshold is counted in this unit. */
 #define CUMULUS_SPREAD 0.36f
-/* Size of bulges, and the height of the tallest towers with their bulges. */
-#define CUMULUS_BULGE 0.36f
-#define CUMULUS_TALLEST 1.25f
-/* The lowest height with any density, and the width of the edge over which density rises. */
+/* Size of bulges, as excess, which moves the sides, and as height, which lifts the tops. */
+#define CUMULUS_BULGE 0.4f
+#define CUMULUS_LIFT 0.16f
+/* The height of the tallest towers, the lowest height with any density, and the width of the edge
+ * over which density rises. */
+#define CUMULUS_TALLEST 1.16f
 #define CUMULUS_LOWEST (-0.1f)
-#define CUMULUS_EDGE 0.1f
+#define CUMULUS_EDGE 0.06f
 
-/* The coverage noise is the noise of single heaps plus this share of that of fields of clouds. Both
- * lie over the plane. `size` is the width of a cloud in metres. */
+/* The coverage noise is the noise of single heaps plus this share of that of fields of clouds, and
+ * plus this share of that of the turrets and rags of a heap. All of them lie over the plane. `size`
+ * is the width of a cloud in metres. */
 #define CUMULUS_FIELD_SHARE 0.6f
+#define CUMULUS_RAG_SHARE 0.16f
 AERO_RULE Fbm cumulus_heaps(float size, aero_uint seed) {
-  return fbm_of(seed + 11u, 2.4f * size, 5, 0.5f);
+  return fbm_of(seed + 11u, 2.4f * size, 2, 0.5f);
 }
 AERO_RULE Fbm cumulus_fields(float size, aero_uint seed) {
   return fbm_of(seed, 9.0f * size, 1, 0.5f);
 }
-
-/* Returns how high clouds tower where the coverage noise exceeds its threshold by `over` times
- * CUMULUS_SPREAD. The value is below 0 where there are no clouds, and falls with the distance to
- * the next one. */
-AERO_RULE lane_float cumulus_towers_over(lane_float over) {
-  const lane_float grown = 2.0f * over / (1.0f + lane_max(over, (lane_float)0.0f));
-  return lane_min(grown, (lane_float)(CUMULUS_TALLEST - 0.5f * CUMULUS_BULGE));
+AERO_RULE Fbm cumulus_rags(float size, aero_uint seed) {
+  return fbm_of(seed + 23u, 0.6f * size, 3, 0.5f);
 }
 
-/* The excess of the coverage noise over its threshold at which clouds tower to CUMULUS_LOWEST. This
- * inverts cumulus_towers_over(): there is no density below it. */
-#define CUMULUS_LEAST_EXCESS (CUMULUS_SPREAD * (0.5f * CUMULUS_LOWEST))
+/* Returns the share of the rags' noise that counts at an excess of the noise of fields and heaps.
+ * Rags that stand by themselves have dissolved. The host's chart relies on values from 0 to 1. */
+AERO_RULE lane_float cumulus_ragged(lane_float excess) {
+  return clamp01(lane_fma(excess, (lane_float)1.5f, (lane_float)0.1f));
+}
+
+/* Towers approach this height as the excess grows, and half of it at CUMULUS_HALF. */
+#define CUMULUS_LIMIT 1.35f
+#define CUMULUS_HALF 0.3f
+
+/* Returns how high clouds tower at an excess of the coverage noise. Their sides are steep and their
+ * tops round. The value is below 0 where there are no clouds, and falls with the distance to the
+ * next one. */
+AERO_RULE lane_float cumulus_towers(lane_float excess) {
+  const lane_float within = lane_max(excess, (lane_float)0.0f);
+  const lane_float grown = CUMULUS_LIMIT * within / (CUMULUS_HALF + within);
+  const lane_float outside = 2.0f * lane_min(excess, (lane_float)0.0f);
+  return lane_min(grown + outside, (lane_float)(CUMULUS_TALLEST - CUMULUS_LIFT));
+}
+
+/* Returns the excess at which clouds tower to a height: the inverse of cumulus_towers(). */
+AERO_RULE lane_float cumulus_excess_of(lane_float height) {
+  const lane_float within =
+      lane_min(lane_max(height, (lane_float)0.0f), (lane_float)CUMULUS_TALLEST);
+  return lane_fma(lane_min(height, (lane_float)0.0f), (lane_float)0.5f,
+                  CUMULUS_HALF * within / (CUMULUS_LIMIT - within));
+}
+
+/* There is no density at lower excesses than this. Clouds there tower to CUMULUS_LOWEST. */
+#define CUMULUS_LEAST_EXCESS (0.5f * CUMULUS_LOWEST)
+
+/* Returns the share of bulges that counts at an excess. It is 0 at CUMULUS_LEAST_EXCESS, so that no
+ * bulge floats where there is no cloud. */
+AERO_RULE lane_float cumulus_bulging(lane_float excess) {
+  return clamp01(4.0f * (excess - CUMULUS_LEAST_EXCESS));
+}
+
+/* Returns the excess that clouds need to have any density at a height, if bulges add to it and to
+ * the towers as much as they can. */
+AERO_RULE lane_float cumulus_needed(lane_float height) {
+  const lane_float level = cumulus_excess_of(height - CUMULUS_LIFT);
+  /* This is the excess whose sum with its bulge is `level`, where clouds are thin. */
+  const lane_float thin = (level + 4.0f * CUMULUS_BULGE * CUMULUS_LEAST_EXCESS) *
+                          (1.0f / (1.0f + 4.0f * CUMULUS_BULGE));
+  const lane_float needed = lane_max(level - CUMULUS_BULGE, lane_min(level, thin));
+  return lane_max(needed, (lane_float)CUMULUS_LEAST_EXCESS);
+}
 
 AERO_RULES_END
 

@@ -75,10 +75,16 @@ typedef struct AeroAir {
   aero_float around_top;      /* greatest x of `around` */
   aero_float thick_haze;
   aero_float ambient[9][3]; /* irradiance / pi by the normal, in spherical harmonics */
+  /* Irradiance / pi of a plane that faces up above heaped clouds, and of one that faces down. */
+  aero_float above_clouds[3], below_clouds[3];
+  /* Shares of the sun's and of the other light that a closed deck of clouds leaves to the air below
+   * its bases, at the height deck_base. */
+  aero_float deck_base, deck_sun, deck_around;
+  aero_float deck_level; /* light that diffuses in clouds, relative to that of separate heaps */
   aero_float horizon_sine;
   AeroFog fog;
 } AeroAir;
 
-AERO_ASSERT_LAYOUT(AeroAir, 332);
+AERO_ASSERT_LAYOUT(AeroAir, 372);
 
 #endif

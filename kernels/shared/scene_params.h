@@ -162,6 +162,6 @@ typedef struct AeroScene {
   AeroNight night;
 } AeroScene;
 
-AERO_ASSERT_LAYOUT(AeroScene, (2676 + 32 * 60 + 12) + sizeof(AeroGround) + sizeof(AeroNight));
+AERO_ASSERT_LAYOUT(AeroScene, (2716 + 32 * 60 + 12) + sizeof(AeroGround) + sizeof(AeroNight));
 
 #endif

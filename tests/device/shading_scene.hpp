@@ -23,6 +23,7 @@ inline AeroScene bare_scene() {
   scene.air.sun_heights[0] = -1e6f;
   scene.air.sun_heights[1] = -9e5f;
   scene.air.around_top = 9000.0f;
+  scene.air.deck_sun = scene.air.deck_around = scene.air.deck_level = 1.0f;
   scene.shading = AERO_SHADING_PHONG;
   return scene;
 }
@@ -32,6 +33,8 @@ inline void set_ambient(AeroScene& scene, const vec3& up, const vec3& down) {
   for (int i = 0; i < 3; ++i) {
     scene.air.ambient[0][i] = 0.5f * (up[i] + down[i]) / scene.sky.sun_irradiance[i];
     scene.air.ambient[1][i] = 0.5f * (up[i] - down[i]) / scene.sky.sun_irradiance[i];
+    scene.air.above_clouds[i] = up[i] / scene.sky.sun_irradiance[i];
+    scene.air.below_clouds[i] = down[i] / scene.sky.sun_irradiance[i];
   }
 }
 

@@ -79,7 +79,7 @@ __kernel void probe_cloud_density(__global const AeroScene* scene,
 }
 
 /* Stores the same light as probe_clouds for rays to the sky, computed by small, even steps that are
- * lit one by one. */
+ * lit one by one, after a first march that finds the depth of all of them. */
 __kernel void probe_clouds_finely(__global const AeroScene* scene,
                                   __global const AeroSkyCell* sky_table,
                                   __global const AeroChartWord* cloud_chart,
@@ -92,30 +92,36 @@ __kernel void probe_clouds_finely(__global const AeroScene* scene,
   ray.direction = load3(directions);
   ray.t_max = (lane_float)INFINITY;
   const lane_float towards = dot3(ray.direction, lane3_from(scene->sky.sun_direction));
-  CloudMarch march = start_march(clouds, &ray, ray.t_max);
-  Lane3 light = lane3((lane_float)0.0f, (lane_float)0.0f, (lane_float)0.0f);
-  for (int i = 0; i < 1000000; ++i) {
-    const lane_int on = lane_mask(march.t < march.end) & lane_mask(march.through > 1e-3f);
-    if (!lane_any(on)) break;
-    Lane3 p = madd3(ray.origin, ray.direction, march.t);
-    p.y = height_on_way(&ray, march.t);
-    const lane_float footprint = 0.05f * march.t;
-    const lane_float found = cumulus_density(&view, p, p.y, footprint);
-    const lane_float density = lane_select(on, found, (lane_float)0.0f);
-    const lane_float left = march.through * exp(-clouds->extinction * density * step);
-    const lane_float hidden = march.through - left;
-    if (lane_any(lane_mask(hidden > 0.0f))) {
-      const lane_float height = (p.y - clouds->base) / clouds->thickness;
-      light = madd3(light, cloud_source(&view, p, height, towards, footprint), hidden);
-      march.way = lane_fma(hidden, march.t, march.way);
+  lane_float seen = (lane_float)0.0f;
+  Lane3 light = lane3(seen, seen, seen);
+  CloudMarch march;
+  for (int lit = 0; lit < 2; ++lit) {
+    march = start_march(clouds, &ray, ray.t_max);
+    for (int i = 0; i < 1000000; ++i) {
+      const lane_int on = lane_mask(march.t < march.end) & lane_mask(march.through > 1e-3f);
+      if (!lane_any(on)) break;
+      Lane3 p = madd3(ray.origin, ray.direction, march.t);
+      p.y = height_on_way(&ray, march.t);
+      const lane_float footprint = 0.05f * march.t;
+      const lane_float found = cumulus_density(&view, p, p.y, footprint);
+      const lane_float density = lane_select(on, found, (lane_float)0.0f);
+      const lane_float left = march.through * exp(-clouds->extinction * density * step);
+      const lane_float hidden = march.through - left;
+      if (lit && lane_any(lane_mask(hidden > 0.0f))) {
+        const lane_float height = (p.y - clouds->base) / clouds->thickness;
+        const Lane3 source = cloud_source(&view, p, height, towards, footprint, seen, (lane_int)0);
+        light = madd3(light, source, hidden);
+        march.way = lane_fma(hidden, march.t, march.way);
+      }
+      march.through = left;
+      march.t += step;
     }
-    march.through = left;
-    march.t += step;
+    seen = -log(march.through);
   }
   const lane_float inverse = 1.0f / lane_max(1.0f - march.through, (lane_float)1e-6f);
-  const Lane3 seen = through_air(scene, scale3(light, inverse), &ray, march.way * inverse);
+  const Lane3 arrives = through_air(scene, scale3(light, inverse), &ray, march.way * inverse);
   const Lane3 white = lane3((lane_float)1.0f, (lane_float)1.0f, (lane_float)1.0f);
-  store3_planes(mix3(white, seen, 1.0f - march.through), arriving);
+  store3_planes(mix3(white, arrives, 1.0f - march.through), arriving);
 }
 
 /* Computes the cover of a line whose half width is 2 cm. */
@@ -155,9 +161,4 @@ __kernel void probe_cloth(__global const AeroScene* scene, __global const float*
   const Lane3 sun = sun_at(scene, height_of(scene, surface.point.position));
   const lane_int within = lane_as_int(LOAD(inside));
   store3_planes(cloth_glow(scene, &surface, within, sun, none), glow);
-}
-
-__kernel void probe_droplets(__global const float* cosines, const float asymmetry,
-                             __global float* phase) {
-  STORE(droplet_phase(LOAD(cosines), asymmetry), phase);
 }
