@@ -264,7 +264,7 @@ class Arguments {
     add_format(sub, export_.format, {"ply", "obj"},
                "File format, ply or obj; by default the one that the name ends in, ply for -o -");
     sub->add_option("--plants", export_.plants,
-                    "none, seen (by default: those that a picture can show or whose shade it can "
+                    "none (by default), seen (those that a picture can show or whose shade it can "
                     "show) or all within /vegetation/reach_m")
         ->check(one_of({"none", "seen", "all"}))
         ->type_name("WHICH");

@@ -66,6 +66,6 @@ inline constexpr const char* kDumpFooter = R"(Examples:
 
 inline constexpr const char* kExportFooter = R"(Examples:
   aerostat export scenes/snow.json -o world.ply
-  aerostat export scenes/sand.json -o dunes.obj --set /terrain/cells=256 --plants none)";
+  aerostat export scenes/sand.json -o dunes.obj --set /terrain/cells=256 --plants seen)";
 
 }  // namespace aerostat::cli

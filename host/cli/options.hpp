@@ -69,7 +69,7 @@ struct ExportOptions {
   SceneOptions input;
   std::filesystem::path output;  // "-" stands for standard output
   std::string format;            // "ply" or "obj"; empty: chosen by the output's name
-  std::string plants = "seen";   // "none", "seen" or "all"
+  std::string plants = "none";   // "none", "seen" or "all"
   std::uint64_t most_triangles = 20'000'000;
 };
 

@@ -13,6 +13,9 @@ enum class Pattern { stripes, chevrons, spiral, rainbow, checker };
 /// Sets of fabrics that go together. palettes.hpp gives their colours.
 enum class Palette { ember, lagoon, spectrum, glacier, orchard, plum, regatta, meadow };
 
+/// The most balloons beside the scene's own, listed or made by a festival.
+inline constexpr int kMostFurtherBalloons = 32;
+
 /// Further balloons that are made from a seed. world::resolve turns them into a list.
 struct Festival {
   int count = 0;

@@ -57,7 +57,7 @@ inline constexpr auto kTable<Festival> = table(
     "Balloons that are made from a seed, after those of /balloons. Their places, sizes, patterns, "
     "palettes and flames differ.",
     field("count", &Festival::count,
-          number(0, 32,
+          number(0, kMostFurtherBalloons,
                  "Number of balloons, {from} (none) to {to}. There are at most 33 balloons in all. "
                  "Where the area has no room for so many, there are fewer.")
               .slider(EditGroup::festival, "Balloons", 0, 32)),

@@ -22,7 +22,7 @@ inline constexpr auto kTable<Scene> = table(
     field("terrain", &Scene::terrain), field("vegetation", &Scene::vegetation),
     field("balloon", &Scene::balloon),
     field("balloons", &Scene::balloons,
-          list(32,
+          list(kMostFurtherBalloons,
                "Further balloons, at most {to}. Each is built with as much detail as its size in "
                "the picture requires.")),
     field("festival", &Scene::festival), field("camera", &Scene::camera),

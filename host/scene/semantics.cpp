@@ -75,6 +75,14 @@ void check_order(const double (&range)[2], const char* key, const std::string& n
        "the smaller one first");
 }
 
+void check_balloons(const Scene& scene, const std::string& name) {
+  const int listed = static_cast<int>(scene.balloons.size());
+  if (listed + scene.festival.count <= kMostFurtherBalloons) return;
+  fail(name, {"festival", "count"}, fmt::format("{}", scene.festival.count),
+       fmt::format("at most {} beside the {} of /balloons, {} together",
+                   kMostFurtherBalloons - listed, listed, kMostFurtherBalloons));
+}
+
 }  // namespace
 
 void check_semantics(const Json& document, const Scene& scene, Faults& faults) {
@@ -85,6 +93,7 @@ void check_semantics(const Json& document, const Scene& scene, Faults& faults) {
     check_direction(*sun, faults);
   }
   faults.gather([&] { check_camera(scene.camera, name); });
+  faults.gather([&] { check_balloons(scene, name); });
   const Ground& ground = scene.biome.ground;
   faults.gather([&] { check_order(ground.rock_slope_deg, "rock_slope_deg", name); });
   faults.gather([&] { check_order(ground.snow_slope_deg, "snow_slope_deg", name); });

@@ -107,7 +107,7 @@ TEST_F(Scenes, InstalledOnesAreListed) {
   const Outcome list = run({"scenes"}, with_scenes());
   ASSERT_EQ(list.code, 0) << list.err;
   for (const char* scene : kScenes) EXPECT_TRUE(contains(list.out, std::string(scene) + " "));
-  EXPECT_EQ(std::count(list.out.begin(), list.out.end(), '\n'), 7);
+  EXPECT_EQ(std::count(list.out.begin(), list.out.end(), '\n'), 15);
   EXPECT_TRUE(contains(list.out, "without a balloon"));
   EXPECT_EQ(run({"scenes", "--folder"}, {"AEROSTAT_SCENE_DIR=/some/where"}).out, "/some/where\n");
   const Outcome none = run({"scenes"}, {"AEROSTAT_SCENE_DIR=" + folder_.string()});

@@ -34,6 +34,7 @@ void ValuesTest::every_value_of_a_scene_can_be_set() {
   const QMap<QString, QString> otherwise = {{"/$schema", "names the schema, for text editors"},
                                             {"/version", "of the format"},
                                             {"/camera/view", "the view's own box"},
+                                            {"/sky/radiance", "for comparisons, in the file"},
                                             {"/sun/azimuth_deg", "the sun's panel"},
                                             {"/sun/elevation_deg", "the sun's panel"},
                                             {"/sun/direction", "the same as the two angles"},

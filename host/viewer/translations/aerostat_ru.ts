@@ -682,6 +682,8 @@
     <message>
         <source>Milky Way</source>
         <translation>Млечный Путь</translation>
+    </message>
+    <message>
         <source>Surfaces</source>
         <translation>Поверхности</translation>
     </message>
@@ -1461,6 +1463,8 @@
     <message>
         <source>Brightness of the Milky Way relative to the real one, 0 to 10.</source>
         <translation>Яркость Млечного Пути относительно настоящего, от 0 до 10.</translation>
+    </message>
+    <message>
         <source>Angular diameter in degrees of the sun&apos;s disc, which makes the edges of shadows soft, 0.01 to 10. The irradiance does not depend on it.</source>
         <translation>Угловой диаметр солнечного диска в градусах, от 0,01 до 10: из-за него края теней мягкие. Облучённость от него не зависит.</translation>
     </message>
@@ -1765,6 +1769,8 @@
     <message>
         <source>mist</source>
         <translation>туман</translation>
+    </message>
+    <message>
         <source>full</source>
         <translation>полный</translation>
     </message>

@@ -101,10 +101,13 @@ INSTANTIATE_TEST_SUITE_P(
              "/a~1b~0c\\u001b: found an unknown key, expected one of $schema, air, balloon, "
              "balloons, biome, bounces, camera, festival, fog, haze, image, light, lights, "
              "materials, mood, moon, quality, shading, sky, stars, "
-             "sun, "
+             "sun, surfaces, "
              "terrain, "
              "vegetation, "
              "version"},
+        Case{R"("balloons": [{}, {}], "festival": {"count": 31})",
+             "/festival/count: found 31, expected at most 30 beside the 2 of /balloons, 32 "
+             "together"},
         Case{R"("image": {"exposure_ev": 1e999})",
              "/image/exposure_ev: found a number that is too large, expected a finite number"},
         Case{R"("image": {"spp": 1, "spp": 2})",
