@@ -35,6 +35,7 @@ void ValuesTest::every_value_of_a_scene_can_be_set() {
                                             {"/version", "of the format"},
                                             {"/camera/view", "the view's own box"},
                                             {"/sky/radiance", "for comparisons, in the file"},
+                                            {"/stars/year", "follows from the date"},
                                             {"/sun/azimuth_deg", "the sun's panel"},
                                             {"/sun/elevation_deg", "the sun's panel"},
                                             {"/sun/direction", "the same as the two angles"},
