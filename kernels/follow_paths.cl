@@ -39,7 +39,7 @@ __kernel void extend_paths(const uint blocks, __global const AeroBvhNode* nodes,
 __kernel void scatter_at_hits(const AeroLaunch launch, const uint bounce,
                               __global const AeroScene* scene,
                               __global const AeroSkyCell* sky_table,
-                              __global const AeroSkyChances* sky_chances,
+                              __global const AeroSkyImportance* sky_importance,
                               __global const AeroChartWord* cloud_chart,
                               __global const AeroInstance* instances, __global const float* grid,
                               __global const AeroFace* faces, __global const AeroVertex* vertices,
@@ -67,7 +67,7 @@ __kernel void scatter_at_hits(const AeroLaunch launch, const uint bounce,
   way.origin = place_of(scene, madd3(way.origin, way.direction, -lead));
   const float angle = bounce == 0u ? cloud_angle(&task.frame) : PATH_CLOUD_ANGLE;
   pass_clouds_and_air(&view, &way, distance, angle, numbers.clouds, on, &state);
-  add_sky(&view, sky_chances, &way, bounce, &state, on & ~met);
+  add_sky(&view, sky_importance, &way, bounce, &state, on & ~met);
   for (int i = 0; i < LIGHT_RAYS; ++i) state.lights[i] = no_light_ray();
 
   if (lane_any(met)) {
@@ -88,8 +88,8 @@ __kernel void scatter_at_hits(const AeroLaunch launch, const uint bounce,
         state.lights[RAY_TO_SUN] =
             ray_to_sun(&view, &surface, &point, &hit, state.path.throughput, &numbers.sun, met);
       }
-      if (seeks_sky(scene, sky_chances)) {
-        state.lights[RAY_TO_SKY] = ray_to_sky(&view, sky_chances, &surface, &point, &hit,
+      if (seeks_sky(scene, sky_importance)) {
+        state.lights[RAY_TO_SKY] = ray_to_sky(&view, sky_importance, &surface, &point, &hit,
                                               state.path.throughput, &numbers, met);
       }
       const Lane3 burners = burner_radiance(scene, &surface);

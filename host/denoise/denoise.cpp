@@ -17,8 +17,8 @@ namespace {
 
 constexpr int kMajorVersion = 2;
 
-/// The memory that the library may take beside the layers, as a share of what is left. It divides
-/// large pictures into tiles to keep to it. Chosen by eye.
+/// The library may use one part in so many of the memory that the layers leave free. It divides
+/// large pictures into tiles that fit. Chosen by eye.
 constexpr std::uint64_t kShareOfMemory = 2;
 /// The least memory with which the library can work, and the most that it gets. Chosen by eye.
 constexpr std::uint64_t kLeastBytes = 256ull << 20, kMostBytes = 4096ull << 20;

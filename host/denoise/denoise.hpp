@@ -5,8 +5,8 @@
 
 #include "image/film.hpp"
 
-/// Noise is taken out of films by Open Image Denoise, a library that need not be installed. It is
-/// loaded when it is asked for (docs/decisions/0034-open-image-denoise.md).
+/// Removes noise from films with Open Image Denoise. The library need not be installed, because it
+/// is loaded at run time by the first call (docs/decisions/0034-open-image-denoise.md).
 namespace aerostat::denoise {
 
 struct Options {

@@ -22,12 +22,15 @@ constexpr double kSunMagnitude = -26.74;
 constexpr double kStarSunDeg = -3.0;
 // The spread of a star's blur in pixels, and its limits in radians. Chosen by eye.
 constexpr double kStarPixels = 0.55, kLeastSpread = 1e-5, kMostSpread = 5e-3;
-// The blur of a star ends where it has fallen to exp(-0.5 * 3.6^2) = 0.0015.
+// A star is drawn as a Gaussian, which is cut off at this many standard deviations. There it has
+// fallen to exp(-0.5 * 3.6^2) = 0.0015 of its maximum.
 constexpr double kStarReach = 3.6;
-// By night the moon's disc is shown at most so many times as bright as white paper on the ground,
-// as an eye that adapts sees it: a film that is exposed for the land shows it white. Chosen by eye.
+// The most by which the disc of the moon is brighter at night than white paper on the ground. An
+// eye adapts to both, and a film that is exposed for the land would show the disc white. Chosen by
+// eye.
 constexpr double kMoonOverPaper = 45.0;
-// Of the brightest part of the Milky Way, in cd/m^2, and the sun's 133.1 klx for scale.
+// The luminance of the brightest part of the Milky Way in cd/m^2, and the illuminance of the sun
+// outside the air in lx.
 constexpr double kMilkyWay = 5e-4, kSunLux = 133100.0;
 
 /// Returns the share of light that a ball of Lommel and Seeliger's law reflects to the Earth at a

@@ -15,6 +15,7 @@
 #include "pack/pack_air.hpp"
 #include "pack/pack_balloon.hpp"
 #include "pack/pack_materials.hpp"
+#include "pack/sky_importance.hpp"
 #include "scene/balloons.hpp"
 #include "scene/key_light.hpp"
 #include "scene/local_frame.hpp"
@@ -63,7 +64,6 @@ AeroSky pack_sky(const scene::Scene& scene) {
   copy(sky.sun_irradiance, key.irradiance);
   sky.moonlit = key.is_moon ? 1u : 0u;
   const double radius = 0.5 * glm::radians(scene.sun.diameter_deg);
-  sky.sun_cos = static_cast<float>(std::cos(radius));
   sky.sun_chord = static_cast<float>(2.0 * std::sin(0.5 * radius));
   sky.cloud_cover = static_cast<float>(scene.sky.cloud_cover);
   sky.cloud_height = static_cast<float>(scene.sky.cloud_height_m);
@@ -159,6 +159,9 @@ PackedScene pack_scene(const scene::ResolvedScene& scene, PackCache& cache) {
   numbers.air = air.numbers;
   numbers.night = air.night;
   packed.sky_table = std::move(air.sky_table);
+  if (scene->light == scene::Integrator::path) {
+    packed.sky_importance = sky_importance(numbers, packed.sky_table);
+  }
   copy(numbers.place, scene::place_of(*scene, scene.origin()));
   return packed;
 }

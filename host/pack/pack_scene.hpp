@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "air/light.hpp"
@@ -17,6 +18,8 @@ struct PackedScene {
   AeroScene numbers{};
   /// AERO_SKY_CELLS cells, as many more with an afterglow, and what AeroStars finds behind them.
   std::vector<AeroSkyCell> sky_table;
+  /// The probabilities by which paths look for light in the sky, if light goes along paths.
+  std::optional<AeroSkyImportance> sky_importance;
   /// The chart of clouds, or null if there is none.
   std::shared_ptr<const CloudChart> cloud_chart;
 };

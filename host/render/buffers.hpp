@@ -14,7 +14,7 @@ namespace aerostat::render {
 
 using SceneBuffer = opencl::Buffer<AeroScene>;
 using SkyTableBuffer = opencl::Buffer<AeroSkyCell>;
-using SkyChancesBuffer = opencl::Buffer<AeroSkyChances>;
+using SkyImportanceBuffer = opencl::Buffer<AeroSkyImportance>;
 using CloudChartBuffer = opencl::Buffer<AeroChartWord>;
 using NodeBuffer = opencl::Buffer<AeroBvhNode>;
 using TriangleBuffer = opencl::Buffer<AeroTriangle>;

@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <utility>
 
-#include "pack/sky_chances.hpp"
-
 namespace aerostat::render {
 namespace {
 
@@ -62,18 +60,19 @@ void DeviceWorker::set_geometry(const std::shared_ptr<const bvh::Bvh>& tree,
   geometry_ = upload(context_, budget_, tree, frame, between);
 }
 
-void DeviceWorker::begin_frame(const pack::PackedScene& given, std::size_t pixels) {
+void DeviceWorker::begin_frame(const pack::PackedScene& scene, std::size_t pixels) {
   in_flight_.clear();
-  pack::PackedScene scene = given;
-  if (hooks_.change_scene) hooks_.change_scene(scene);
   const AeroScene& numbers = scene.numbers;
   frame_.ambient_occlusion = numbers.sky.ambient_reach > 0.0f;
   frame_.lamps = numbers.light_count > 0;
   frame_.bounces = numbers.bounces;
   frame_.scene = {context_, budget_, std::span(&numbers, 1), "the scene"};
   frame_.sky_table = {context_, budget_, std::span(scene.sky_table), "the table of the sky"};
-  const AeroSkyChances chances = pack::sky_chances(numbers, scene.sky_table);
-  frame_.sky_chances = {context_, budget_, std::span(&chances, 1), "the chances of the sky"};
+  frame_.sky_importance = {};
+  if (scene.sky_importance) {
+    frame_.sky_importance = {context_, budget_, std::span(&*scene.sky_importance, 1),
+                             "the importance of the sky"};
+  }
   frame_.cloud_chart = {};
   if (scene.cloud_chart) {
     frame_.cloud_chart = {context_, budget_, scene.cloud_chart, std::span(scene.cloud_chart->words),

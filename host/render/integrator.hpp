@@ -16,7 +16,7 @@ namespace aerostat::render {
 struct FrameBuffers {
   SceneBuffer scene;
   SkyTableBuffer sky_table;
-  SkyChancesBuffer sky_chances;
+  SkyImportanceBuffer sky_importance;
   CloudChartBuffer cloud_chart;
   DeviceFilm film;
   /// Whether launches add to the guides of the film.
@@ -84,7 +84,7 @@ struct PathKernels {
   opencl::TypedKernel<std::uint32_t, NodeBuffer, TriangleBuffer, InstanceBuffer, GridBuffer,
                       PathBuffer, HitBuffer>
       extend_paths;
-  opencl::TypedKernel<AeroLaunch, std::uint32_t, SceneBuffer, SkyTableBuffer, SkyChancesBuffer,
+  opencl::TypedKernel<AeroLaunch, std::uint32_t, SceneBuffer, SkyTableBuffer, SkyImportanceBuffer,
                       CloudChartBuffer, InstanceBuffer, GridBuffer, FaceBuffer, VertexBuffer,
                       HitBuffer, PathBuffer>
       scatter_at_hits;

@@ -62,7 +62,8 @@ double launch_seconds_of(Use use) {
 }  // namespace
 
 struct Session::State {
-  State(Options given, const TestHooks& hooks) : options(std::move(given)), team(options, hooks) {
+  State(Options given, const TestHooks& hooks)
+      : options(std::move(given)), change_scene(hooks.change_scene), team(options, hooks) {
     if (!options.cache) options.cache = std::make_shared<SceneCache>();
   }
 
@@ -84,6 +85,8 @@ struct Session::State {
   void collect_stats();
 
   Options options;
+  /// TestHooks::change_scene.
+  std::function<void(pack::PackedScene&)> change_scene;
   DeviceTeam team;
   /// The newest geometry that was built.
   std::shared_ptr<const HostGeometry> geometry;
@@ -193,7 +196,8 @@ void Session::State::prepare(const scene::ResolvedScene& scene, const scene::Res
   report(Stage::upload, 0.0);
   const Stopwatch upload_watch;
   upload();
-  const auto packed = packing.get();
+  pack::PackedScene packed = packing.get();
+  if (change_scene) change_scene(packed);
   const std::size_t pixels = PassPlan(shown->image, crop, team.lanes()).area_from(0).pixels();
   team.begin_frame(packed, std::max(pixels, static_cast<std::size_t>(kMeteringPixels)));
   daylight = vec3(pack::daylight(packed.numbers, scene.eye().y));

@@ -72,6 +72,21 @@ vec3 any_tint(plant::Random& random, double brightness, double warmth) {
   return random.varied(vec3(1.0f), brightness, warmth);
 }
 
+Layer woods_layer(const Nature& nature, std::uint32_t id) {
+  Layer layer;
+  layer.id = id;
+  layer.spacing_m = spacing_of(nature, nature.scene.biome.ground.canopy_m);
+  layer.reach_m = nature.scene.vegetation.reach_m;
+  layer.highest = nature.rule.highest_tree();
+  layer.chance = [&rule = nature.rule](const Site& site) {
+    return rule.forest(site.position, site.normal.y, site.noise);
+  };
+  layer.chance_at_most = [&rule = nature.rule](const Site& site) {
+    return rule.forest_at_most(site.position, site.noise);
+  };
+  return layer;
+}
+
 Layer boulder_layer(const Nature& nature, std::uint32_t id, double spacing_m, double reach_m,
                     float heaps) {
   Layer layer;

@@ -41,6 +41,10 @@ vec2 any_lean(plant::Random& random, double most);
 /// Returns white made brighter or darker and warmer or cooler by random amounts up to these shares.
 vec3 any_tint(plant::Random& random, double brightness, double warmth);
 
+/// Returns a layer of trees where the rules of the ground have woods, a tree for each crown. It
+/// does not choose trees yet.
+Layer woods_layer(const Nature& nature, std::uint32_t id);
+
 /// Returns a layer of boulders. They stand towards bare rock, along shores and, with the
 /// probability `heaps`, in heaps elsewhere. They have the colour of the ground's rock.
 Layer boulder_layer(const Nature& nature, std::uint32_t id, double spacing_m, double reach_m,

@@ -54,18 +54,8 @@ Choice choose_tree(const Nature& nature, const Site& site, Random& random, doubl
 }
 
 Layer woods(const Nature& nature) {
-  Layer layer;
-  layer.id = 31;
-  layer.spacing_m = spacing_of(nature, nature.scene.biome.ground.canopy_m);
-  layer.reach_m = nature.scene.vegetation.reach_m;
+  Layer layer = woods_layer(nature, 31);
   layer.lowest = sea_level(nature) + 0.6f;
-  layer.highest = nature.rule.highest_tree();
-  layer.chance = [&rule = nature.rule](const Site& site) {
-    return rule.forest(site.position, site.normal.y, site.noise);
-  };
-  layer.chance_at_most = [&rule = nature.rule](const Site& site) {
-    return rule.forest_at_most(site.position, site.noise);
-  };
   layer.choose = [nature](const Site& site, Random& random) {
     return choose_tree(nature, site, random, 0.5, 1.15);
   };

@@ -39,17 +39,7 @@ Choice choose_spruce(const Nature& nature, const Site& site, Random& random, dou
 }
 
 Layer woods(const Nature& nature) {
-  Layer layer;
-  layer.id = 1;
-  layer.spacing_m = spacing_of(nature, nature.scene.biome.ground.canopy_m);
-  layer.reach_m = nature.scene.vegetation.reach_m;
-  layer.highest = nature.rule.highest_tree();
-  layer.chance = [&rule = nature.rule](const Site& site) {
-    return rule.forest(site.position, site.normal.y, site.noise);
-  };
-  layer.chance_at_most = [&rule = nature.rule](const Site& site) {
-    return rule.forest_at_most(site.position, site.noise);
-  };
+  Layer layer = woods_layer(nature, 1);
   layer.choose = [nature](const Site& site, Random& random) {
     return choose_spruce(nature, site, random, 0.55, 1.25);
   };

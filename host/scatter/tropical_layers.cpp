@@ -40,18 +40,8 @@ vec3 kind_tint(const ground::GroundNoise& noise, Random& random) {
 
 Layer woods(const Nature& nature) {
   const double canopy = nature.scene.biome.ground.canopy_m;
-  Layer layer;
-  layer.id = 11;
-  layer.spacing_m = spacing_of(nature, canopy);
-  layer.reach_m = nature.scene.vegetation.reach_m;
+  Layer layer = woods_layer(nature, 11);
   layer.lowest = sea_level(nature) + 1.0f;
-  layer.highest = nature.rule.highest_tree();
-  layer.chance = [&rule = nature.rule](const Site& site) {
-    return rule.forest(site.position, site.normal.y, site.noise);
-  };
-  layer.chance_at_most = [&rule = nature.rule](const Site& site) {
-    return rule.forest_at_most(site.position, site.noise);
-  };
   layer.choose = [nature, canopy](const Site& site, Random& random) {
     const float shore = smooth_step(30.0f, 4.0f, site.above_sea);
     if (random.chance(0.45 * static_cast<double>(shore))) return choose_palm(nature, site, random);

@@ -24,7 +24,7 @@ typedef struct AeroSkyCell {
 
 AERO_ASSERT_LAYOUT(AeroSkyCell, 24);
 
-/* What the sky's table says of the chances with which rays look for the sky's light. A strip lies
+/* The probabilities by which paths choose directions of the sky (importance sampling). A strip lies
  * between two rows of the table. Strips go from the horizon up, then from the horizon down, as the
  * rows do. Within a cell between two rows and two columns all directions are equally likely. */
 #define AERO_SKY_STRIPS 54
@@ -32,9 +32,9 @@ AERO_ASSERT_LAYOUT(AeroSkyCell, 24);
 #define AERO_SKY_STRIP_SLOTS 64  /* a power of two above AERO_SKY_STRIPS */
 #define AERO_SKY_COLUMN_SLOTS 32 /* a power of two above AERO_SKY_COLUMNS */
 
-typedef struct AeroSkyChances {
-  /* The chance of all strips before one, and of all cells of a strip before one. Slots behind the
-   * last one hold 1. */
+typedef struct AeroSkyImportance {
+  /* Cumulative probabilities: of all strips before one, and of all cells of a strip before one.
+   * Slots behind the last one hold 1. */
   aero_float strips[AERO_SKY_STRIP_SLOTS];
   aero_float cells[AERO_SKY_STRIPS][AERO_SKY_COLUMN_SLOTS];
   aero_float ends[AERO_SKY_STRIPS][2];  /* upward components of the two ends of a strip */
@@ -42,9 +42,9 @@ typedef struct AeroSkyChances {
   aero_float densities[AERO_SKY_CELLS]; /* per steradian, by the first corner of a cell */
   aero_uint
       sought; /* 1 if the sky is so uneven that rays to its bright parts are worth their time */
-} AeroSkyChances;
+} AeroSkyImportance;
 
-AERO_ASSERT_LAYOUT(AeroSkyChances, 4 * (64 + 54 * 32 + 108 + 24 + 1344 + 1));
+AERO_ASSERT_LAYOUT(AeroSkyImportance, 4 * (64 + 54 * 32 + 108 + 24 + 1344 + 1));
 
 /* Fog that fills valleys up to `top` and thins out above it over `softness`. */
 typedef struct AeroFog {
@@ -77,8 +77,8 @@ typedef struct AeroAir {
   aero_float ambient[9][3]; /* irradiance / pi by the normal, in spherical harmonics */
   /* Irradiance / pi of a plane that faces up above heaped clouds, and of one that faces down. */
   aero_float above_clouds[3], below_clouds[3];
-  /* Shares of the sun's and of the other light that a closed deck of clouds leaves to the air below
-   * its bases, at the height deck_base. */
+  /* A deck of clouds has its bases at the height deck_base. The air below gets the share deck_sun
+   * of the sunlight and the share deck_around of all other light. */
   aero_float deck_base, deck_sun, deck_around;
   aero_float deck_level; /* light that diffuses in clouds, relative to that of separate heaps */
   aero_float horizon_sine;

@@ -63,7 +63,6 @@ AERO_ASSERT_LAYOUT(AeroCumulus, 40);
 typedef struct AeroSky {
   aero_float sun_direction[3];
   aero_float sun_irradiance[3]; /* irradiance outside the air */
-  aero_float sun_cos;           /* cosine of the disc's angular radius */
   aero_float sun_chord;         /* distance between unit vectors to the disc's middle and rim */
   aero_float cloud_cover;       /* cover of thin high cloud, 0 to 1 */
   aero_float cloud_height;      /* height of thin high cloud above the eye, metres */
@@ -78,7 +77,7 @@ typedef struct AeroSky {
   AeroCumulus cumulus;
 } AeroSky;
 
-AERO_ASSERT_LAYOUT(AeroSky, 104);
+AERO_ASSERT_LAYOUT(AeroSky, 100);
 
 /* Lists the numbers that the host copies from scene::Ground as they are. NUMBER is called with the
  * member of AeroGround and the member of scene::Ground. */
@@ -162,6 +161,6 @@ typedef struct AeroScene {
   AeroNight night;
 } AeroScene;
 
-AERO_ASSERT_LAYOUT(AeroScene, (2716 + 32 * 60 + 12) + sizeof(AeroGround) + sizeof(AeroNight));
+AERO_ASSERT_LAYOUT(AeroScene, (2712 + 32 * 60 + 12) + sizeof(AeroGround) + sizeof(AeroNight));
 
 #endif

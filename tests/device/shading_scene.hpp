@@ -17,7 +17,7 @@ inline AeroScene bare_scene() {
   AeroScene scene{};
   set3(scene.sky.sun_direction, {0, 1, 0});
   set3(scene.sky.sun_irradiance, vec3(kPi));
-  scene.sky.sun_cos = 0.99999f;
+  scene.sky.sun_chord = 0.0045f;
   scene.air.molecules_height = 8400.0f;
   scene.air.haze_height = 1200.0f;
   scene.air.sun_heights[0] = -1e6f;

@@ -6,6 +6,7 @@
 
 #include "flat_land.hpp"
 #include "pack/pack_scene.hpp"
+#include "pack/sky_importance.hpp"
 #include "render/device_worker.hpp"
 
 namespace aerostat::test {
@@ -28,7 +29,10 @@ pack::PackedScene even_light(const scene::Scene& scene, float sky) {
   // The sun stays below the horizon of all that is in sight.
   air.sun_heights[0] = 1e8f;
   air.sun_heights[1] = 2e8f;
-  packed.numbers.sky.sun_cos = 1.0f;
+  packed.numbers.sky.sun_chord = 0.0f;
+  if (packed.sky_importance) {
+    packed.sky_importance = pack::sky_importance(packed.numbers, packed.sky_table);
+  }
   return packed;
 }
 

@@ -102,8 +102,8 @@ SeenPoints seen_points(const HomogeneousCloud& cloud, const dvec3& sun) {
   return points;
 }
 
-/// Returns whether a ring is so near to the direction in which the sun shines that it holds the
-/// narrow peak, which a few points do not integrate.
+/// Returns whether a ring of directions contains the narrow peak of the phase function around the
+/// direction of sunlight. The few points of a ring are too coarse to integrate the peak.
 bool holds_peak(const HomogeneousCloud& cloud, const dvec3& sun, std::size_t ring) {
   const double cosine = 2.0 * (static_cast<double>(ring) + 0.5) / kRings - 1.0;
   return std::abs(cosine - (cloud.sphere ? 1.0 : -sun.y)) < 1.5 / kRings;

@@ -1,4 +1,4 @@
-#include "light/sky_chances.clh"
+#include "light/sky_importance.clh"
 #include "probe.clh"
 
 /* Stores pair number `pair` of a tile's samples. */
@@ -15,20 +15,20 @@ __kernel void probe_path_pairs(const AeroLaunch launch, const uint pair, __globa
 
 /* Stores the directions of the sky that two numbers choose, and their densities. */
 __kernel void probe_sky_directions(__global const AeroScene* scene,
-                                   __global const AeroSkyChances* chances, __global const float* us,
-                                   __global const float* vs, __global float* directions,
-                                   __global float* densities) {
+                                   __global const AeroSkyImportance* importance,
+                                   __global const float* us, __global const float* vs,
+                                   __global float* directions, __global float* densities) {
   NumberPair at;
   at.u = LOAD(us);
   at.v = LOAD(vs);
-  const Lane3 direction = sky_direction(scene, chances, &at);
+  const Lane3 direction = sample_sky_importance(scene, importance, &at);
   store3_planes(direction, directions);
-  STORE(sky_chance(scene, chances, direction), densities);
+  STORE(sky_importance_pdf(scene, importance, direction), densities);
 }
 
-/* Stores the densities of directions of the sky. */
+/* Stores the probability densities with which sample_sky_importance() chooses given directions. */
 __kernel void probe_sky_densities(__global const AeroScene* scene,
-                                  __global const AeroSkyChances* chances,
+                                  __global const AeroSkyImportance* importance,
                                   __global const float* directions, __global float* densities) {
-  STORE(sky_chance(scene, chances, load3(directions)), densities);
+  STORE(sky_importance_pdf(scene, importance, load3(directions)), densities);
 }

@@ -8,7 +8,7 @@
 #include <set>
 
 #include "camera.h"
-#include "pack/sky_chances.hpp"
+#include "pack/sky_importance.hpp"
 #include "shading_scene.hpp"
 
 namespace aerostat::test {
@@ -130,16 +130,16 @@ pack::PackedScene sky_with_a_sun(const vec3& sun) {
   return scene;
 }
 
-class SkyChances : public LaneTest {
+class SkyImportance : public LaneTest {
  protected:
   static constexpr std::size_t kSamples = 1u << 15;
   const Probe probe{"sobol.cl", GetParam()};
 };
 
-AEROSTAT_AT_EVERY_WIDTH(SkyChances);
+AEROSTAT_AT_EVERY_WIDTH(SkyImportance);
 
 /// The mean of 1 / density over choices within a cap is the solid angle of the cap.
-TEST_P(SkyChances, ChooseDirectionsByTheirDensities) {
+TEST_P(SkyImportance, ChooseDirectionsByTheirDensities) {
   std::mt19937 random(29);
   std::uniform_real_distribution<float> unit(0.0f, 1.0f);
   std::vector<float> us(kSamples), vs(kSamples);
@@ -149,10 +149,10 @@ TEST_P(SkyChances, ChooseDirectionsByTheirDensities) {
   }
   for (const vec3& sun : {vec3(0.3f, 0.25f, -0.8f), vec3(0.0f, 1.0f, 0.0f)}) {
     const pack::PackedScene scene = sky_with_a_sun(sun);
-    const AeroSkyChances chances = pack::sky_chances(scene.numbers, scene.sky_table);
+    const AeroSkyImportance importance = pack::sky_importance(scene.numbers, scene.sky_table);
     const auto directions = output<float>(3 * kSamples), densities = output<float>(kSamples);
     probe.run("probe_sky_directions", kSamples, uploaded(scene.numbers),
-              input(std::vector<AeroSkyChances>{chances}), input(us), input(vs), directions,
+              input(std::vector<AeroSkyImportance>{importance}), input(us), input(vs), directions,
               densities);
     const auto d = directions.read();
     const auto p = densities.read();
@@ -177,24 +177,25 @@ TEST_P(SkyChances, ChooseDirectionsByTheirDensities) {
 }
 
 /// Rays to the sky are traced under a bright sun in haze, and not under an even sky.
-TEST(SkyChancesOnTheHost, SayWhetherTheSkyIsSought) {
+TEST(SkyImportanceOnTheHost, SayWhetherTheSkyIsSought) {
   pack::PackedScene scene = sky_with_a_sun({0.3f, 0.25f, -0.8f});
-  EXPECT_EQ(pack::sky_chances(scene.numbers, scene.sky_table).sought, 1u);
+  EXPECT_EQ(pack::sky_importance(scene.numbers, scene.sky_table).sought, 1u);
   scene = with_even_sky(bare_scene(), vec3(0.02f));
-  EXPECT_EQ(pack::sky_chances(scene.numbers, scene.sky_table).sought, 0u);
+  EXPECT_EQ(pack::sky_importance(scene.numbers, scene.sky_table).sought, 0u);
 }
 
 /// The density is high where the sky is bright, and low below the horizon.
-TEST_P(SkyChances, FollowTheLightOfTheSky) {
+TEST_P(SkyImportance, FollowTheLightOfTheSky) {
   const vec3 sun = glm::normalize(vec3(0.3f, 0.25f, -0.8f));
   const pack::PackedScene scene = sky_with_a_sun(sun);
-  const AeroSkyChances chances = pack::sky_chances(scene.numbers, scene.sky_table);
+  const AeroSkyImportance importance = pack::sky_importance(scene.numbers, scene.sky_table);
   const std::size_t count = whole_packets(3);
   std::vector<vec3> directions{sun, {0, 1, 0}, {0, -1, 0}};
   directions.resize(count, {0, 1, 0});
   const auto densities = output<float>(count);
   probe.run("probe_sky_densities", count, uploaded(scene.numbers),
-            input(std::vector<AeroSkyChances>{chances}), input(planes(directions)), densities);
+            input(std::vector<AeroSkyImportance>{importance}), input(planes(directions)),
+            densities);
   const auto p = densities.read();
   EXPECT_GT(p[0], 10.0f * p[1]) << "towards the sun and up";
   EXPECT_GT(p[1], 4.0f * p[2]) << "up and down";

@@ -1,4 +1,4 @@
-#include "pack/sky_chances.hpp"
+#include "pack/sky_importance.hpp"
 
 #include <algorithm>
 #include <array>
@@ -127,35 +127,36 @@ Grid sizes_of(double horizon) {
   return sizes;
 }
 
-/// Makes the sum over a row of chances 1, and returns what it was.
+/// Makes the sum over a row of probabilities 1, and returns what it was.
 template <typename Row>
 double make_whole(Row& row) {
   double sum = 0.0;
-  for (const double chance : row) sum += chance;
-  for (double& chance : row) chance /= sum;
+  for (const double probability : row) sum += probability;
+  for (double& probability : row) probability /= sum;
   return sum;
 }
 
-/// Writes the sums of all chances before each one. All slots behind them become 1.
-template <typename Chances, std::size_t kSlots>
-void write_sums(const Chances& chances, float (&slots)[kSlots]) {
+/// Writes the sums of all probabilities before each one. All slots behind them become 1.
+template <typename Row, std::size_t kSlots>
+void write_sums(const Row& probabilities, float (&slots)[kSlots]) {
   std::fill(std::begin(slots), std::end(slots), 1.0f);
   double sum = 0.0;
-  for (std::size_t i = 0; i < chances.size(); ++i) {
+  for (std::size_t i = 0; i < probabilities.size(); ++i) {
     slots[i] = static_cast<float>(std::min(sum, 1.0));
-    sum += chances[i];
+    sum += probabilities[i];
   }
 }
 
-/// Returns the chances of all cells. Their sum is 1.
-Grid chances_of(const Sky& sky, const Grid& sizes, double even) {
-  Grid chances{};
+/// Returns the probabilities of all cells. Their sum is 1.
+Grid probabilities_of(const Sky& sky, const Grid& sizes, double even) {
+  Grid probabilities{};
   double light = 0.0;
   for (std::size_t i = 0; i < kStrips; ++i) {
     for (std::size_t j = 0; j < kColumns; ++j) {
       const double shown = static_cast<int>(i) < kAbove ? 1.0 : kBelow;
-      chances[i][j] = shown * light_of(sky, static_cast<int>(i), static_cast<int>(j)) * sizes[i][j];
-      light += chances[i][j];
+      probabilities[i][j] =
+          shown * light_of(sky, static_cast<int>(i), static_cast<int>(j)) * sizes[i][j];
+      light += probabilities[i][j];
     }
   }
   const double part = light > 0.0 ? even : 1.0;
@@ -164,14 +165,15 @@ Grid chances_of(const Sky& sky, const Grid& sizes, double even) {
   for (std::size_t i = 0; i < kStrips; ++i) {
     for (std::size_t j = 0; j < kColumns; ++j) {
       const double shown = static_cast<int>(i) < kAbove ? 1.0 : kBelow;
-      chances[i][j] = scale * chances[i][j] + part * shown * sizes[i][j] / (4.0 * std::numbers::pi);
-      whole += chances[i][j];
+      probabilities[i][j] =
+          scale * probabilities[i][j] + part * shown * sizes[i][j] / (4.0 * std::numbers::pi);
+      whole += probabilities[i][j];
     }
   }
-  for (auto& row : chances) {
-    for (double& chance : row) chance /= whole;
+  for (auto& row : probabilities) {
+    for (double& probability : row) probability /= whole;
   }
-  return chances;
+  return probabilities;
 }
 
 /// Returns the variance of the sky's light over directions that are chosen by the cosine with the
@@ -195,21 +197,21 @@ double unevenness_of(const Sky& sky, const Grid& sizes) {
 
 }  // namespace
 
-AeroSkyChances sky_chances(const AeroScene& numbers, std::span<const AeroSkyCell> table) {
+AeroSkyImportance sky_importance(const AeroScene& numbers, std::span<const AeroSkyCell> table) {
   const Sky sky(numbers, table);
   const Grid sizes = sizes_of(sky.horizon());
   const double even = numbers.sky.cumulus.extinction > 0.0f ? kEvenWithClouds : kEven;
-  Grid chances = chances_of(sky, sizes, even);
-  AeroSkyChances packed{};
+  Grid probabilities = probabilities_of(sky, sizes, even);
+  AeroSkyImportance packed{};
   std::array<double, kStrips> strips{};
   for (std::size_t i = 0; i < kStrips; ++i) {
     const auto row = static_cast<std::size_t>(first_row(static_cast<int>(i)));
     for (std::size_t j = 0; j < kColumns; ++j) {
       packed.densities[row * AERO_SKY_COLUMNS + j] =
-          static_cast<float>(chances[i][j] / sizes[i][j]);
+          static_cast<float>(probabilities[i][j] / sizes[i][j]);
     }
-    strips[i] = make_whole(chances[i]);
-    write_sums(chances[i], packed.cells[i]);
+    strips[i] = make_whole(probabilities[i]);
+    write_sums(probabilities[i], packed.cells[i]);
     packed.ends[i][0] = static_cast<float>(height_in(sky.horizon(), static_cast<int>(i), 0.0));
     packed.ends[i][1] = static_cast<float>(height_in(sky.horizon(), static_cast<int>(i), 1.0));
   }
