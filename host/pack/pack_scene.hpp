@@ -18,10 +18,10 @@ struct PackedScene {
   AeroScene numbers{};
   /// AERO_SKY_CELLS cells, as many more with an afterglow, and what AeroStars finds behind them.
   std::vector<AeroSkyCell> sky_table;
-  /// The probabilities by which paths look for light in the sky, if light goes along paths.
-  std::optional<AeroSkyImportance> sky_importance;
   /// The chart of clouds, or null if there is none.
   std::shared_ptr<const CloudChart> cloud_chart;
+  /// The probabilities by which paths look for light in the sky, if light goes along paths.
+  std::optional<AeroSkyImportance> sky_importance = {};
 };
 
 /// Packs a scene. Throws Error{bad_data} for more than AERO_MAX_POINT_LIGHTS point lights or
