@@ -1,0 +1,52 @@
+#include "elevation/open.hpp"
+
+#include <array>
+#include <cerrno>
+#include <cstring>
+#include <fstream>
+#include <span>
+#include <system_error>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "core/error.hpp"
+#include "elevation/format.hpp"
+
+namespace aerostat::elevation {
+namespace {
+
+/// The formats in the order in which they are tried. Those without a mark in their content come
+/// last.
+constexpr std::array<Format, 0> kFormats{};
+
+std::vector<std::uint8_t> head_of(const std::filesystem::path& path) {
+  std::error_code code;
+  if (std::filesystem::is_directory(path, code)) {
+    throw Error(ErrorKind::io,
+                fmt::format("{}: cannot read heights: it is a directory", path.string()));
+  }
+  errno = 0;
+  std::ifstream file(path, std::ios::binary);
+  if (!file) {
+    throw Error(ErrorKind::io, fmt::format("{}: cannot read heights: {}", path.string(),
+                                           std::strerror(errno != 0 ? errno : EIO)));
+  }
+  std::vector<std::uint8_t> head(4096);
+  file.read(reinterpret_cast<char*>(head.data()), static_cast<std::streamsize>(head.size()));
+  head.resize(static_cast<std::size_t>(file.gcount()));
+  return head;
+}
+
+}  // namespace
+
+std::unique_ptr<Raster> open(const std::filesystem::path& path, const OpenOptions& options) {
+  const std::vector<std::uint8_t> head = head_of(path);
+  for (const Format& format : kFormats) {
+    if (format.matches(head, path)) return format.open(path, options);
+  }
+  throw Error(ErrorKind::bad_data,
+              fmt::format("{}: this is no file of heights of a known format", path.string()));
+}
+
+}  // namespace aerostat::elevation
