@@ -34,6 +34,9 @@ CrsInfo crs_info(const std::string& crs);
 /// each thread makes its own.
 class Transform {
  public:
+  /// Throws Error{bad_data} as crs_info() does, or if PROJ knows no way between the system and
+  /// `middle`. Of several ways, it takes one for all points: the best one at `middle` whose grids
+  /// are installed.
   Transform(const std::string& crs, const Place& middle);
   ~Transform();
   Transform(Transform&&) noexcept;
@@ -44,7 +47,8 @@ class Transform {
   void to_local(std::span<dvec2> points) const;
 
   /// Turns points of the local frame into points of the system. Points that have no counterpart
-  /// become NaN.
+  /// become NaN. Longitudes are within 180 degrees of that of `middle`, so that they do not jump
+  /// where the Earth's longitudes begin again.
   void from_local(std::span<dvec2> points) const;
 
  private:
@@ -52,8 +56,8 @@ class Transform {
   std::unique_ptr<State> state_;
 };
 
-/// Returns the place of a point of a coordinate reference system. Throws Error{bad_data} if it has
-/// none.
+/// Returns the place of a point of a coordinate reference system. Its longitude is between -180 and
+/// 180 degrees. Throws Error{bad_data} if the point has no place.
 Place place_of(const std::string& crs, const dvec2& point);
 
 /// Returns the point of the local frame around `middle` that a place has, x to the east and y to

@@ -1,0 +1,59 @@
+#include <string>
+
+#include "geo/proj_objects.hpp"
+#include "geo/transform.hpp"
+
+namespace aerostat::geo {
+namespace {
+
+std::string name_of(const PJ* object) {
+  const char* name = object == nullptr ? nullptr : proj_get_name(object);
+  return name == nullptr ? "" : name;
+}
+
+/// Returns the system of which a bound one consists, apart from its shift of datum.
+ProjObject unbound(PJ_CONTEXT* context, ProjObject crs) {
+  while (crs && proj_get_type(crs.get()) == PJ_TYPE_BOUND_CRS) {
+    crs.reset(proj_get_source_crs(context, crs.get()));
+  }
+  return crs;
+}
+
+/// Returns the size of the unit of an axis in metres, or in radians for angles, or 0.
+double unit_of_axis(PJ_CONTEXT* context, const PJ* crs, int axis) {
+  const ProjObject system(proj_crs_get_coordinate_system(context, crs));
+  double unit = 0.0;
+  if (!system || proj_cs_get_axis_info(context, system.get(), axis, nullptr, nullptr, nullptr,
+                                       &unit, nullptr, nullptr, nullptr) == 0) {
+    return 0.0;
+  }
+  return unit;
+}
+
+}  // namespace
+
+CrsInfo crs_info(const std::string& crs) {
+  const ProjContext context;
+  const ProjObject whole = context.crs(crs);
+  const ProjObject plane = unbound(context.get(), context.horizontal(whole, crs));
+  CrsInfo info;
+  info.name = name_of(plane.get());
+  info.geographic = proj_get_type(plane.get()) != PJ_TYPE_PROJECTED_CRS;
+  if (!info.geographic) info.metres_per_unit = unit_of_axis(context.get(), plane.get(), 0);
+  if (!(info.metres_per_unit > 0.0)) info.metres_per_unit = 1.0;
+  const ProjObject body =
+      unbound(context.get(), ProjObject(proj_clone(context.get(), whole.get())));
+  const PJ_TYPE type = proj_get_type(body.get());
+  if (type == PJ_TYPE_COMPOUND_CRS) {
+    const ProjObject heights =
+        unbound(context.get(), ProjObject(proj_crs_get_sub_crs(context.get(), body.get(), 1)));
+    info.vertical_name = name_of(heights.get());
+    info.vertical_metres_per_unit = unit_of_axis(context.get(), heights.get(), 0);
+  } else if (const double unit = unit_of_axis(context.get(), body.get(), 2); unit > 0.0) {
+    info.vertical_name = "ellipsoidal height of " + info.name;
+    info.vertical_metres_per_unit = unit;
+  }
+  return info;
+}
+
+}  // namespace aerostat::geo
