@@ -11,20 +11,30 @@
 #include <fmt/format.h>
 
 #include "core/error.hpp"
+#include "elevation/asc.hpp"
+#include "elevation/bytes.hpp"
 #include "elevation/format.hpp"
+#include "elevation/hgt.hpp"
 
 namespace aerostat::elevation {
 namespace {
 
 /// The formats in the order in which they are tried. Those without a mark in their content come
 /// last.
-constexpr std::array<Format, 0> kFormats{};
+const std::array kFormats{
+    &kAscFormat,
+    &kHgtFormat,
+};
 
 std::vector<std::uint8_t> head_of(const std::filesystem::path& path) {
   std::error_code code;
   if (std::filesystem::is_directory(path, code)) {
     throw Error(ErrorKind::io,
                 fmt::format("{}: cannot read heights: it is a directory", path.string()));
+  }
+  if (std::filesystem::exists(path, code) && !std::filesystem::is_regular_file(path, code)) {
+    throw Error(ErrorKind::io,
+                fmt::format("{}: cannot read heights: it is not a regular file", path.string()));
   }
   errno = 0;
   std::ifstream file(path, std::ios::binary);
@@ -42,8 +52,8 @@ std::vector<std::uint8_t> head_of(const std::filesystem::path& path) {
 
 std::unique_ptr<Raster> open(const std::filesystem::path& path, const OpenOptions& options) {
   const std::vector<std::uint8_t> head = head_of(path);
-  for (const Format& format : kFormats) {
-    if (format.matches(head, path)) return format.open(path, options);
+  for (const Format* format : kFormats) {
+    if (format->matches(head, path)) return format->open(path, options);
   }
   throw Error(ErrorKind::bad_data,
               fmt::format("{}: this is no file of heights of a known format", path.string()));
