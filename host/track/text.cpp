@@ -182,6 +182,15 @@ std::string clock_text(double time_s) {
   return fmt::format("{:02}:{:02}:{:02}", seconds / 3600, seconds / 60 % 60, seconds % 60);
 }
 
+std::string duration_text(double seconds) {
+  const double whole = std::round(seconds);
+  if (!(whole < 1e9)) return "a very long time";
+  const int time_s = static_cast<int>(whole);
+  if (time_s < 60) return fmt::format("{} s", time_s);
+  if (time_s < 3600) return fmt::format("{} min {} s", time_s / 60, time_s % 60);
+  return fmt::format("{} h {} min", time_s / 3600, time_s / 60 % 60);
+}
+
 bool is_utf8(std::string_view text) {
   while (!text.empty()) {
     const std::size_t length = utf8_length(text);

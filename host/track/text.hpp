@@ -37,6 +37,9 @@ std::string utc_text(double time_s);
 /// Returns a time of day as "07:45:10".
 std::string clock_text(double time_s);
 
+/// Returns a duration such as "42 s", "5 min 3 s" or "1 h 15 min".
+std::string duration_text(double seconds);
+
 /// Returns whether the text is UTF-8.
 bool is_utf8(std::string_view text);
 

@@ -42,6 +42,8 @@ struct Track {
   Clock clock = Clock::none;
   HeightReference reference = HeightReference::unknown;
   std::vector<std::string> notes;  // sentences on what was guessed, left out or mended
+  double cut_start_s = 0.0;        // how long the logger stood before the first fix, see clean
+  double cut_end_s = 0.0;          // and after the last one
 
   std::size_t fix_count() const;
 };
