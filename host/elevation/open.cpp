@@ -14,7 +14,9 @@
 #include "elevation/asc.hpp"
 #include "elevation/bytes.hpp"
 #include "elevation/format.hpp"
+#include "elevation/geotiff.hpp"
 #include "elevation/hgt.hpp"
+#include "elevation/plausible.hpp"
 
 namespace aerostat::elevation {
 namespace {
@@ -22,6 +24,7 @@ namespace {
 /// The formats in the order in which they are tried. Those without a mark in their content come
 /// last.
 const std::array kFormats{
+    &kGeoTiffFormat,
     &kAscFormat,
     &kHgtFormat,
 };
@@ -53,7 +56,10 @@ std::vector<std::uint8_t> head_of(const std::filesystem::path& path) {
 std::unique_ptr<Raster> open(const std::filesystem::path& path, const OpenOptions& options) {
   const std::vector<std::uint8_t> head = head_of(path);
   for (const Format* format : kFormats) {
-    if (format->matches(head, path)) return format->open(path, options);
+    if (!format->matches(head, path)) continue;
+    std::unique_ptr<Raster> raster = format->open(path, options);
+    require_plausible_place(raster->info(), !options.crs.empty());
+    return raster;
   }
   throw Error(ErrorKind::bad_data,
               fmt::format("{}: this is no file of heights of a known format", path.string()));

@@ -102,7 +102,7 @@ SideFiles side_files_of(const std::filesystem::path& path) {
   SideFiles files;
   files.prj = text_beside(path, ".prj");
   files.hdr = text_beside(path, ".hdr");
-  for (const char* ending : {".pgw", ".pngw", ".wld", ".blw", ".bpw"}) {
+  for (const char* ending : {".tfw", ".tifw", ".tiffw", ".pgw", ".pngw", ".wld", ".blw", ".bpw"}) {
     if (!files.world) files.world = world_of(text_beside(path, ending));
   }
   return files;

@@ -1,5 +1,11 @@
+#include <cstddef>
+#include <map>
+#include <mutex>
 #include <string>
 
+#include <fmt/format.h>
+
+#include "core/error.hpp"
 #include "geo/proj_objects.hpp"
 #include "geo/transform.hpp"
 
@@ -30,9 +36,7 @@ double unit_of_axis(PJ_CONTEXT* context, const PJ* crs, int axis) {
   return unit;
 }
 
-}  // namespace
-
-CrsInfo crs_info(const std::string& crs) {
+CrsInfo look_up(const std::string& crs) {
   const ProjContext context;
   const ProjObject whole = context.crs(crs);
   const ProjObject plane = unbound(context.get(), context.horizontal(whole, crs));
@@ -54,6 +58,39 @@ CrsInfo crs_info(const std::string& crs) {
     info.vertical_metres_per_unit = unit;
   }
   return info;
+}
+
+}  // namespace
+
+CrsInfo crs_info(const std::string& crs) {
+  // Rasters of one scene share a few systems, and each look-up opens the database of PROJ.
+  constexpr std::size_t kMostKept = 64;
+  static std::mutex mutex;
+  static std::map<std::string, CrsInfo> kept;
+  {
+    const std::lock_guard lock(mutex);
+    if (const auto at = kept.find(crs); at != kept.end()) return at->second;
+  }
+  CrsInfo info = look_up(crs);
+  const std::lock_guard lock(mutex);
+  if (kept.size() >= kMostKept) kept.clear();
+  kept[crs] = info;
+  return info;
+}
+
+std::string geographic_wkt(const std::string& crs) {
+  const ProjContext context;
+  const ProjObject whole = context.crs(crs);
+  const ProjObject plane = context.horizontal(whole, crs);
+  const char* const wkt = crs_info(crs).geographic
+                              ? proj_as_wkt(context.get(), plane.get(), PJ_WKT1_GDAL, nullptr)
+                              : nullptr;
+  if (wkt == nullptr) {
+    throw Error(
+        ErrorKind::bad_data,
+        fmt::format("the coordinate reference system \"{}\" is not geographic", shortened(crs)));
+  }
+  return wkt;
 }
 
 }  // namespace aerostat::geo

@@ -26,6 +26,10 @@ struct CrsInfo {
 /// files and URLs are refused.
 CrsInfo crs_info(const std::string& crs);
 
+/// Returns the WKT 1 of a geographic system, as other WKT can contain it. Throws Error{bad_data} as
+/// crs_info() does, or if `crs` is not geographic.
+std::string geographic_wkt(const std::string& crs);
+
 /// Transforms coordinates between a coordinate reference system and the local frame of a scene. The
 /// local frame is a transverse Mercator projection on WGS 84 that is true to scale at `middle`:
 /// x is metres to the east and y is metres to the south. Horizontal coordinates of any system come

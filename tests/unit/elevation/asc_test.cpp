@@ -117,6 +117,8 @@ TEST(Asc, AMissingSystemIsSaidAndAPrjBesideGivesIt) {
   folder.write("b.prj", "Projection    UTM\nDatum NAD27\nZone  10\nUnits METERS\nParameters\n");
   EXPECT_EQ(open(path)->info().georeference->crs, "EPSG:26710");
   folder.write("b.prj", "Projection GEOGRAPHIC\nDatum WGS84\nUnits DD\n");
+  EXPECT_TRUE(says(refusal_of([&] { open(path); }), "look like metres"));
+  folder.write("b.asc", header("xllcorner 9\nyllcorner 47\ncellsize 0.001\n") + kBody);
   EXPECT_EQ(open(path)->info().georeference->crs, "EPSG:4326");
   folder.write("b.prj", "hello");
   EXPECT_TRUE(has_note(*open(path), "left aside"));
