@@ -14,6 +14,7 @@
 
 #include <fmt/format.h>
 
+#include "elevation/images.hpp"
 #include "elevation/reading.hpp"
 #include "elevation/words.hpp"
 
@@ -136,12 +137,8 @@ void set_place(RasterInfo& info, const Header& header, const SideFiles& beside,
       dvec2(first_centre(header, "xllcorner", "xllcenter", dx, path),
             first_centre(header, "yllcorner", "yllcenter", dy, path) + dy * (info.height - 1));
   place.crs = options.crs.empty() ? crs_of_prj(beside.prj, info.notes) : options.crs;
-  if (place.crs.empty()) {
-    info.notes.push_back(
-        "The file does not say its coordinate reference system, and no .prj file beside it does. "
-        "/terrain/crs names it.");
-  }
   info.georeference = place;
+  say_if_without_crs(info);
 }
 
 /// The heights of a file and what was seen while they were read.

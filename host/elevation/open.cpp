@@ -12,22 +12,26 @@
 
 #include "core/error.hpp"
 #include "elevation/asc.hpp"
+#include "elevation/bil.hpp"
 #include "elevation/bytes.hpp"
+#include "elevation/dted.hpp"
+#include "elevation/exr.hpp"
 #include "elevation/format.hpp"
 #include "elevation/geotiff.hpp"
 #include "elevation/hgt.hpp"
 #include "elevation/plausible.hpp"
+#include "elevation/png.hpp"
+#include "elevation/raw.hpp"
+#include "elevation/usgs_dem.hpp"
 
 namespace aerostat::elevation {
 namespace {
 
 /// The formats in the order in which they are tried. Those without a mark in their content come
 /// last.
-const std::array kFormats{
-    &kGeoTiffFormat,
-    &kAscFormat,
-    &kHgtFormat,
-};
+const std::array kFormats{&kGeoTiffFormat, &kAscFormat,          &kDtedFormat, &kUsgsDemFormat,
+                          &kPngFormat,     &kLossyPictureFormat, &kExrFormat,  &kBilFormat,
+                          &kRawFormat,     &kHgtFormat};
 
 std::vector<std::uint8_t> head_of(const std::filesystem::path& path) {
   std::error_code code;

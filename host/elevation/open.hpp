@@ -6,6 +6,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "elevation/raster.hpp"
 
@@ -42,5 +43,11 @@ inline constexpr std::uint64_t kMostSamplesInMemory = std::uint64_t{1} << 28;
 /// any mark, which its name decides. Throws Error{io} if the file cannot be read, and
 /// Error{bad_data} with the file's name, what was found and which option helps.
 std::unique_ptr<Raster> open(const std::filesystem::path& path, const OpenOptions& options = {});
+
+/// Returns the files of a folder whose names end as files of heights do, sorted by name. Only
+/// regular files count, and folders in it are left aside. Images count only if there is nothing
+/// else, because they may be previews. Throws Error{io} if the folder cannot be read, and
+/// Error{bad_data} if it has none or more than 4096.
+std::vector<std::filesystem::path> elevation_files_in(const std::filesystem::path& folder);
 
 }  // namespace aerostat::elevation
