@@ -51,8 +51,9 @@ std::string known_code(int code) {
 
 std::string horizontal_crs(const GeoKeys& keys, std::vector<std::string>& notes) {
   const int projected = keys.code(kProjectedType), geographic = keys.code(kGeographicType);
+  const int model = keys.code(kModelType);
   const bool is_geographic =
-      keys.code(kModelType) == 2 || (projected == 0 && keys.code(kMethod) == 0 && geographic != 0);
+      model == 2 || (model == 0 && projected == 0 && keys.code(kMethod) == 0 && geographic != 0);
   const int code = is_geographic ? geographic : projected;
   std::string crs = known_code(code);
   if (!crs.empty()) return crs;

@@ -35,6 +35,9 @@ constexpr const char* kScale = "scale_factor";
 constexpr std::array kMethods{
     Method{1, "Transverse_Mercator", kLatitude0, kMeridian, kScale, 0, false},
     Method{3, "Hotine_Oblique_Mercator", kLatitudeC, kLongitudeC, kScale, 0, true},
+    Method{5, "Hotine_Oblique_Mercator_Azimuth_Center", kLatitudeC, kLongitudeC, kScale, 0, true},
+    Method{9815, "Hotine_Oblique_Mercator_Azimuth_Center", kLatitudeC, kLongitudeC, kScale, 0,
+           true},
     Method{7, "Mercator_1SP", kLatitude0, kMeridian, kScale, 0, false},
     Method{8, "Lambert_Conformal_Conic_2SP", kLatitude0, kMeridian, nullptr, 2, false},
     Method{9, "Lambert_Conformal_Conic_1SP", kLatitude0, kMeridian, kScale, 0, false},
@@ -183,7 +186,7 @@ std::string parameters_of(const Method& method, const GeoKeys& keys, double degr
   }
   if (method.longitude) text += parameter(method.longitude, angle({3080, 3084, 3088, 3095}, 0.0));
   if (method.azimuth) {
-    text += parameter("azimuth", angle({kAzimuth}, 0.0));
+    text += parameter("azimuth", angle({kAzimuth}, 90.0));
     text += parameter("rectified_grid_angle", angle({kRectifiedAngle}, 90.0));
   }
   if (method.scale) text += parameter(method.scale, keys.number({3092, 3093}).value_or(1.0));

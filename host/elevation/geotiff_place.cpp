@@ -79,9 +79,15 @@ void set_crs(const GeoKeyCrs& keys, const SideFiles& beside, const OpenOptions& 
   info.notes.insert(info.notes.end(), keys.notes.begin(), keys.notes.end());
   if (!place.crs.empty()) return;
   place.crs = crs_of_prj(beside.prj, info.notes);
+  const char* source = ".prj";
+  if (place.crs.empty()) {
+    place.crs = beside.aux_wkt;
+    source = ".aux.xml";
+  }
   if (place.crs.empty()) return;
-  info.notes.push_back(fmt::format("The coordinate reference system, {}, is from the .prj file.",
-                                   geo::crs_info(place.crs).name));
+  info.notes.push_back(
+      fmt::format("The coordinate reference system, {}, is from the {} file beside it.",
+                  geo::crs_info(place.crs).name, source));
 }
 
 }  // namespace

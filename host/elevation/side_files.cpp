@@ -18,6 +18,19 @@ namespace {
 
 constexpr std::uint64_t kMostBytes = 65536;
 
+/// Returns the text of a small regular file, or an empty text.
+std::string text_of(const std::filesystem::path& path) {
+  std::error_code code;
+  if (!std::filesystem::is_regular_file(path, code)) return "";
+  if (std::filesystem::file_size(path, code) > kMostBytes || code) return "";
+  try {
+    const std::vector<std::uint8_t> bytes = read_whole(path, kMostBytes);
+    return std::string(bytes.begin(), bytes.end());
+  } catch (const Error&) {
+    return "";
+  }
+}
+
 std::string text_beside(std::filesystem::path path, const std::string& ending) {
   for (const bool upper : {false, true}) {
     std::string name = ending;
@@ -27,15 +40,7 @@ std::string text_beside(std::filesystem::path path, const std::string& ending) {
       }
     }
     path.replace_extension(name);
-    std::error_code code;
-    if (!std::filesystem::is_regular_file(path, code)) continue;
-    if (std::filesystem::file_size(path, code) > kMostBytes || code) continue;
-    try {
-      const std::vector<std::uint8_t> bytes = read_whole(path, kMostBytes);
-      return std::string(bytes.begin(), bytes.end());
-    } catch (const Error&) {
-      continue;
-    }
+    if (std::string text = text_of(path); !text.empty()) return text;
   }
   return "";
 }
@@ -50,6 +55,22 @@ bool is_wkt(const std::string& text) {
     if (head.starts_with(word)) return true;
   }
   return false;
+}
+
+/// Returns the WKT in the file that GDAL writes beside a raster, or an empty text. Whatever else
+/// such a file says is left aside.
+std::string wkt_of_aux_xml(const std::string& xml) {
+  const std::size_t tag = xml.find("<SRS");
+  const std::size_t start = tag == std::string::npos ? tag : xml.find('>', tag);
+  const std::size_t end = start == std::string::npos ? start : xml.find("</SRS>", start);
+  if (end == std::string::npos) return "";
+  std::string wkt;
+  for (std::size_t at = start + 1; at < end;) {
+    const bool is_quote = xml.compare(at, 6, "&quot;") == 0;
+    wkt += is_quote ? '"' : xml[at];
+    at += is_quote ? 6 : 1;
+  }
+  return is_wkt(wkt) ? wkt : "";
 }
 
 /// Returns the code of the datum in an old .prj, as the number of its degrees and the number from
@@ -102,6 +123,8 @@ SideFiles side_files_of(const std::filesystem::path& path) {
   SideFiles files;
   files.prj = text_beside(path, ".prj");
   files.hdr = text_beside(path, ".hdr");
+  std::filesystem::path aux = path;
+  files.aux_wkt = wkt_of_aux_xml(text_of(aux += ".aux.xml"));
   for (const char* ending : {".tfw", ".tifw", ".tiffw", ".pgw", ".pngw", ".wld", ".blw", ".bpw"}) {
     if (!files.world) files.world = world_of(text_beside(path, ending));
   }

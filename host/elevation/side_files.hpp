@@ -12,6 +12,7 @@ namespace aerostat::elevation {
 struct SideFiles {
   std::string prj;                             // of .prj; empty if there is none
   std::string hdr;                             // of .hdr
+  std::string aux_wkt;                         // the system that .aux.xml names; empty if none
   std::optional<std::array<double, 6>> world;  // of a world file, in its order A, D, B, E, C, F
 };
 

@@ -131,6 +131,16 @@ const std::vector<ProjectionRow> kProjections = {
       {3083, 463000.0}},
      "EPSG:28992",
      {51.0, 5.9}},
+    {"oblique Mercator",
+     {{1024, 1}, {3072, 32767}, {2048, 4326}, {3075, 9815}},
+     {{3088, 9.0}, {3089, 46.0}, {3093, 1.0}, {3094, 30.0}, {3096, 30.0}},
+     "+proj=omerc +lat_0=46 +lonc=9 +alpha=30 +gamma=30 +k=1 +datum=WGS84",
+     {46.8, 9.9}},
+    {"oblique of Switzerland",
+     {{1024, 1}, {3072, 32767}, {2048, 4149}, {3075, 5}},
+     {{3088, 7.43958333333333}, {3089, 46.9524055555556}, {3082, 600000.0}, {3083, 200000.0}},
+     "EPSG:21781",
+     {46.8, 9.9}},
     {"datum by its code",
      {{1024, 1}, {3072, 32767}, {2048, 32767}, {2050, 6267}, {3074, 16010}},
      {},
@@ -178,6 +188,7 @@ TEST(GeoKeys, HoldWktInCitations) {
       R"(PARAMETER["Scale_Factor",0.9996],UNIT["Meter",1.0]])";
   const GeoKeyCrs crs = crs_of(keys_of({{1024, 1}, {3072, 32767}}, {}, "ESRI PE String = " + wkt));
   EXPECT_EQ(crs.crs, wkt);
+  EXPECT_EQ(crs_of(keys_of({{1024, 32767}, {2048, 4326}}, {}, "ESRI PE String = " + wkt)).crs, wkt);
   // A citation leads to no file.
   for (const char* text : {"ESRI PE String = /etc/passwd", "ESRI PE String = http://example.org",
                            "ESRI PE String ="}) {

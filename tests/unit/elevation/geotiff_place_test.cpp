@@ -107,6 +107,17 @@ TEST(GeoTiffPlace, IsTakenFromFilesBesideOnlyIfTheFileLacksIt) {
   const auto bare = through_file(folder, page);
   EXPECT_TRUE(geo::crs_info(bare->info().georeference->crs).geographic);
   EXPECT_TRUE(has_note(*bare, ".prj"));
+  std::filesystem::remove(folder.path() / "a.prj");
+  folder.write("a.tif.aux.xml",
+               "<PAMDataset><SRS dataAxisToSRSAxisMapping=\"2,1\">GEOGCS[&quot;NAD27&quot;,DATUM["
+               "&quot;North_American_Datum_1927&quot;,SPHEROID[&quot;Clarke 1866&quot;,6378206.4,"
+               "294.9786982]],PRIMEM[&quot;Greenwich&quot;,0],UNIT[&quot;degree&quot;,"
+               "0.0174532925199433]]</SRS><PAMRasterBand band=\"1\"><NoDataValue>5</NoDataValue>"
+               "<Scale>2</Scale></PAMRasterBand></PAMDataset>");
+  const auto named = through_file(folder, page);
+  EXPECT_EQ(geo::crs_info(named->info().georeference->crs).name, "NAD27");
+  EXPECT_TRUE(has_note(*named, ".aux.xml"));
+  EXPECT_EQ(height_at(*named, 1, 1), 5.0f);
 }
 
 TEST(GeoTiffPlace, LeavesAMissingSystemToTheCaller) {
