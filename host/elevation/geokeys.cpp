@@ -86,6 +86,7 @@ void set_vertical(const GeoKeys& keys, GeoKeyCrs& result) {
     }
   }
   if (result.vertical_datum.empty()) result.vertical_datum = keys.text(kVerticalCitation);
+  if (result.vertical_datum == "unknown") result.vertical_datum.clear();
   if (const double metres = metres_of_unit_code(keys.code(kVerticalUnits)); metres > 0.0) {
     result.metres_per_unit = metres;
   }

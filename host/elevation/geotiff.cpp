@@ -224,7 +224,7 @@ bool is_tiff(std::span<const std::uint8_t> head, const std::filesystem::path&) {
 
 std::unique_ptr<Raster> open_geotiff(const std::filesystem::path& path,
                                      const OpenOptions& options) {
-  return open_geotiff_for(path, path, options);
+  return open_geotiff_for(path, {path, "GeoTIFF", false, {}}, options);
 }
 
 }  // namespace
@@ -232,12 +232,15 @@ std::unique_ptr<Raster> open_geotiff(const std::filesystem::path& path,
 const Format kGeoTiffFormat{"GeoTIFF", is_tiff, open_geotiff};
 
 std::unique_ptr<Raster> open_geotiff_for(const std::filesystem::path& path,
-                                         const std::filesystem::path& shown,
+                                         const ConvertedFile& original,
                                          const OpenOptions& options) {
-  const auto file = std::make_shared<const OpenFile>(path, shown);
+  const auto file = std::make_shared<const OpenFile>(path, original.path);
   TiffHandle handle(file);
   const TiffPages pages = pages_of(handle);
   GeoTiffInfo about = geotiff_info(handle, pages, options);
+  about.info.format = original.format;
+  about.info.notes.insert(about.info.notes.begin(), original.notes.begin(), original.notes.end());
+  if (original.is_depth) about.rule.metres_per_unit = -about.rule.metres_per_unit;
   return std::make_unique<GeoTiffRaster>(file, pages, std::move(about));
 }
 

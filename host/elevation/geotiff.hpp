@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "elevation/format.hpp"
 
@@ -11,9 +12,16 @@ namespace aerostat::elevation {
 
 extern const Format kGeoTiffFormat;
 
-/// Opens a GeoTIFF file that stands for another one, which messages shall name.
+/// A file of another format that was converted to GeoTIFF.
+struct ConvertedFile {
+  std::filesystem::path path;  // of the original, for messages
+  std::string format;
+  bool is_depth = false;           // values count downwards
+  std::vector<std::string> notes;  // on the conversion
+};
+
+/// Opens a GeoTIFF file that stands for another one.
 std::unique_ptr<Raster> open_geotiff_for(const std::filesystem::path& path,
-                                         const std::filesystem::path& shown,
-                                         const OpenOptions& options);
+                                         const ConvertedFile& original, const OpenOptions& options);
 
 }  // namespace aerostat::elevation

@@ -17,6 +17,7 @@
 #include "elevation/dted.hpp"
 #include "elevation/exr.hpp"
 #include "elevation/format.hpp"
+#include "elevation/gdal_program.hpp"
 #include "elevation/geotiff.hpp"
 #include "elevation/hgt.hpp"
 #include "elevation/plausible.hpp"
@@ -30,8 +31,8 @@ namespace {
 /// The formats in the order in which they are tried. Those without a mark in their content come
 /// last.
 const std::array kFormats{&kGeoTiffFormat, &kAscFormat,          &kDtedFormat, &kUsgsDemFormat,
-                          &kPngFormat,     &kLossyPictureFormat, &kExrFormat,  &kBilFormat,
-                          &kRawFormat,     &kHgtFormat};
+                          &kPngFormat,     &kLossyPictureFormat, &kExrFormat,  &kGdalFormat,
+                          &kBilFormat,     &kRawFormat,          &kHgtFormat};
 
 std::vector<std::uint8_t> head_of(const std::filesystem::path& path) {
   std::error_code code;

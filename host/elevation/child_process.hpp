@@ -1,0 +1,46 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace aerostat::elevation {
+
+/// What a program that is run for us may use.
+struct ChildLimits {
+  std::uint64_t memory_bytes = std::uint64_t{4} << 30;
+  std::uint64_t file_bytes = std::uint64_t{4} << 30;  // of each file that it writes
+  int processor_s = 120;
+  int waiting_s = 300;
+};
+
+/// How a program ended.
+struct ChildResult {
+  int status = 0;  // its exit code, or 128 and the number of the signal that ended it
+  bool took_too_long = false;
+  std::string output;  // of both streams, at most 1 MiB
+};
+
+/// Runs a program and waits for it. `command` is its absolute path and its arguments; no shell
+/// looks at them. It gets nothing but `environment` ("NAME=value"), an empty input, and no open
+/// file of this process. Throws Error{io} if it cannot be started.
+ChildResult run_limited(const std::vector<std::string>& command,
+                        const std::vector<std::string>& environment, const ChildLimits& limits);
+
+/// A new folder that only this user can read. It is removed with all that is in it.
+class PrivateFolder {
+ public:
+  /// Throws Error{io} if it cannot be made.
+  PrivateFolder();
+  ~PrivateFolder();
+  PrivateFolder(const PrivateFolder&) = delete;
+  PrivateFolder& operator=(const PrivateFolder&) = delete;
+
+  const std::filesystem::path& path() const { return path_; }
+
+ private:
+  std::filesystem::path path_;
+};
+
+}  // namespace aerostat::elevation
