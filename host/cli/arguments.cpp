@@ -239,8 +239,10 @@ class Arguments {
   }
 
   void add_check() {
-    add_scene(add("check", "Validate a scene", kCheckFooter, [this] { return check(check_); }),
-              check_);
+    CLI::App* sub = add("check", "Validate a scene, or report on a flight track", kCheckFooter,
+                        [this] { return check(check_); });
+    add_scene(sub, check_.input);
+    sub->add_flag("--json", check_.json, "Print the report on a track as JSON");
   }
 
   void add_dump() {
@@ -281,7 +283,7 @@ class Arguments {
   ContactSheetOptions sheet_;
   ScenesOptions scenes_;
   DevicesOptions devices_;
-  SceneOptions check_;
+  CheckOptions check_;
   DumpOptions dump_;
   ExportOptions export_;
 };

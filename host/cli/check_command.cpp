@@ -4,13 +4,40 @@
 
 #include "cli/commands.hpp"
 #include "cli/scene_input.hpp"
+#include "cli/track_report.hpp"
+#include "core/error.hpp"
+#include "track/read.hpp"
 
 namespace aerostat::cli {
 
-int check(const SceneOptions& options) {
+namespace {
+
+int check_track(const CheckOptions& options) {
+  if (!options.input.overrides.empty()) {
+    throw Error(ErrorKind::usage, fmt::format("--set: '{}' is a track, which has no values to set; "
+                                              "expected a scene",
+                                              options.input.scene.string()));
+  }
+  const std::string name = options.input.scene.string();
+  const track::Cleaned cleaned = track::clean(track::read_file(options.input.scene));
+  const track::Flight flight = track::fit_heights(cleaned.track, {});
+  write_stdout(options.json ? track_json(name, cleaned, flight)
+                            : track_text(name, cleaned, flight));
+  return 0;
+}
+
+}  // namespace
+
+int check(const CheckOptions& options) {
+  if (is_track(options.input.scene)) return check_track(options);
+  if (options.json) {
+    throw Error(ErrorKind::usage,
+                fmt::format("--json: '{}' is no track; only tracks have a report in JSON",
+                            name_of_scene(options.input)));
+  }
   world::ReliefCache reliefs;
-  load_scene(options, reliefs);
-  fmt::print(stderr, "{}: ok\n", name_of_scene(options));
+  load_scene(options.input, reliefs);
+  fmt::print(stderr, "{}: ok\n", name_of_scene(options.input));
   return 0;
 }
 

@@ -14,7 +14,7 @@ int render(const RenderOptions& options);
 int contact_sheet(const ContactSheetOptions& options);
 int scenes(const ScenesOptions& options);
 int devices(const DevicesOptions& options);
-int check(const SceneOptions& options);
+int check(const CheckOptions& options);
 int dump(const DumpOptions& options);
 int export_world(const ExportOptions& options);
 

@@ -56,8 +56,10 @@ inline constexpr const char* kDevicesFooter = R"(Examples:
 inline constexpr const char* kCheckFooter = R"(Examples:
   aerostat check scenes/snow.json
   aerostat check my.json --set /image/width=800
+  aerostat check flight.igc
+  aerostat check flight.gpx --json
 
-Prints to stderr that the scene is right, or a line for each of its faults.)";
+Prints to stderr that the scene is right, or a line for each of its faults. Of a track (IGC, GPX or KML, told by its content) it prints fixes, take-off, landing, heights, gaps and what was mended.)";
 
 inline constexpr const char* kDumpFooter = R"(Examples:
   aerostat dump scenes/snow.json

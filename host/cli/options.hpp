@@ -60,6 +60,11 @@ struct DevicesOptions {
   bool json = false;
 };
 
+struct CheckOptions {
+  SceneOptions input;  // or a track instead of a scene
+  bool json = false;
+};
+
 struct DumpOptions {
   SceneOptions input;
   bool view = false;

@@ -75,6 +75,11 @@ RawTrack chosen_track(RawFile& file, const ReadOptions& options) {
   return std::move(tracks[best]);
 }
 
+void drop_empty_segments(std::vector<Segment>& segments) {
+  const auto is_empty = [](const Segment& segment) { return segment.empty(); };
+  segments.erase(std::remove_if(segments.begin(), segments.end(), is_empty), segments.end());
+}
+
 RawFile read_raw(Format format, std::string_view bytes) {
   switch (format) {
     case Format::gpx:
@@ -101,6 +106,7 @@ Track read_any(std::string_view bytes, const ReadOptions& options) {
   }
   RawFile file = read_raw(*format, bytes);
   RawTrack raw = chosen_track(file, options);
+  drop_empty_segments(raw.segments);
   Track track{*format,   raw.name,      std::move(raw.segments),
               raw.clock, raw.reference, std::move(file.notes)};
   track.notes.insert(track.notes.end(), raw.notes.begin(), raw.notes.end());

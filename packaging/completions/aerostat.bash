@@ -10,7 +10,7 @@ _aerostat_options() {
     contact-sheet) echo "$scene $device --seeds --output --columns --tile-width --quality" ;;
     scenes) echo "$common --folder" ;;
     devices) echo "$common --json" ;;
-    check) echo "$scene" ;;
+    check) echo "$scene --json" ;;
     dump) echo "$scene --view" ;;
     export) echo "$scene --output --format --plants --most-triangles" ;;
     *) echo "$common --version" ;;

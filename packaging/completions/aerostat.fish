@@ -17,7 +17,7 @@ complete -c aerostat -n __fish_use_subcommand -a render -d 'Render a scene to a 
 complete -c aerostat -n __fish_use_subcommand -a contact-sheet -d 'Render many terrain seeds onto one sheet'
 complete -c aerostat -n __fish_use_subcommand -a scenes -d 'List the scenes that came with aerostat'
 complete -c aerostat -n __fish_use_subcommand -a devices -d 'List OpenCL platforms and devices'
-complete -c aerostat -n __fish_use_subcommand -a check -d 'Validate a scene'
+complete -c aerostat -n __fish_use_subcommand -a check -d 'Validate a scene, or report on a flight track'
 complete -c aerostat -n __fish_use_subcommand -a dump -d 'Print the scene with every default filled in'
 complete -c aerostat -n __fish_use_subcommand -a export -d 'Write the triangles of the world to a file'
 
@@ -51,6 +51,7 @@ complete -c aerostat -n '__fish_seen_subcommand_from contact-sheet' -x -l tile-w
 
 complete -c aerostat -n '__fish_seen_subcommand_from scenes' -l folder -d 'Print only the folder of the scenes'
 complete -c aerostat -n '__fish_seen_subcommand_from devices' -l json -d 'Print JSON'
+complete -c aerostat -n '__fish_seen_subcommand_from check' -l json -d 'Print the report on a track as JSON'
 complete -c aerostat -n '__fish_seen_subcommand_from dump' -l view -d 'Print what another renderer needs beside triangles'
 complete -c aerostat -n '__fish_seen_subcommand_from export' -x -l plants -a 'none seen all' -d 'Plants to write'
 complete -c aerostat -n '__fish_seen_subcommand_from export' -x -l most-triangles -d 'Write nothing if there are more triangles'

@@ -148,6 +148,12 @@ TEST(Gpx, KeepsSegmentsApartAndInOrderOfTime) {
   EXPECT_TRUE(says(notes_of(track), "order of their times"));
 }
 
+TEST(Gpx, BearsSegmentsWithinSegments) {
+  const std::string text = "<gpx><trk><trkseg><trkseg><trkseg>" + point(46, 9, time(1)) +
+                           "</trkseg><trkseg>" + point(46, 9.1, time(2)) + "</trkseg></trk></gpx>";
+  EXPECT_EQ(read_bytes(text, "x").segments.size(), 2u);
+}
+
 TEST(Gpx, FallsBackToRoutes) {
   const std::string text =
       gpx("<wpt lat=\"1\" lon=\"2\"/><rte><name>R</name><rtept lat=\"46.5\" "

@@ -1,0 +1,86 @@
+// Tests that `aerostat check` reports on flight tracks.
+
+#include <string>
+
+#include <nlohmann/json.hpp>
+
+#include "run_process.hpp"
+
+namespace aerostat::test {
+namespace {
+
+using Track = CliTest;
+
+std::string digits(int number, int count) {
+  const std::string text = std::to_string(number);
+  return std::string(static_cast<std::size_t>(count) - text.size(), '0') + text;
+}
+
+/// Returns a file of a logger that lies still for a minute and flies east for five minutes, up and
+/// down again.
+std::string igc() {
+  std::string text = "AXXX001\r\nHFDTEDATE:021023,01\r\nHFGTYGLIDERTYPE:Cameron Z-105\r\n";
+  for (int i = 0; i < 360; ++i) {
+    const int flown = i < 60 ? 0 : i - 60;
+    const int height = 500 + 2 * (flown < 150 ? flown : 300 - flown);
+    text += "B07" + digits(45 + i / 60, 2) + digits(i % 60, 2) + "4600000N00900" +
+            digits(3 * flown, 3) + "EA" + digits(height - 100, 5) + digits(height, 5) + "\r\n";
+  }
+  return text;
+}
+
+std::string gpx(const std::string& times) {
+  return "<gpx><trk><name>Walk</name><trkseg><trkpt lat=\"46\" lon=\"9\"><ele>500</ele>" + times +
+         "</trkpt><trkpt lat=\"46.01\" lon=\"9\"/></trkseg></trk></gpx>";
+}
+
+TEST_F(Track, CheckReportsOnATrackWhateverItsName) {
+  for (const char* name : {"flight.igc", "flight", "flight.json"}) {
+    const Outcome outcome = run({"check", write(name, igc())});
+    EXPECT_EQ(outcome.code, 0) << outcome.err;
+    EXPECT_EQ(outcome.err, "");
+    EXPECT_TRUE(contains(outcome.out, std::string(name) + ": IGC track 'Cameron Z-105'\n"));
+    EXPECT_TRUE(contains(outcome.out, "fixes     360, one every 1 s\n"));
+    EXPECT_TRUE(contains(outcome.out, "take-off  2023-10-02 07:4"));
+    EXPECT_TRUE(contains(outcome.out, "gaps      none\n"));
+    EXPECT_TRUE(contains(outcome.out, "heights   GNSS heights, smoothed over 20 s; not tested"));
+  }
+}
+
+TEST_F(Track, CheckPrintsJson) {
+  const Outcome outcome = run({"check", write("flight.igc", igc()), "--json"});
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  const auto json = nlohmann::json::parse(outcome.out);
+  EXPECT_EQ(json["format"], "IGC");
+  EXPECT_EQ(json["fixes"], 360);
+  EXPECT_EQ(json["heights"]["source"], "gnss");
+  EXPECT_NEAR(json["highest_m"].get<double>(), 800.0, 7.0);
+  EXPECT_NEAR(json["takeoff"]["time_s"].get<double>(), 1696232760.0, 5.0);
+  EXPECT_TRUE(json["gaps"].empty());
+  EXPECT_TRUE(json["notes"].is_array());
+}
+
+TEST_F(Track, CheckSaysWhatIsMissing) {
+  const Outcome outcome = run({"check", write("walk.gpx", gpx(""))});
+  EXPECT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_TRUE(contains(outcome.out, "walk.gpx: GPX track 'Walk'\n"));
+  EXPECT_TRUE(contains(outcome.out, "note      The track has no times."));
+}
+
+TEST_F(Track, CheckRefusesTracksThatCannotBeUsed) {
+  const Outcome empty = run({"check", write("empty.gpx", "<gpx></gpx>")});
+  EXPECT_EQ(empty.code, 65);
+  EXPECT_TRUE(contains(empty.err, "empty.gpx: no fix with a usable place was found in the file"));
+  const Outcome set = run({"check", write("a.igc", igc()), "--set", "/sun/elevation_deg=5"});
+  EXPECT_EQ(set.code, 64);
+  EXPECT_TRUE(contains(set.err, "--set: '"));
+}
+
+TEST_F(Track, CheckOfASceneHasNoJson) {
+  const Outcome outcome = run({"check", scene_path("snow"), "--json"});
+  EXPECT_EQ(outcome.code, 64);
+  EXPECT_TRUE(contains(outcome.err, "is no track; only tracks have a report in JSON"));
+}
+
+}  // namespace
+}  // namespace aerostat::test

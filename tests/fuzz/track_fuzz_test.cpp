@@ -1,0 +1,60 @@
+// Tests that the readers of tracks take any bytes. scripts/fuzz-tracks tests longer and with
+// coverage.
+
+#include <algorithm>
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+
+#include <gtest/gtest.h>
+
+#include "mutate.hpp"
+#include "take_track.hpp"
+
+namespace aerostat::test {
+namespace {
+
+constexpr int kTexts = 3000;
+
+std::vector<std::string> seeds_of(const std::string& format) {
+  std::vector<std::filesystem::path> paths;
+  const std::string folder = AEROSTAT_SOURCE_DIR "/tests/fuzz/seeds/" + format;
+  for (const auto& entry : std::filesystem::directory_iterator(folder)) {
+    paths.push_back(entry.path());
+  }
+  std::sort(paths.begin(), paths.end());
+  std::vector<std::string> texts;
+  for (const auto& path : paths) {
+    std::ifstream file(path, std::ios::binary);
+    texts.emplace_back(std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>());
+  }
+  return texts;
+}
+
+class TrackFuzz : public testing::TestWithParam<const char*> {};
+
+TEST_P(TrackFuzz, AnyBytesAreReadOrRefusedInWords) {
+  const std::vector<std::string> seeds = seeds_of(GetParam());
+  bool is_read = false;
+  for (const std::string& seed : seeds) {
+    EXPECT_EQ(fault_of_track(seed, is_read), "");
+    EXPECT_TRUE(is_read) << seed.substr(0, 200);
+  }
+  Mutator mutator(seeds, 1);
+  int good = 0;
+  for (int i = 0; i < kTexts; ++i) {
+    const std::string text = mutator.next();
+    ASSERT_EQ(fault_of_track(text, is_read), "") << "number " << i << "\n" << text.substr(0, 2000);
+    good += is_read ? 1 : 0;
+  }
+  std::printf("%d texts, %d of them tracks (seed 1)\n", kTexts, good);
+  EXPECT_GT(good, kTexts / 20) << "the changes leave too little to read";
+  EXPECT_LT(good, kTexts) << "no text was damaged";
+}
+
+INSTANTIATE_TEST_SUITE_P(Formats, TrackFuzz, testing::Values("gpx", "igc", "kml"),
+                         [](const auto& each) { return std::string(each.param); });
+
+}  // namespace
+}  // namespace aerostat::test
