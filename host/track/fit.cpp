@@ -18,12 +18,13 @@ namespace aerostat::track {
 namespace {
 
 constexpr double kGap_s = 30.0;
-constexpr double kSegmentGap_s = 10.0;       // between segments less is a gap
-constexpr double kSlowGap = 3.0;             // and of slow loggers, so many times their interval
-constexpr double kRestWindow_s = 60.0;       // the ground is compared with so long a rest
-constexpr std::size_t kFixesAtEnd = 3;       // or with so many fixes without a rest
-constexpr double kGroundSmoothing_s = 60.0;  // of assumed heights over the ground
-constexpr double kManyClamped = 0.1;         // a share of clamped fixes that is worth a note
+constexpr double kSegmentGap_s = 10.0;          // between segments less is a gap
+constexpr double kSlowGap = 3.0;                // and of slow loggers, so many times their interval
+constexpr double kRestWindow_s = 60.0;          // the ground is compared with so long a rest
+constexpr std::size_t kFixesAtEnd = 3;          // or with so many fixes without a rest
+constexpr double kGroundSmoothing_s = 60.0;     // of assumed heights over the ground
+constexpr double kAir_m = 40.0, kAir_s = 60.0;  // so high and so long is in the air
+constexpr double kManyClamped = 0.1;            // a share of clamped fixes that is worth a note
 
 using Heights = std::vector<std::optional<double>>;
 
@@ -80,6 +81,7 @@ class Fitting {
     find_ground();
     choose_and_shift();
     clamp();
+    find_air();
     return std::move(flight_);
   }
 
@@ -97,6 +99,7 @@ class Fitting {
   void take(const Heights& heights, const HeightChoice& choice);
   void take_over_ground(const Heights& heights, double smoothing_s);
   void clamp();
+  void find_air();
 
   const Track& track_;
   FitOptions options_;
@@ -269,6 +272,32 @@ void Fitting::clamp() {
   if (static_cast<double>(fit.clamped) > kManyClamped * static_cast<double>(count())) {
     fit.notes.push_back("Many fixes lay below the ground. The heights or the ground may be wrong.");
   }
+}
+
+/// Finds where the flight is in the air for good, so that a drive before or after it does not
+/// count. Without such a part the standing ends decide.
+void Fitting::find_air() {
+  const Course& course = flight_.course_;
+  if (!is_timed() || course.heights_m.empty()) return;
+  const auto over = [&](std::size_t i) {
+    return ground_[i] ? course.heights_m[i] - *ground_[i] : kAir_m;
+  };
+  std::optional<std::size_t> first, last, run;
+  for (std::size_t i = flight_.takeoff_; i <= flight_.landing_; ++i) {
+    if (!ground_[i] || over(i) < kAir_m) {
+      run.reset();
+      continue;
+    }
+    if (!run) run = i;
+    if (course.times[i] - course.times[*run] < kAir_s) continue;
+    if (!first) first = run;
+    last = i;
+  }
+  if (!first || !last) return;
+  while (*first > flight_.takeoff_ && over(*first - 1) < over(*first)) --*first;
+  while (*last < flight_.landing_ && over(*last + 1) < over(*last)) ++*last;
+  flight_.takeoff_ = *first;
+  flight_.landing_ = *last;
 }
 
 Flight fit_heights(const Track& track, const Ground& ground, const FitOptions& options) {

@@ -64,7 +64,8 @@ Position Flight::at(double time_s) const {
 
 Position Flight::at_share(double share) const {
   if (std::isnan(share)) throw Error(ErrorKind::usage, "the share of the track is not a number");
-  return position(start() + std::clamp(share, 0.0, 1.0) * (end() - start()));
+  const double first = course_.times[takeoff_], last = course_.times[landing_];
+  return position(first + std::clamp(share, 0.0, 1.0) * (last - first));
 }
 
 }  // namespace aerostat::track

@@ -83,9 +83,9 @@ class Flight {
   /// has no times or no date.
   Position at(double time_s) const;
 
-  /// Returns the position at a share of the time, 0 at the start and 1 at the end, or of the way if
-  /// the track has no times. Shares beyond are taken for 0 and 1. Throws Error{usage} if `share` is
-  /// not a number.
+  /// Returns the position at a share of the time, 0 at the take-off and 1 at the landing, or of the
+  /// way if the track has no times. Shares beyond are taken for 0 and 1. Throws Error{usage} if
+  /// `share` is not a number.
   Position at_share(double share) const;
 
   /// Returns the position at a point of the course.
@@ -99,7 +99,9 @@ class Flight {
   double end() const { return course_.times.back(); }
   /// Returns the times for which nothing was recorded for more than 30 s, or between segments.
   const std::vector<Gap>& gaps() const { return gaps_; }
-  /// Returns the indices of the points of the course at which the flight leaves and arrives.
+  /// Returns the points of the course at which the flight leaves the ground and comes back to it.
+  /// If the ground does not tell, they are where the logger no longer stands still and stands
+  /// again.
   std::size_t takeoff() const { return takeoff_; }
   std::size_t landing() const { return landing_; }
   const FitReport& fit() const { return fit_; }

@@ -53,6 +53,23 @@ bool is_usable(const Fix& fix) {
   return fix.valid && (fix.place.latitude_deg != 0.0 || fix.place.longitude_deg != 0.0);
 }
 
+void drop_absurd_heights(Track& track) {
+  constexpr double kLowest_m = -12e3, kHighest_m = 100e3;
+  std::size_t dropped = 0;
+  for (Segment& segment : track.segments) {
+    for (Fix& fix : segment) {
+      for (std::optional<double>* height : {&fix.gnss_m, &fix.pressure_m}) {
+        if (!*height || (**height >= kLowest_m && **height <= kHighest_m)) continue;
+        height->reset();
+        ++dropped;
+      }
+    }
+  }
+  if (dropped == 0) return;
+  track.notes.push_back(fmt::format("{} beyond all bounds and taken for unknown.",
+                                    counted(dropped, "height was", "heights were")));
+}
+
 void drop_zero_heights(Track& track) {
   const std::size_t dropped = drop_zeros(track, &Fix::gnss_m) + drop_zeros(track, &Fix::pressure_m);
   if (dropped == 0) return;

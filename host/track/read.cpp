@@ -111,6 +111,7 @@ Track read_any(std::string_view bytes, const ReadOptions& options) {
               raw.clock, raw.reference, std::move(file.notes)};
   track.notes.insert(track.notes.end(), raw.notes.begin(), raw.notes.end());
   settle_times(track, options);
+  drop_absurd_heights(track);
   drop_zero_heights(track);
   return track;
 }

@@ -274,6 +274,31 @@ TEST(Flight, HasNoDateIfTheFileHasNone) {
   EXPECT_EQ(summary_of(flight).duration_s, 600.0);
 }
 
+TEST(Flight, IsNotTheDriveThere) {
+  // Ten minutes by car, a minute of rest, the flight, and half an hour back.
+  Track track;
+  track.clock = Clock::utc;
+  track.segments.emplace_back();
+  double east_m = 0.0;
+  for (int i = 0; i < 3120; ++i) {
+    const bool is_drive = i < 600 || i >= 1320;
+    const int flown = std::clamp(i - 660, 0, 600);
+    east_m += is_drive ? 15.0 : flown > 0 && flown < 600 ? 5.0 : 0.0;
+    Fix fix;
+    fix.place = {46.0, 9.0 + east_m * kEast_deg_per_m};
+    fix.gnss_m = 505.0 + 2.0 * std::min(flown, 600 - flown) + (i % 3);
+    fix.time_s = kPlanStart_s + i;
+    track.segments[0].push_back(fix);
+  }
+  const Flight flight = fit_heights(track, kFlat);
+  EXPECT_NEAR(flight.course().times[flight.takeoff()], kPlanStart_s + 660.0, 12.0);
+  EXPECT_NEAR(flight.course().times[flight.landing()], kPlanStart_s + 1260.0, 12.0);
+  EXPECT_NEAR(flight.at_share(0.5).height_m, 1100.0, 12.0);
+  EXPECT_NEAR(summary_of(flight).duration_s, 600.0, 24.0);
+  // Without a ground nothing tells the drive from the flight.
+  EXPECT_EQ(fit_heights(track, {}).takeoff(), 0u);
+}
+
 TEST(Flight, NamesItsGaps) {
   Track track = planned({});
   Segment& fixes = track.segments[0];

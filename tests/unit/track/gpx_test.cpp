@@ -120,6 +120,18 @@ TEST(Gpx, TakesZeroHeightsForUnknown) {
   EXPECT_FALSE(all.segments[0][0].gnss_m);
 }
 
+TEST(Gpx, TakesAbsurdHeightsForUnknown) {
+  for (const char* height : {"1e300", "-99999", "1000001"}) {
+    const std::string text =
+        gpx(segment(point(46, 9, "<ele>" + std::string(height) + "</ele>" + time(1)) +
+                    point(46.1, 9, "<ele>500</ele>" + time(2))));
+    const Track track = read_bytes(text, "x");
+    EXPECT_FALSE(track.segments[0][0].gnss_m) << height;
+    EXPECT_EQ(track.segments[0][1].gnss_m, 500.0);
+    EXPECT_TRUE(says(notes_of(track), "1 height was beyond all bounds"));
+  }
+}
+
 TEST(Gpx, TakesTheLongestTrackOrTheOneAskedFor) {
   const std::string text =
       gpx("<trk/><trk><name>short</name><trkseg>" + kTwo + "</trkseg></trk>" +
