@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "core/error.hpp"
+#include "track/distance.hpp"
 #include "track/raw.hpp"
 #include "track/text.hpp"
 #include "track/xml.hpp"
@@ -150,6 +151,7 @@ class KmlHandler : public XmlHandler {
   }
 
   void settle_heights(RawTrack& track);
+  void join_lines(std::vector<std::string>& notes);
 
   std::vector<RawTrack> tracks_, lines_;
   std::string placemark_name_, mode_;
@@ -179,11 +181,34 @@ void KmlHandler::settle_heights(RawTrack& track) {
   }
 }
 
+/// Joins lines that begin where the one before ends. Programs cut a way into pieces to colour them.
+void KmlHandler::join_lines(std::vector<std::string>& notes) {
+  constexpr double kTouching_m = 2.0;
+  std::vector<RawTrack> joined;
+  for (RawTrack& line : lines_) {
+    const bool touches = !joined.empty() && joined.back().reference == line.reference &&
+                         distance_m(joined.back().segments.back().back().place,
+                                    line.segments.front().front().place) < kTouching_m;
+    if (!touches) {
+      joined.push_back(std::move(line));
+      continue;
+    }
+    std::move(line.segments.begin(), line.segments.end(),
+              std::back_inserter(joined.back().segments));
+  }
+  if (joined.size() < lines_.size()) {
+    notes.push_back(fmt::format("{} that touch each other were joined into {}.",
+                                counted(lines_.size(), "line", "lines"), joined.size()));
+  }
+  lines_ = std::move(joined);
+}
+
 RawFile KmlHandler::result(std::vector<std::string> notes) {
   RawFile file{{}, std::move(notes)};
   if (!tracks_.empty() && !lines_.empty()) {
     file.notes.push_back("The file has lines as well, which were passed over for its tracks.");
   }
+  if (tracks_.empty()) join_lines(file.notes);
   file.tracks = std::move(tracks_.empty() ? lines_ : tracks_);
   if (unread_ > 0) {
     file.notes.push_back(fmt::format("{} could not be read and cannot be used.",

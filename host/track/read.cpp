@@ -39,6 +39,20 @@ double length_m(const RawTrack& track) {
   return length;
 }
 
+/// Returns the length by which tracks are compared. Of tracks of nearly the same length, such as a
+/// flight and its shadow, the one with heights and times wins.
+double rank_of(const RawTrack& track) {
+  constexpr double kBonus = 0.02;
+  bool has_heights = false, has_times = false;
+  for (const Segment& segment : track.segments) {
+    for (const Fix& fix : segment) {
+      has_heights = has_heights || fix.gnss_m;
+      has_times = has_times || fix.time_s;
+    }
+  }
+  return length_m(track) * (1.0 + (has_heights ? kBonus : 0.0) + (has_times ? kBonus : 0.0));
+}
+
 bool has_fixes(const RawTrack& track) {
   return std::any_of(track.segments.begin(), track.segments.end(), [](const Segment& segment) {
     return std::any_of(segment.begin(), segment.end(), is_usable);
@@ -61,17 +75,17 @@ RawTrack chosen_track(RawFile& file, const ReadOptions& options) {
   }
   if (tracks.size() == 1) return std::move(tracks[0]);
   std::size_t best = options.index.value_or(0);
-  double best_m = length_m(tracks[best]);
+  double best_rank = rank_of(tracks[best]);
   for (std::size_t i = 0; !options.index && i < tracks.size(); ++i) {
-    const double length = length_m(tracks[i]);
-    if (length > best_m) best = i, best_m = length;
+    const double rank = rank_of(tracks[i]);
+    if (rank > best_rank) best = i, best_rank = rank;
   }
   const std::string& name = tracks[best].name;
   file.notes.push_back(fmt::format(
       "The file has {}; number {} (counted from 0){} was taken, {:.1f} "
       "km long{}.",
       counted(tracks.size(), "track", "tracks"), best, name.empty() ? "" : ", '" + name + "',",
-      best_m * 1e-3, options.index ? "" : ", the longest"));
+      length_m(tracks[best]) * 1e-3, options.index ? "" : ", the longest"));
   return std::move(tracks[best]);
 }
 

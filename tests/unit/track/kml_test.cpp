@@ -96,6 +96,29 @@ TEST(Kml, ReadsLinesWhoseTimesMustBeGiven) {
   EXPECT_TRUE(says(notes_of(timed), "2023-10-02 07:45:10 UTC, and 60 s from fix to fix"));
 }
 
+TEST(Kml, JoinsLinesThatTouch) {
+  const auto line = [](const std::string& coordinates) {
+    return placemark("<LineString>" + mode("absolute") + "<coordinates>" + coordinates +
+                     "</coordinates></LineString>");
+  };
+  const std::string text =
+      kml(line("9.5,46.5,900 9.6,46.5,910") + line("9.6,46.5,910 9.7,46.5,920") +
+          line("9.7,46.5,920 9.8,46.5,930") + line("1,2,3 1.01,2,3"));
+  const Track track = read_bytes(text, "x");
+  EXPECT_EQ(track.fix_count(), 6u);
+  EXPECT_TRUE(says(notes_of(track), "4 lines that touch each other were joined into 2."));
+}
+
+TEST(Kml, PrefersAFlightToItsShadow) {
+  const auto line = [](const std::string& content) {
+    return placemark("<LineString>" + content + "</LineString>");
+  };
+  const std::string text =
+      kml(line(mode("clampToGround") + "<coordinates>9.5,46.5 9.6,46.5</coordinates>") +
+          line(mode("absolute") + "<coordinates>9.5,46.5,900 9.6,46.5,910</coordinates>"));
+  EXPECT_EQ(read_bytes(text, "x").segments[0][0].gnss_m, 900.0);
+}
+
 TEST(Kml, PrefersTracksToLines) {
   const std::string line =
       placemark("<LineString><coordinates>1,2,3 4,5,6</coordinates></LineString>");
