@@ -364,6 +364,14 @@ TEST(Smooth, TakesOutNoiseAndKeepsClimbs) {
   EXPECT_EQ(smoothed(times, noisy, 0.0), noisy);
 }
 
+TEST(Smooth, CurveHasNoKinks) {
+  const std::vector<double> times{0, 1, 2, 3}, values{0, 0, 10, 0};
+  // Where the curve turns, it is level on both sides.
+  EXPECT_NEAR(value_at(times, values, 1.01), 0.0, 0.01);
+  EXPECT_NEAR(value_at(times, values, 1.99), 10.0, 0.01);
+  EXPECT_NEAR(value_at(times, values, 2.01), 10.0, 0.01);
+}
+
 TEST(Smooth, CurveNeverOvershoots) {
   const std::vector<double> times{0, 1, 2, 50, 51, 52, 53}, values{0, 0, 10, 10, -5, -5, 3};
   double last = -1.0;
