@@ -38,6 +38,10 @@ if(AEROSTAT_SANITIZE)
                          -Wno-maybe-uninitialized)
   target_link_options(aerostat_options INTERFACE -fsanitize=address,undefined)
 endif()
+option(AEROSTAT_FUZZERS "Build programs of libFuzzer, which needs Clang" OFF)
+if(AEROSTAT_FUZZERS)
+  target_compile_options(aerostat_options INTERFACE -fsanitize=fuzzer-no-link)
+endif()
 
 # This function declares the library of one host folder:
 #   aerostat_library(bvh SOURCES a.cpp b.cpp LINKS aerostat::core TBB::tbb PRIVATE_LINKS ...)

@@ -3,11 +3,13 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <cstring>
 #include <exception>
 #include <limits>
 #include <new>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -86,20 +88,62 @@ std::string channel_of(const Imf::ChannelList& channels, const OpenOptions& opti
                            names.empty() ? "(none)" : names));
 }
 
-void set_size(RasterInfo& info, const Imf::Header& header, std::size_t bytes) {
-  const auto& window = header.dataWindow();
-  const std::int64_t width = std::int64_t{window.max.x} - window.min.x + 1;
-  const std::int64_t height = std::int64_t{window.max.y} - window.min.y + 1;
-  require_size(info.path, width < 0 ? 0 : static_cast<std::uint64_t>(width),
-               height < 0 ? 0 : static_cast<std::uint64_t>(height), false);
-  // Every block of lines has its place in a table, and the best compression makes a thousand of
-  // one.
-  if (static_cast<std::uint64_t>(width * height) > (std::uint64_t{bytes} + 1024) * 1032) {
-    refuse(info.path, fmt::format("the EXR file has {} bytes, too few for {} x {} samples", bytes,
-                                  width, height));
+std::uint32_t number_at(Bytes bytes, std::size_t at) {
+  return bytes[at] | std::uint32_t{bytes[at + 1]} << 8 | std::uint32_t{bytes[at + 2]} << 16 |
+         std::uint32_t{bytes[at + 3]} << 24;
+}
+
+/// Returns the text that begins at `at`, and sets `at` behind the zero at its end.
+std::string_view text_at(Bytes bytes, std::size_t& at) {
+  const auto first = bytes.begin() + static_cast<std::ptrdiff_t>(std::min(at, bytes.size()));
+  const auto zero = std::find(first, bytes.end(), std::uint8_t{0});
+  const std::string_view text(reinterpret_cast<const char*>(bytes.data()) + (first - bytes.begin()),
+                              static_cast<std::size_t>(zero - first));
+  at = static_cast<std::size_t>(zero - bytes.begin()) + 1;
+  return text;
+}
+
+/// Sets the size of the image from the content of the header's attribute.
+void set_size(RasterInfo& info, Bytes window, std::size_t file_bytes) {
+  const auto side = [&](std::size_t at) {
+    const std::int64_t low = static_cast<std::int32_t>(number_at(window, at));
+    const std::int64_t high = static_cast<std::int32_t>(number_at(window, at + 8));
+    return high < low ? 0 : static_cast<std::uint64_t>(high - low + 1);
+  };
+  const std::uint64_t width = side(0), height = side(4);
+  require_size(info.path, width, height, false);
+  // Deflate makes at most 1032 bytes of one, and a sample has two bytes at least.
+  if (width * height > std::uint64_t{file_bytes} * 516) {
+    refuse(info.path, fmt::format("the EXR file has {} bytes, too few for {} x {} samples",
+                                  file_bytes, width, height));
   }
   info.width = static_cast<int>(width);
   info.height = static_cast<int>(height);
+}
+
+/// Checks the frame of the header. OpenEXR allocates as much memory as a file says that it needs.
+void check_header(RasterInfo& info, Bytes bytes) {
+  constexpr std::uint32_t kSeveralParts = 0x1000;
+  if (bytes.size() >= 8 && (number_at(bytes, 4) & kSeveralParts) != 0) {
+    refuse(info.path, "the EXR file has several parts; one is expected");
+  }
+  for (std::size_t at = 8; at < bytes.size();) {
+    const std::string_view name = text_at(bytes, at);
+    if (name.empty()) break;
+    text_at(bytes, at);
+    if (at > bytes.size() || bytes.size() - at < 4) break;
+    const std::size_t length = number_at(bytes, at);
+    at += 4;
+    if (length > bytes.size() - at) {
+      refuse(info.path, fmt::format("the EXR file is damaged: {} in its header has {} bytes",
+                                    std::string(name.substr(0, 40)), length));
+    }
+    if (name == "dataWindow" && length == 16) set_size(info, bytes.subspan(at, 16), bytes.size());
+    at += length;
+  }
+  if (info.width == 0) {
+    refuse(info.path, "the EXR file is damaged: its header does not say the size of the image");
+  }
 }
 
 std::vector<float> read_channel(Imf::InputFile& file, const RasterInfo& info,
@@ -137,9 +181,14 @@ void to_metres(std::vector<float>& values, RasterInfo& info, const OpenOptions& 
 
 std::unique_ptr<Raster> read_any(Bytes bytes, const SideFiles& beside, RasterInfo info,
                                  const OpenOptions& options) {
+  check_header(info, bytes);
   MemoryStream stream(bytes, info.path.string());
   Imf::InputFile file(stream, 1);
-  set_size(info, file.header(), bytes.size());
+  const auto& window = file.header().dataWindow();
+  if (window.max.x - window.min.x + 1 != info.width ||
+      window.max.y - window.min.y + 1 != info.height) {
+    refuse(info.path, "the EXR file is damaged: it says two sizes of the image");
+  }
   const std::string name = channel_of(file.header().channels(), options, info.path);
   const Imf::Channel& channel = *file.header().channels().findChannel(name);
   if (channel.xSampling != 1 || channel.ySampling != 1) {

@@ -107,6 +107,14 @@ TEST(Exr, DamagedFilesAreRefused) {
     const auto cut = folder.write("b.exr", good.substr(0, length));
     EXPECT_TRUE(says(refusal_of([&] { open(cut, cell()); }), "b.exr: the EXR file is damaged"));
   }
+  // OpenEXR would allocate what the length of an attribute says.
+  std::string long_attribute = good;
+  long_attribute.replace(good.find("chlist") + 7, 4, "\xff\xff\xff\x6f");
+  EXPECT_TRUE(says(refusal_of([&] { open(folder.write("b.exr", long_attribute), cell()); }),
+                   "channels in its header has 1879048191 bytes"));
+  std::string wide = good;
+  wide.replace(good.find("box2i") + 6 + 4 + 8, 4, std::string("\xff\xff\x0e\x00", 4));
+  EXPECT_TRUE(says(refusal_of([&] { open(folder.write("b.exr", wide), cell()); }), "too few for"));
 }
 
 }  // namespace

@@ -144,6 +144,9 @@ TEST(Hgt, AZipFileThatCannotBeUsedSaysWhy) {
   std::string damaged = good;
   damaged[200] = static_cast<char>(damaged[200] ^ 0x55);
   EXPECT_TRUE(says(refused(damaged), "N48W125.hgt in it is damaged"));
+  std::string stored = zip({{"N48W125.hgt", bytes}}, 0);
+  stored[200] = static_cast<char>(stored[200] ^ 0x55);
+  EXPECT_TRUE(says(refused(stored), "N48W125.hgt in it is damaged"));
   std::string large = good;
   large.replace(large.size() - 6, 4, "\xff\xff\xff\xff");
   EXPECT_TRUE(says(refused(large), "zip64"));
