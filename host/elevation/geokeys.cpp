@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <numbers>
 #include <string_view>
 
 #include <fmt/format.h>
@@ -70,6 +71,32 @@ std::string horizontal_crs(const GeoKeys& keys, std::vector<std::string>& notes)
         "known one.");
   }
   return "";
+}
+
+/// Sets the factor for coordinates in a unit that is not that of the system, as in "UTM in feet".
+void set_coordinate_factor(const GeoKeys& keys, GeoKeyCrs& result) {
+  // Systems by parameters have the unit of the keys already.
+  if (result.crs.empty() || result.crs.find('[') != std::string::npos) return;
+  const geo::CrsInfo info = geo::crs_info(result.crs);
+  const int angular = keys.code(kAngularUnits);
+  if (info.geographic) {
+    // No system of EPSG counts in these.
+    if (angular == 9101) result.coordinate_factor = 180.0 / std::numbers::pi;
+    if (angular == 9103) result.coordinate_factor = 1.0 / 60.0;
+    if (angular == 9104) result.coordinate_factor = 1.0 / 3600.0;
+  } else if (keys.code(kLinearUnits) != 0) {
+    const double unit = keys.code(kLinearUnits) == kUserDefined
+                            ? keys.number({kLinearUnitSize}).value_or(0.0)
+                            : metres_of_unit_code(keys.code(kLinearUnits));
+    const double factor = unit / info.metres_per_unit;
+    // The two feet of surveyors differ by 2 in a million, which is metres on the Earth.
+    if (unit > 0.0 && std::abs(factor - 1.0) > 1e-7) result.coordinate_factor = factor;
+  }
+  if (result.coordinate_factor == 1.0) return;
+  result.notes.push_back(
+      fmt::format("The file's coordinates are in another unit than those of {}, and were "
+                  "multiplied by {:.10g}.",
+                  info.name, result.coordinate_factor));
 }
 
 /// Sets the datum and the unit of heights.
@@ -151,6 +178,7 @@ GeoKeyCrs crs_of(const GeoKeys& keys) {
         "The file gives geocentric coordinates, which do not place a raster on the ground.");
   } else {
     result.crs = horizontal_crs(keys, result.notes);
+    set_coordinate_factor(keys, result);
   }
   set_vertical(keys, result);
   return result;

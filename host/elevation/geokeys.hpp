@@ -67,6 +67,9 @@ class GeoKeys {
 /// What geokeys say, in words of the geo folder.
 struct GeoKeyCrs {
   std::string crs;  // a text that geo::crs_info understands, or empty
+  /// What to multiply coordinates by, for files whose coordinates are in another unit than their
+  /// system's.
+  double coordinate_factor = 1.0;
   bool pixel_is_point = false;
   std::string vertical_datum;      // name, or empty
   double metres_per_unit = 0.0;    // of the vertical system; 0: not said

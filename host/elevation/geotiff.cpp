@@ -103,6 +103,8 @@ BlockCache::Block BlockReader::decode(const TiffHandle& handle, int column, int 
   return heights;
 }
 
+constexpr std::uint64_t kLargeBlock = std::uint64_t{16} << 20;  // bytes
+
 /// A level of detail: samples, and the mask that tells which of them count.
 struct Level {
   std::unique_ptr<BlockReader> samples;
@@ -159,6 +161,7 @@ class GeoTiffRaster final : public Raster {
 
   HeightRule rule_;
   std::uint64_t file_ = 0;  // in the cache of blocks
+  mutable std::mutex large_block_;
   std::vector<Level> levels_;
 };
 
@@ -173,6 +176,9 @@ void GeoTiffRaster::copy_blocks(const BlockReader& reader, int layer, const Heig
          ++column) {
       const BlockCache::Key key{file_, layer,
                                 static_cast<std::uint64_t>(row) * l.blocks_across() + column};
+      // Several threads must not decode the same large block, for all of them would hold it.
+      std::unique_lock<std::mutex> alone(large_block_, std::defer_lock);
+      if (l.block_bytes > kLargeBlock) alone.lock();
       BlockCache::Block block = BlockCache::shared().find(key);
       if (!block) {
         block = reader.block(column, row, rule);

@@ -76,6 +76,9 @@ void set_crs(const GeoKeyCrs& keys, const SideFiles& beside, const OpenOptions& 
     return;
   }
   place.crs = keys.crs;
+  place.origin *= keys.coordinate_factor;
+  place.per_column *= keys.coordinate_factor;
+  place.per_row *= keys.coordinate_factor;
   info.notes.insert(info.notes.end(), keys.notes.begin(), keys.notes.end());
   if (!place.crs.empty()) return;
   place.crs = crs_of_prj(beside.prj, info.notes);

@@ -136,6 +136,23 @@ TEST(GeoTiffPlace, LeavesAMissingSystemToTheCaller) {
   EXPECT_TRUE(has_note(*unknown, "EPSG:32999, which PROJ does not know"));
 }
 
+TEST(GeoTiffPlace, MayBeInAnotherUnitThanItsSystem) {
+  const Folder folder;
+  TiffPageSpec feet = page_at(26910, 600000.0 / 0.3048, 5000000.0 / 0.3048, 100.0);
+  feet.geo_keys.insert(feet.geo_keys.end(), {3076, 0, 1, 9002});
+  const auto utm = through_file(folder, feet);
+  EXPECT_NEAR(centre_of(*utm, 0, 0).x, 600000.0 + 15.24, 1e-6);
+  EXPECT_NEAR(utm->info().georeference->per_row.y, -30.48, 1e-9);
+  EXPECT_TRUE(has_note(*utm, "multiplied by 0.3048"));
+  TiffPageSpec seconds = page_at(4267, -122.2 * 3600.0, 46.2 * 3600.0, 1.0);
+  seconds.geo_keys.insert(seconds.geo_keys.end(), {2054, 0, 1, 9104});
+  EXPECT_NEAR(centre_of(*through_file(folder, seconds), 0, 0).y, 46.2 - 0.5 / 3600.0, 1e-9);
+  // The same unit in other words changes nothing.
+  TiffPageSpec metres = page_at(32632, 600000.0, 5200000.0, 30.0);
+  metres.geo_keys.insert(metres.geo_keys.end(), {3076, 0, 1, 9001, 2054, 0, 1, 9102});
+  expect_at(centre_of(*through_file(folder, metres), 0, 0), 600015.0, 5199985.0);
+}
+
 TEST(GeoTiffPlace, IsRefusedIfTheSystemCannotBeTheRightOne) {
   const Folder folder;
   // Metres that are said to be degrees.
