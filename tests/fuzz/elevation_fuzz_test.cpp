@@ -122,7 +122,8 @@ TEST(ElevationFuzz, DamagedFilesAreReadOrRefusedInWords) {
   for (const ElevationReader& reader : elevation_readers()) {
     Damage damage(seed);
     const std::vector<Content> seeds = seeds_of(reader.name);
-    for (std::uint64_t i = 0; i < count && !seeds.empty(); ++i) {
+    const std::uint64_t rounds = count / static_cast<std::uint64_t>(reader.cost);
+    for (std::uint64_t i = 0; i < rounds && !seeds.empty(); ++i) {
       const Content bytes = damage.of(seeds[i % seeds.size()]);
       // In a long run, the bytes are kept in case the reader ends the process.
       if (is_long) keep(bytes);

@@ -23,6 +23,7 @@
 #include "elevation/usgs_dem.hpp"
 #include "elevation/web_tile.hpp"
 #include "elevation/zip.hpp"
+#include "geotiff_readers.hpp"
 
 namespace aerostat::test {
 namespace {
@@ -131,10 +132,17 @@ void read_usgs_dem(Bytes bytes) {
 
 // scripts/fuzz-elevation takes the names from here.
 constexpr std::array kReaders{
-    ElevationReader{"asc", read_asc},           ElevationReader{"bil", read_bil},
-    ElevationReader{"dted", read_dted},         ElevationReader{"exr", read_exr},
-    ElevationReader{"packed", read_packed},     ElevationReader{"png", read_png},
-    ElevationReader{"raw", read_raw},           ElevationReader{"side_files", read_side_files},
+    ElevationReader{"asc", read_asc},
+    ElevationReader{"bil", read_bil},
+    ElevationReader{"dted", read_dted},
+    ElevationReader{"exr", read_exr},
+    ElevationReader{"crs", read_crs, 60},
+    ElevationReader{"geokeys", read_geokeys, 60},
+    ElevationReader{"geotiff", read_geotiff, 20},
+    ElevationReader{"packed", read_packed},
+    ElevationReader{"png", read_png},
+    ElevationReader{"raw", read_raw},
+    ElevationReader{"side_files", read_side_files},
     ElevationReader{"usgs_dem", read_usgs_dem},
 };
 

@@ -12,6 +12,7 @@ namespace aerostat::test {
 struct ElevationReader {
   const char* name = "";  // of the folder in tests/fuzz/seeds, too
   void (*read)(std::span<const std::uint8_t> bytes) = nullptr;
+  int cost = 1;  // how many times as long as with most readers a file takes
 };
 
 std::span<const ElevationReader> elevation_readers();

@@ -147,6 +147,7 @@ std::vector<std::uint8_t> sample_bytes(double value, int bits, int format) {
 
 void write_tiff(const std::filesystem::path& path, const std::vector<TiffPageSpec>& pages,
                 const char* mode) {
+  TIFFSetWarningHandler(nullptr);  // the old code of Deflate is written on purpose
   TIFF* const tiff = TIFFOpen(path.c_str(), mode);
   if (tiff == nullptr) throw std::runtime_error("the file cannot be written");
   for (const TiffPageSpec& page : pages) {
