@@ -115,9 +115,10 @@ const char* forced_encoding(std::string_view bytes) {
   const bool is_utf16 = head.size() > 1 && head.find('\0') != std::string_view::npos;
   const bool has_mark = head.substr(0, 2) == "\xff\xfe" || head.substr(0, 2) == "\xfe\xff";
   const std::size_t declared = head.find("encoding=");
-  const bool is_declared_utf8 = declared == std::string_view::npos ||
-                                head.substr(declared + 10, 3) == "UTF" ||
-                                head.substr(declared + 10, 3) == "utf";
+  const std::string_view name =
+      declared + 10 < head.size() ? head.substr(declared + 10, 3) : std::string_view();
+  const bool is_declared_utf8 =
+      declared == std::string_view::npos || name == "UTF" || name == "utf";
   if (is_utf16 || has_mark || !is_declared_utf8 || is_utf8(bytes)) return nullptr;
   return kLatin1;
 }

@@ -89,6 +89,15 @@ TEST(Gpx, ReadsLatin1ThatPromisesUtf8) {
   EXPECT_TRUE(says(notes_of(track), "read as Latin-1"));
 }
 
+TEST(Gpx, LooksForTheEncodingOnlyAtTheBeginning) {
+  // What looks like an encoding stands at every place around the end of what is looked at.
+  for (std::size_t length = 150; length < 210; ++length) {
+    const std::string text =
+        "<gpx><!--" + std::string(length, ' ') + "encoding='-->" + segment(kTwo) + "</gpx>";
+    expect_two(read_bytes(text, "x"));
+  }
+}
+
 TEST(Gpx, TakesHeightsAndTimesOnlyFromThePointItself) {
   const std::string extension =
       "<extensions><ele>1</ele><time>2001-01-01T00:00:00Z</time></extensions>";
