@@ -34,7 +34,7 @@ std::size_t drop_zeros(Track& track, std::optional<double> Fix::*height) {
   };
   for (Segment& segment : track.segments) {
     for (Fix& fix : segment) {
-      if (!(fix.*height)) continue;
+      if (!fix.valid || !(fix.*height)) continue;
       if (*(fix.*height) == 0.0) {
         zeros.push_back(&fix);
         continue;
