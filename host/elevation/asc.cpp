@@ -1,5 +1,6 @@
 #include "elevation/asc.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -14,6 +15,7 @@
 
 #include <fmt/format.h>
 
+#include "elevation/asc_raster.hpp"
 #include "elevation/images.hpp"
 #include "elevation/reading.hpp"
 #include "elevation/words.hpp"
@@ -56,17 +58,7 @@ bool is_asc(std::span<const std::uint8_t> head, const std::filesystem::path&) {
 }
 
 std::unique_ptr<Raster> open_asc(const std::filesystem::path& path, const OpenOptions& options) {
-  return read_asc(*file_bytes(path), side_files_of(path), path, options);
-}
-
-/// Returns whether a word stands for a missing height.
-bool is_void_word(std::string_view word) {
-  const std::string lower = lower_case(word);
-  for (const char* known : {"nan", "-nan", "+nan", "null", "nodata", "na", "n/a", "inf", "-inf",
-                            "1.#qnan", "-1.#qnan", "1.#ind", "-1.#ind", "1.#inf", "-1.#inf"}) {
-    if (lower == known) return true;
-  }
-  return false;
+  return read_asc(file_bytes(path), side_files_of(path), path, options);
 }
 
 double header_number(std::string_view word, const char* key, const std::filesystem::path& path) {
@@ -141,86 +133,69 @@ void set_place(RasterInfo& info, const Header& header, const SideFiles& beside,
   say_if_without_crs(info);
 }
 
-/// The heights of a file and what was seen while they were read.
-struct Body {
-  std::vector<float> heights;
-  bool all_whole = true, has_comma = false, has_mark = false;
-};
+// A band of rows has about this many samples.
+constexpr std::uint64_t kBandSamples = std::uint64_t{1} << 21;
 
-[[noreturn]] void refuse_value(const RasterInfo& info, std::size_t index, std::string_view word) {
+/// Reads all heights band by band, and keeps them or only where the bands begin.
+std::unique_ptr<Raster> read_body(Words& words, RasterInfo info,
+                                  std::shared_ptr<const ByteSource> bytes,
+                                  const std::optional<double>& own_mark,
+                                  std::uint64_t most_in_memory) {
+  const double mark = own_mark.value_or(-9999.0);
   const auto width = static_cast<std::size_t>(info.width);
-  if (word.empty()) {
-    refuse(info.path, fmt::format("it has {} heights, and the header promises {} x {}; the file "
-                                  "is cut short",
-                                  index, info.width, info.height));
-  }
-  refuse(info.path,
-         fmt::format("row {}, column {} has \"{}\"; a height is expected", index / width + 1,
-                     index % width + 1, std::string(word.substr(0, 40))));
-}
-
-Body read_body(Words& words, const RasterInfo& info, double mark) {
-  constexpr float kVoid = std::numeric_limits<float>::quiet_NaN();
-  Body body;
-  const std::size_t count =
-      static_cast<std::size_t>(info.width) * static_cast<std::size_t>(info.height);
-  body.heights.reserve(count);
-  for (std::size_t i = 0; i < count; ++i) {
-    const std::string_view word = words.next();
-    double value = plain_number(word);
-    if (std::isnan(value) && !is_void_word(word)) {
-      const std::optional<double> number = number_of(word);
-      if (!number) refuse_value(info, i, word);
-      value = *number;
-    }
-    if (is_no_height(value) || is_mark(value, mark)) {
-      body.has_mark |= value == mark;
-      body.heights.push_back(kVoid);
-      continue;
-    }
-    body.all_whole &= value == std::floor(value);
-    body.has_comma |= word.find(',') != std::string_view::npos;
-    body.heights.push_back(static_cast<float>(value * info.metres_per_unit));
+  const auto height = static_cast<std::size_t>(info.height);
+  const bool is_kept = width * height <= most_in_memory;
+  const std::size_t rows = std::clamp<std::size_t>(
+      std::min<std::uint64_t>(kBandSamples, most_in_memory) / width, 1, height);
+  AscBody body(info, mark);
+  std::vector<float> heights((is_kept ? height : rows) * width);
+  std::vector<std::uint64_t> begins;
+  for (std::size_t row = 0; row < height; row += rows) {
+    begins.push_back(words.place());
+    const std::size_t first = row * width, count = std::min(rows, height - row) * width;
+    body.read(words, first, count, heights.data() + (is_kept ? first : 0));
   }
   if (!words.next().empty()) {
     refuse(info.path, fmt::format("it has more heights than the {} x {} of its header", info.width,
                                   info.height));
   }
-  return body;
+  info.sample_type = body.all_whole() ? "int32" : "float32";
+  if (body.has_comma()) info.notes.push_back("Commas in the heights were read as decimal marks.");
+  if (!own_mark && body.has_mark()) {
+    info.notes.push_back(
+        "The header names no value for voids, and -9999 was taken, as ESRI's programs do.");
+  }
+  if (is_kept) return std::make_unique<MemoryRaster>(std::move(info), std::move(heights));
+  return std::make_unique<AscRaster>(std::move(info), std::move(bytes), mark,
+                                     static_cast<int>(rows), std::move(begins));
 }
 
 }  // namespace
 
 const Format kAscFormat{"ESRI grid (.asc)", is_asc, open_asc};
 
-std::unique_ptr<Raster> read_asc(const ByteSource& bytes, const SideFiles& beside,
-                                 const std::filesystem::path& path, const OpenOptions& options) {
+std::unique_ptr<Raster> read_asc(std::shared_ptr<const ByteSource> bytes, const SideFiles& beside,
+                                 const std::filesystem::path& path, const OpenOptions& options,
+                                 std::uint64_t most_in_memory) {
   RasterInfo info;
   info.path = path;
   info.format = "ESRI grid (.asc)";
-  Words words(bytes);
+  Words words(*bytes);
   const Header header = read_header(words, path);
   const std::uint64_t width = count_of(header, "ncols", path);
   const std::uint64_t height = count_of(header, "nrows", path);
-  require_size(path, width, height, false);
+  require_size(path, width, height, true);
   // A height takes a digit and a space at least.
-  if (width * height > bytes.size() / 2 + 1) {
+  if (width * height > bytes->size() / 2 + 1) {
     refuse(path, fmt::format("the header promises {} x {} heights, and the file has only {} bytes",
-                             width, height, bytes.size()));
+                             width, height, bytes->size()));
   }
   info.width = static_cast<int>(width);
   info.height = static_cast<int>(height);
   set_place(info, header, beside, options);
   set_unit(info, options, 1.0, "metre");
-  const std::optional<double> own_mark = options.nodata ? options.nodata : header["nodata_value"];
-  Body body = read_body(words, info, own_mark.value_or(-9999.0));
-  info.sample_type = body.all_whole ? "int32" : "float32";
-  if (body.has_comma) info.notes.push_back("Commas in the heights were read as decimal marks.");
-  if (!own_mark && body.has_mark) {
-    info.notes.push_back(
-        "The header names no value for voids, and -9999 was taken, as ESRI's programs do.");
-  }
-  return std::make_unique<MemoryRaster>(std::move(info), std::move(body.heights));
+  return read_body(words, std::move(info), std::move(bytes),
+                   options.nodata ? options.nodata : header["nodata_value"], most_in_memory);
 }
 
 }  // namespace aerostat::elevation

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <memory>
 
@@ -12,7 +13,11 @@ namespace aerostat::elevation {
 
 extern const Format kAscFormat;
 
-std::unique_ptr<Raster> read_asc(const ByteSource& bytes, const SideFiles& beside,
-                                 const std::filesystem::path& path, const OpenOptions& options);
+/// The heights of files with at most this many samples are kept in memory.
+inline constexpr std::uint64_t kMostAscInMemory = std::uint64_t{1} << 26;
+
+std::unique_ptr<Raster> read_asc(std::shared_ptr<const ByteSource> bytes, const SideFiles& beside,
+                                 const std::filesystem::path& path, const OpenOptions& options,
+                                 std::uint64_t most_in_memory = kMostAscInMemory);
 
 }  // namespace aerostat::elevation

@@ -45,6 +45,15 @@ std::optional<double> number_of(std::string_view text) {
   return value;
 }
 
+bool is_void_word(std::string_view word) {
+  const std::string lower = lower_case(word);
+  for (const char* known : {"nan", "-nan", "+nan", "null", "nodata", "na", "n/a", "inf", "-inf",
+                            "1.#qnan", "-1.#qnan", "1.#ind", "-1.#ind", "1.#inf", "-1.#inf"}) {
+    if (lower == known) return true;
+  }
+  return false;
+}
+
 void require_size(const std::filesystem::path& path, std::uint64_t width, std::uint64_t height,
                   bool windowed) {
   if (width < 2 || height < 2) {

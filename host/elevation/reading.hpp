@@ -27,6 +27,9 @@ std::string lower_case(std::string_view text);
 /// comma and the exponent letter D of Fortran are understood.
 std::optional<double> number_of(std::string_view text);
 
+/// Returns whether a word of a text stands for a missing height, such as "nan" or "null".
+bool is_void_word(std::string_view word);
+
 /// Throws Error{bad_data} unless a raster of this size can be read. A raster that is not `windowed`
 /// is read as a whole.
 void require_size(const std::filesystem::path& path, std::uint64_t width, std::uint64_t height,

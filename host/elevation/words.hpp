@@ -16,7 +16,8 @@ class Words {
   /// The longest word. A longer one is returned in parts.
   static constexpr std::size_t kLongest = 4096;
 
-  explicit Words(const ByteSource& bytes) : bytes_(bytes) {}
+  /// Reads from the byte `first` on.
+  explicit Words(const ByteSource& bytes, std::uint64_t first = 0) : bytes_(bytes), read_(first) {}
 
   /// Returns the next word, which is valid until the next call. It is empty at the end of the text.
   std::string_view next() {
@@ -37,12 +38,15 @@ class Words {
   /// Gives back a word, so that it is the next one again.
   void put_back(std::string_view word) { at_ -= word.size(); }
 
+  /// Returns the place in bytes behind the last word.
+  std::uint64_t place() const { return read_ - (buffer_.size() - at_); }
+
  private:
   static bool is_space(std::uint8_t c) { return c <= ' '; }
   void read_more();
 
   const ByteSource& bytes_;
-  std::uint64_t read_ = 0;  // bytes of the file that were read
+  std::uint64_t read_;  // the place behind the bytes that were read
   std::vector<std::uint8_t> buffer_;
   std::size_t at_ = 0;
 };
