@@ -36,16 +36,19 @@ void add_rates(const Flight& flight, Summary& summary) {
   const bool has_heights = !course.heights_m.empty();
   std::size_t first = flight.takeoff();
   double climb = 0.0, sink = 0.0, fastest = 0.0;
+  bool is_measured = false;
   for (std::size_t i = first + 1; i <= flight.landing(); ++i) {
     while (first + 1 < i && course.times[i] - course.times[first + 1] >= kRateWindow_s) ++first;
     const double seconds = course.times[i] - course.times[first];
     if (seconds < kRateWindow_s || seconds > kLongestRateWindow_s) continue;
+    is_measured = true;
     fastest = std::max(fastest, distance_m(place_of(course, first), place_of(course, i)) / seconds);
     if (!has_heights) continue;
     const double rate = (course.heights_m[i] - course.heights_m[first]) / seconds;
     climb = std::max(climb, rate);
     sink = std::max(sink, -rate);
   }
+  if (!is_measured) return;
   summary.fastest_mps = fastest;
   if (!has_heights) return;
   summary.fastest_climb_mps = climb;

@@ -217,6 +217,7 @@ TEST(Flight, TakesOneFix) {
   const Flight flight = fit_heights(clean(track).track, kFlat);
   EXPECT_EQ(flight.at_share(0.7).place, track.segments[0][0].place);
   EXPECT_EQ(summary_of(flight).way_m, 0.0);
+  EXPECT_FALSE(summary_of(flight).fastest_mps);
 }
 
 TEST(Flight, IsInterpolatedByTime) {

@@ -161,6 +161,7 @@ TEST(Igc, MarksDoubtfulFixes) {
       kHead + fix("100000", 0, "0000000000", 'V') + fix("100001", 1) + fix("100002", 2), "x");
   EXPECT_FALSE(fixes_of(track)[0].valid);
   EXPECT_TRUE(fixes_of(track)[1].valid);
+  EXPECT_TRUE(track.notes.empty()) << notes_of(track);
 }
 
 TEST(Igc, UsesDoubtfulFixesIfMostAreSuch) {
