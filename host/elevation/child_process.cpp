@@ -8,6 +8,7 @@
 #include <cstddef>
 #include <cstdlib>
 #include <cstring>
+#include <future>
 #include <system_error>
 #include <thread>
 #include <utility>
@@ -74,6 +75,18 @@ pid_t start(std::vector<std::string> command, std::vector<std::string> environme
   return child;
 }
 
+/// Starts a program in a thread of its own, because what confines a thread cannot be undone.
+pid_t start_confined(const std::vector<std::string>& command,
+                     const std::vector<std::string>& environment, const ChildLimits& limits,
+                     int output) {
+  return std::async(std::launch::async,
+                    [&] {
+                      if (limits.files) confine_this_thread(*limits.files);
+                      return start(with_limits(command, limits), environment, output);
+                    })
+      .get();
+}
+
 /// Reads what a program writes, until it ends or the time is up. Returns whether it ended.
 bool read_output(int input, Clock::time_point deadline, std::string& output) {
   std::array<char, 4096> buffer{};
@@ -121,7 +134,7 @@ ChildResult run_limited(const std::vector<std::string>& command,
   const auto deadline = Clock::now() + std::chrono::seconds(limits.waiting_s);
   pid_t child = -1;
   try {
-    child = start(with_limits(command, limits), environment, pipe[1]);
+    child = start_confined(command, environment, limits, pipe[1]);
   } catch (...) {
     ::close(pipe[0]);
     ::close(pipe[1]);

@@ -2,8 +2,11 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
+
+#include "elevation/confine.hpp"
 
 namespace aerostat::elevation {
 
@@ -13,6 +16,8 @@ struct ChildLimits {
   std::uint64_t file_bytes = std::uint64_t{4} << 30;  // of each file that it writes
   int processor_s = 120;
   int waiting_s = 300;
+  /// The files that it may use, where the system can enforce that; without them, any file.
+  std::optional<ReachableFiles> files;
 };
 
 /// How a program ended.

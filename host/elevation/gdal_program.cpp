@@ -121,6 +121,35 @@ std::vector<std::string> environment_of(const path& folder) {
   return all;
 }
 
+/// Returns the files that GDAL needs for a file, so that a file which names others cannot show
+/// them.
+ReachableFiles files_for(const path& file, const path& program, const path& folder) {
+  ReachableFiles files;
+  const path prefix = program.parent_path().parent_path();
+  files.readable = {"/usr/bin",
+                    "/usr/lib",
+                    "/usr/lib64",
+                    "/usr/share",
+                    "/usr/local",
+                    "/bin",
+                    "/lib",
+                    "/lib64",
+                    "/etc/ld.so.cache",
+                    "/etc/gdal",
+                    program.parent_path(),
+                    prefix / "lib",
+                    prefix / "share",
+                    file};
+  for (const char* name : {"GDAL_DATA", "PROJ_DATA", "PROJ_LIB", "LD_LIBRARY_PATH"}) {
+    std::istringstream folders(environment_variable(name).value_or(""));
+    for (std::string each; std::getline(folders, each, ':');) {
+      if (path(each).is_absolute()) files.readable.emplace_back(each);
+    }
+  }
+  files.writable = {folder, "/dev/null"};
+  return files;
+}
+
 /// The work on one file.
 class Conversion {
  public:
@@ -128,8 +157,8 @@ class Conversion {
       : file_(std::move(file)), kind_(kind), translate_(std::move(translate)) {
     // A name without anything that GDAL could take for its own syntax stands for the file.
     std::error_code code;
-    const path whole = std::filesystem::canonical(file_, code);
-    if (!code) std::filesystem::create_symlink(whole, input(), code);
+    whole_ = std::filesystem::canonical(file_, code);
+    if (!code) std::filesystem::create_symlink(whole_, input(), code);
     if (code) refuse(file_, "it cannot be handed to GDAL: " + code.message());
   }
 
@@ -146,6 +175,7 @@ class Conversion {
   std::string choose(const std::string& about, const OpenOptions& options);
 
   path file_;
+  path whole_;  // without symbolic links
   Kind kind_;
   path translate_;
   PrivateFolder folder_;
@@ -154,7 +184,9 @@ class Conversion {
 /// Runs a program of GDAL and returns what it prints. Throws Error{bad_data} with its complaint.
 std::string Conversion::run(const path& program, std::vector<std::string> arguments) const {
   arguments.insert(arguments.begin(), program.string());
-  const ChildResult result = run_limited(arguments, environment_of(folder_.path()), ChildLimits());
+  ChildLimits limits;
+  limits.files = files_for(whole_, program, folder_.path());
+  const ChildResult result = run_limited(arguments, environment_of(folder_.path()), limits);
   if (result.status == 0 && !result.took_too_long) return result.output;
   const std::string name = program.filename().string();
   if (result.took_too_long) refuse(file_, fmt::format("{} took too long and was stopped", name));

@@ -8,12 +8,14 @@
 #include <iterator>
 #include <optional>
 #include <string>
+#include <thread>
 #include <utility>
 #include <vector>
 
 #include <gtest/gtest.h>
 
 #include "elevation/child_process.hpp"
+#include "elevation/confine.hpp"
 #include "elevation/gdal_variables.hpp"
 #include "elevation/open.hpp"
 #include "files.hpp"
@@ -197,25 +199,46 @@ TEST(GdalProgram, LeavesNothingBehind) {
 
 TEST(GdalProgram, IsRunWithoutNetworkSideFilesAndOtherDrivers) {
   const Folder folder;
-  // This program stands for both of GDAL's and writes down how it was called.
-  const std::string program = "#!/bin/sh\n{ env; printf '%s\\n' \"$@\"; ulimit -v; } >>" +
-                              (folder.path() / "log").string() + "\nexit 3\n";
+  // This program stands for both of GDAL's and says what is not as it should be.
+  const std::string program =
+      "#!/bin/sh\n"
+      "expect() { [ \"$1\" = \"$2\" ] || printf '%s for %s, ' \"$1\" \"$2\"; }\n"
+      "expect \"$GDAL_PAM_ENABLED\" NO\n"
+      "expect \"$GDAL_DISABLE_READDIR_ON_OPEN\" EMPTY_DIR\n"
+      "expect \"$CPL_VSIL_CURL_ALLOWED_FILENAME\" nothing\n"
+      "expect \"$PROJ_NETWORK\" OFF\n"
+      "expect \"${GDAL_SKIP%% *}\" VRT\n"
+      "expect \"$AEROSTAT_SECRET\" ''\n"
+      "expect \"$2 $3\" '-if HFA'\n"
+      "expect \"${13##*/}\" output.tif\n"
+      "expect \"$(ulimit -v)\" 4194304\n"
+      "echo that is all\nexit 3\n";
   for (const char* name : {"gdal_translate", "gdalinfo"}) {
     std::filesystem::permissions(folder.write(name, program), std::filesystem::perms::owner_all);
   }
   const Setting chosen("AEROSTAT_GDAL_TRANSLATE", (folder.path() / "gdal_translate").string());
   const Setting secret("AEROSTAT_SECRET", "secret");
   const auto path = folder.write("a.img", "EHFA_HEADER_TAG, and so on");
-  EXPECT_TRUE(says(refusal_of([&] { open(path); }), "it ended with 3"));
-  std::ifstream file(folder.path() / "log");
-  const std::string log{std::istreambuf_iterator<char>(file), {}};
-  for (const char* part : {"GDAL_PAM_ENABLED=NO\n", "GDAL_DISABLE_READDIR_ON_OPEN=EMPTY_DIR\n",
-                           "PROJ_NETWORK=OFF\n", "CPL_VSIL_CURL_ALLOWED_FILENAME=nothing\n",
-                           "GDAL_SKIP=VRT ", "-if\nHFA\n", "\n4194304\n"}) {
-    EXPECT_TRUE(says(log, part));
-  }
-  EXPECT_EQ(log.find("AEROSTAT_SECRET"), std::string::npos);
-  EXPECT_EQ(log.find("a.img"), std::string::npos);
+  EXPECT_TRUE(says(refusal_of([&] { open(path); }),
+                   "gdal_translate cannot read this ERDAS IMAGINE file (that is all)"));
+}
+
+TEST(GdalProgram, ReachesNoOtherFile) {
+  const Folder folder, elsewhere;
+  const auto secret = elsewhere.write("secret", "secret");
+  std::filesystem::permissions(
+      folder.write("gdal_translate",
+                   "#!/bin/sh\ncat " + secret.string() + " 2>/dev/null || echo nothing; exit 3\n"),
+      std::filesystem::perms::owner_all);
+  const Setting chosen("AEROSTAT_GDAL_TRANSLATE", (folder.path() / "gdal_translate").string());
+  const auto path = folder.write("a.img", "EHFA_HEADER_TAG, and so on");
+  bool can_confine = false;
+  std::thread([&] { can_confine = confine_this_thread({}); }).join();
+  if (!can_confine) GTEST_SKIP() << "this system has no Landlock";
+  EXPECT_TRUE(says(refusal_of([&] { open(path); }), "(nothing)"));
+  // This process itself still reaches it.
+  EXPECT_EQ(std::filesystem::file_size(secret), 6u);
+  EXPECT_TRUE(std::ifstream(secret).good());
 }
 
 TEST(GdalVariables, AreChosenByTheirNames) {
