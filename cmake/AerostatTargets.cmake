@@ -35,7 +35,7 @@ if(AEROSTAT_SANITIZE)
   # With instrumented standard headers, GCC 12 warns of uninitialised members that do not exist.
   target_compile_options(aerostat_options INTERFACE -fsanitize=address,undefined
                          -fno-omit-frame-pointer -fno-sanitize-recover=undefined
-                         -Wno-maybe-uninitialized)
+                         $<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized>)
   target_link_options(aerostat_options INTERFACE -fsanitize=address,undefined)
 endif()
 option(AEROSTAT_FUZZERS "Build programs of libFuzzer, which needs Clang" OFF)

@@ -154,13 +154,13 @@ SampleLayout layout_of(const HdrFile& hdr, RasterInfo& info, const OpenOptions& 
 
 }  // namespace
 
-const Format kBilFormat{"samples with .hdr", is_bil, open_bil};
+const Format kBilFormat{"grid with a .hdr file", is_bil, open_bil};
 
 std::unique_ptr<Raster> read_bil(std::shared_ptr<const ByteSource> bytes, const SideFiles& beside,
                                  const std::filesystem::path& path, const OpenOptions& options) {
   RasterInfo info;
   info.path = path;
-  info.format = "samples with .hdr";
+  info.format = "grid with a .hdr file";
   if (beside.hdr.empty()) {
     refuse(path, "the .hdr file that describes its samples does not lie beside it");
   }

@@ -211,7 +211,7 @@ std::unique_ptr<Raster> read_exr(Bytes bytes, const SideFiles& beside,
                                  const std::filesystem::path& path, const OpenOptions& options) {
   RasterInfo info;
   info.path = path;
-  info.format = "EXR";
+  info.format = "EXR image";
   try {
     return read_any(bytes, beside, std::move(info), options);
   } catch (const Error&) {

@@ -25,7 +25,7 @@ HeightScale height_scale_of(RasterInfo& info, const OpenOptions& options, double
   }
   if (!may_be_metres && !options.metres_per_unit) {
     refuse(info.path,
-           fmt::format("the values of a {} file from {} to {} say nothing of heights; "
+           fmt::format("the values of this {} go from {} to {} and say nothing of heights; "
                        "/terrain/image_heights_m is needed, [lowest, highest] in metres{}",
                        info.format, lowest, highest,
                        options.cell_m ? "" : ", and /terrain/cell_m, the distance of samples"));
@@ -49,7 +49,7 @@ void set_image_place(RasterInfo& info, const OpenOptions& options, const SideFil
     return;
   }
   if (!options.cell_m) {
-    refuse(info.path, fmt::format("a {} file says nothing of distances; /terrain/cell_m is needed, "
+    refuse(info.path, fmt::format("this {} says nothing of distances; /terrain/cell_m is needed, "
                                   "the distance of samples in metres",
                                   info.format));
   }

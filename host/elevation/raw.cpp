@@ -128,13 +128,13 @@ double strangeness(const RasterInfo& info, const std::shared_ptr<const ByteSourc
 
 }  // namespace
 
-const Format kRawFormat{"raw samples", is_raw, open_raw};
+const Format kRawFormat{"raw file", is_raw, open_raw};
 
 std::unique_ptr<Raster> read_raw(std::shared_ptr<const ByteSource> bytes, const SideFiles& beside,
                                  const std::filesystem::path& path, const OpenOptions& options) {
   RasterInfo info;
   info.path = path;
-  info.format = "raw samples";
+  info.format = "raw file";
   const std::uint64_t header = options.raw.header_bytes;
   if (header >= bytes->size()) {
     refuse(path, fmt::format("the file has {} bytes, and {} of them were said to be its header",
@@ -143,7 +143,7 @@ std::unique_ptr<Raster> read_raw(std::shared_ptr<const ByteSource> bytes, const 
   SampleLayout layout;
   layout.type = type_of(info, options, bytes->size() - header);
   info.sample_type = name_of(layout.type);
-  info.format = fmt::format("raw {}", info.sample_type);
+  info.format = fmt::format("raw file of {}", info.sample_type);
   const auto sample_bytes = static_cast<std::uint64_t>(bytes_of(layout.type));
   set_size(info, options, bytes->size() - header, sample_bytes);
   layout.first = header;

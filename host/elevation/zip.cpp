@@ -94,8 +94,11 @@ Entry entry_with(const std::vector<Entry>& entries, std::string_view ending,
     found = entry;
   }
   if (!found) {
-    refuse(path, fmt::format("the zip file has {} members, and none of them is a {} file",
-                             entries.size(), ending));
+    refuse(
+        path,
+        fmt::format(
+            "the zip file has {} members, and none of them is a {} file; unpack it to read others",
+            entries.size(), ending));
   }
   return *found;
 }
