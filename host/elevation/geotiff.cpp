@@ -57,6 +57,8 @@ class BlockReader {
 
   BlockCache::Block decode(const TiffHandle& handle, int column, int row,
                            const HeightRule& rule) const;
+  std::shared_ptr<std::vector<float>> decode_band(const TiffHandle& handle, int column, int row,
+                                                  int band, const HeightRule& rule) const;
 
   std::shared_ptr<const OpenFile> file_;
   TiffPage page_;
@@ -66,13 +68,31 @@ class BlockReader {
 
 BlockCache::Block BlockReader::decode(const TiffHandle& handle, int column, int row,
                                       const HeightRule& rule) const {
+  const std::shared_ptr<std::vector<float>> heights = decode_band(handle, column, row, 0, rule);
+  if (page_.layout.opacity <= 0) return heights;
+  // What is transparent has no height.
+  HeightRule as_stored;
+  as_stored.type = page_.layout.sample;
+  const auto opacity = decode_band(handle, column, row, page_.layout.opacity, as_stored);
+  for (std::size_t i = 0; i < heights->size(); ++i) {
+    if ((*opacity)[i] == 0.0f) (*heights)[i] = std::numeric_limits<float>::quiet_NaN();
+  }
+  return heights;
+}
+
+std::shared_ptr<std::vector<float>> BlockReader::decode_band(const TiffHandle& handle, int column,
+                                                             int row, int band,
+                                                             const HeightRule& rule) const {
   const TiffLayout& l = page_.layout;
   TIFF* const tiff = handle.get();
   const int first_row = row * l.block_height;
   const int rows = l.tiled ? l.block_height : std::min(l.block_height, l.height - first_row);
   const std::uint32_t number =
       static_cast<std::uint32_t>(row) * static_cast<std::uint32_t>(l.blocks_across()) +
-      static_cast<std::uint32_t>(column);
+      static_cast<std::uint32_t>(column) +
+      (l.bands_apart ? static_cast<std::uint32_t>(band * l.blocks_across() * l.blocks_down()) : 0);
+  const std::size_t first_byte =
+      l.bands_apart ? 0 : static_cast<std::size_t>(band * bits_of(l.sample) / 8);
   const std::size_t width = static_cast<std::size_t>(l.block_width);
   auto heights = std::make_shared<std::vector<float>>(width * static_cast<std::size_t>(rows));
   int failed = 0;
@@ -97,8 +117,8 @@ BlockCache::Block BlockReader::decode(const TiffHandle& handle, int column, int 
                        handle.complaint().empty() ? "it is too short" : handle.complaint()));
   }
   for (std::size_t j = 0; j < static_cast<std::size_t>(rows); ++j) {
-    samples_to_heights(rule, bytes.data() + j * row_bytes, static_cast<std::size_t>(l.stride()),
-                       width, heights->data() + j * width);
+    samples_to_heights(rule, bytes.data() + j * row_bytes + first_byte,
+                       static_cast<std::size_t>(l.stride()), width, heights->data() + j * width);
   }
   return heights;
 }

@@ -76,7 +76,7 @@ void set_scale(const GdalMetadata& metadata, const OpenOptions& options, RasterI
 }
 
 void note_pages(const TiffPages& pages, RasterInfo& info) {
-  if (pages.main.layout.bands > 1) {
+  if (pages.main.layout.bands > (pages.main.layout.opacity > 0 ? 2 : 1)) {
     info.notes.push_back(
         fmt::format("The file has {} bands, of which the first one is taken as heights.",
                     pages.main.layout.bands));

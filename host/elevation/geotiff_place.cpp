@@ -87,7 +87,12 @@ void set_crs(const GeoKeyCrs& keys, const SideFiles& beside, const OpenOptions& 
     place.crs = beside.aux_wkt;
     source = ".aux.xml";
   }
-  if (place.crs.empty()) return;
+  if (place.crs.empty()) {
+    info.notes.push_back(
+        "The file does not say its coordinate reference system, and no .prj file beside it does. "
+        "/terrain/crs names it.");
+    return;
+  }
   info.notes.push_back(
       fmt::format("The coordinate reference system, {}, is from the {} file beside it.",
                   geo::crs_info(place.crs).name, source));

@@ -79,6 +79,23 @@ bool set_sample(TIFF* tiff, TiffLayout& layout, std::string& why) {
   return false;
 }
 
+/// Returns the number of the band that tells what is transparent, or 0. The last bands of a file
+/// are those with a meaning of their own.
+int band_of_opacity(TIFF* tiff, int bands) {
+  std::uint16_t count = 0;
+  std::uint16_t* meanings = nullptr;
+  if (TIFFGetField(tiff, TIFFTAG_EXTRASAMPLES, &count, &meanings) == 0 || meanings == nullptr) {
+    return 0;
+  }
+  for (int i = 0; i < count; ++i) {
+    const int band = bands - count + i;
+    const bool is_opacity =
+        meanings[i] == EXTRASAMPLE_ASSOCALPHA || meanings[i] == EXTRASAMPLE_UNASSALPHA;
+    if (is_opacity && band > 0 && band < bands) return band;
+  }
+  return 0;
+}
+
 /// Sets the sizes of strips or tiles. Returns whether they make sense.
 bool set_blocks(TIFF* tiff, TiffLayout& layout) {
   layout.tiled = TIFFIsTiled(tiff) != 0;
@@ -118,6 +135,7 @@ std::optional<TiffLayout> layout_of(const TiffHandle& handle, std::string& why) 
   layout.subfile = tag<std::uint32_t>(tiff, TIFFTAG_SUBFILETYPE, 0);
   layout.bands = tag<std::uint16_t>(tiff, TIFFTAG_SAMPLESPERPIXEL, 1);
   layout.bands_apart = tag<std::uint16_t>(tiff, TIFFTAG_PLANARCONFIG, 1) == PLANARCONFIG_SEPARATE;
+  layout.opacity = band_of_opacity(tiff, layout.bands);
   layout.compression = tag<std::uint16_t>(tiff, TIFFTAG_COMPRESSION, 1);
   layout.photometric = tag<std::uint16_t>(tiff, TIFFTAG_PHOTOMETRIC, PHOTOMETRIC_MINISBLACK);
   if (layout.bands < 1 || layout.bands > kMostBands) {

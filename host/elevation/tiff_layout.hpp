@@ -14,6 +14,7 @@ struct TiffLayout {
   int width = 0, height = 0;
   TiffSample sample = TiffSample::uint8;
   int bands = 1;
+  int opacity = 0;           // the number of the band that tells what is transparent; 0: none
   bool bands_apart = false;  // each band has blocks of its own
   bool tiled = false;
   int block_width = 0, block_height = 0;  // of strips and tiles

@@ -125,6 +125,7 @@ TEST(GeoTiffPlace, LeavesAMissingSystemToTheCaller) {
   TiffPageSpec page = page_at(32632, 600000.0, 5200000.0, 30.0);
   page.geo_keys.clear();
   EXPECT_EQ(through_file(folder, page)->info().georeference->crs, "");
+  EXPECT_TRUE(has_note(*through_file(folder, page), "/terrain/crs names it"));
   OpenOptions options;
   options.crs = "EPSG:25832";
   EXPECT_EQ(through_file(folder, page, options)->info().georeference->crs, "EPSG:25832");

@@ -281,6 +281,22 @@ TEST(GeoTiffVoids, AreUnderMasks) {
   }
 }
 
+TEST(GeoTiffVoids, AreTransparent) {
+  for (const bool apart : {false, true}) {
+    TiffPageSpec page;
+    page.bits = 16;
+    page.format = 2;
+    page.bands = 3;
+    page.bands_apart = apart;
+    page.last_is_opacity = true;
+    page.tile = 16;
+    page.other = [](int i, int) { return i == 20 ? 0.0 : 255.0; };
+    const std::vector<float> heights = through_file(page);
+    EXPECT_TRUE(std::isnan(heights[20]));
+    EXPECT_EQ(heights[21], 63.0f);
+  }
+}
+
 TEST(GeoTiffVoids, AreBlocksThatTheFileLeavesOut) {
   for (const char* nodata : {"", "-9999"}) {
     TiffPageSpec page;

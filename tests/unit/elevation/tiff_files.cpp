@@ -50,6 +50,11 @@ void set_tags(TIFF* tiff, const TiffPageSpec& page) {
   } else {
     TIFFSetField(tiff, TIFFTAG_ROWSPERSTRIP, page.rows_per_strip);
   }
+  if (page.last_is_opacity) {
+    std::vector<std::uint16_t> meanings(static_cast<std::size_t>(page.bands - 1));
+    meanings.back() = EXTRASAMPLE_UNASSALPHA;
+    TIFFSetField(tiff, TIFFTAG_EXTRASAMPLES, page.bands - 1, meanings.data());
+  }
   if (page.photometric == PHOTOMETRIC_PALETTE) {
     std::vector<std::uint16_t> map(256);
     TIFFSetField(tiff, TIFFTAG_COLORMAP, map.data(), map.data(), map.data());
@@ -74,15 +79,14 @@ void set_tags(TIFF* tiff, const TiffPageSpec& page) {
 
 /// Puts a sample into a block. Masks have samples of one bit.
 void put_sample(const TiffPageSpec& page, double value, std::vector<std::uint8_t>& block,
-                std::size_t row_bytes, int i, int j, int stride) {
+                std::size_t row_bytes, int i, int j) {
   std::uint8_t* const row = block.data() + static_cast<std::size_t>(j) * row_bytes;
   if (page.bits == 1) {
     if (value != 0.0) row[i / 8] = static_cast<std::uint8_t>(row[i / 8] | 0x80 >> i % 8);
     return;
   }
   const std::vector<std::uint8_t> bytes = sample_bytes(value, page.bits, page.format);
-  std::copy(bytes.begin(), bytes.end(),
-            row + static_cast<std::size_t>(i) * static_cast<std::size_t>(stride) * bytes.size());
+  std::copy(bytes.begin(), bytes.end(), row + static_cast<std::size_t>(i) * bytes.size());
 }
 
 void write_blocks(TIFF* tiff, const TiffPageSpec& page) {
@@ -98,10 +102,13 @@ void write_blocks(TIFF* tiff, const TiffPageSpec& page) {
       std::vector<std::uint8_t> bytes(row_bytes * static_cast<std::size_t>(rows));
       for (int j = 0; j < rows; ++j) {
         for (int i = 0; i < side_x; ++i) {
-          // The other bands and what lies beyond the image hold values that must not be seen.
-          const bool seen = plane == 0 && first_x + i < page.width && first_y + j < page.height;
-          put_sample(page, seen ? page.value(first_x + i, first_y + j) : 99.0, bytes, row_bytes, i,
-                     j, stride);
+          // What lies beyond the image must not be seen.
+          const int x = first_x + i, y = first_y + j;
+          const bool seen = x < page.width && y < page.height;
+          for (int band = 0; band < stride; ++band) {
+            const auto& value = plane == 0 && band == 0 ? page.value : page.other;
+            put_sample(page, seen ? value(x, y) : 99.0, bytes, row_bytes, i * stride + band, j);
+          }
         }
       }
       const auto number = static_cast<std::uint32_t>(plane * across * down + block);

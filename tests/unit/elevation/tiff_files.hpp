@@ -17,6 +17,7 @@ struct TiffPageSpec {
   int bits = 32;
   int format = 3;  // SAMPLEFORMAT_: 1 unsigned, 2 signed, 3 floating point, 5 and 6 complex
   int bands = 1;
+  bool last_is_opacity = false;
   bool bands_apart = false;
   int tile = 0;            // side of the tiles; 0: strips
   int rows_per_strip = 8;  // of strips
@@ -26,6 +27,8 @@ struct TiffPageSpec {
   unsigned subfile = 0;
   /// The value of a sample in column i and row j.
   std::function<double(int i, int j)> value = [](int i, int j) { return 3.0 * i + 2.0 * j; };
+  /// The value of the samples of all other bands.
+  std::function<double(int i, int j)> other = [](int, int) { return 99.0; };
   /// Blocks from this number on are left out.
   int first_missing_block = 1 << 30;
   // Tags of GeoTIFF and GDAL; those that are empty are not written.
