@@ -68,6 +68,7 @@ class Arguments {
     app_.option_defaults()->multi_option_policy(CLI::MultiOptionPolicy::TakeLast);
     add_render();
     add_contact_sheet();
+    add_new();
     add_scenes();
     add_devices();
     add_check();
@@ -86,7 +87,8 @@ class Arguments {
   /// Returns what is wrong, in words. CLI11 calls an unknown command a missing one.
   std::string complaint(const CLI::ParseError& error, int argc, const char* const* argv) {
     if (!app_.get_subcommands().empty()) return error.what();
-    const std::string commands = "render, contact-sheet, scenes, devices, check, dump or export";
+    const std::string commands =
+        "render, contact-sheet, new, scenes, devices, check, dump or export";
     if (argc < 2) return fmt::format("no command; expected {}", commands);
     if (argv[1][0] == '-') return error.what();
     return fmt::format("there is no command '{}'; expected {}", argv[1], commands);
@@ -109,11 +111,17 @@ class Arguments {
   }
 
   static void add_scene(CLI::App* sub, SceneOptions& options) {
-    sub->add_option("SCENE", options.scene,
-                    "Scene file (JSON with comments), the name of a scene that came with aerostat, "
-                    "such as snow (see 'aerostat scenes'), or - for standard input")
+    sub->add_option(
+           "SCENE", options.scene,
+           "Scene file (JSON with comments), a file or folder of elevation data, the name of "
+           "a scene that came with aerostat, such as snow (see 'aerostat scenes'), or - for "
+           "standard input")
         ->required()
         ->type_name("");
+    add_overrides(sub, options);
+  }
+
+  static void add_overrides(CLI::App* sub, SceneOptions& options) {
     sub->add_option("--set", options.overrides,
                     "Change the scene; the value is JSON or else text. Can be repeated; the "
                     "last one wins")
@@ -208,6 +216,12 @@ class Arguments {
            "--seeds", [this](const std::string& text) { sheet_.seeds = parse_seeds(text); },
            "Seeds and ranges of seeds, one a tile, such as 1,5,9-11; by default 1-12")
         ->type_name("LIST");
+    sub->add_option(
+           "--views", sheet_.views,
+           "On real land, show so many views in place of seeds, 1 to 1000, the best one first")
+        ->transform(in_range(1, kMostTiles))
+        ->excludes("--seeds")
+        ->type_name("N");
     sub->add_option("-o,--output", sheet_.output,
                     "A .png file, or - for standard output; by default the scene's name and "
                     "-seeds.png, in this folder")
@@ -224,6 +238,25 @@ class Arguments {
     add_quality(sub, sheet_.quality);
     add_device(sub, sheet_.device);
     add_quiet(sub, sheet_.quiet);
+  }
+
+  void add_new() {
+    CLI::App* sub = add("new", "Write a scene around a file of elevation data", kNewFooter,
+                        [this] { return new_scene(new_); });
+    sub->add_option("FILE", new_.input.scene,
+                    "File of elevation data (GeoTIFF, .hgt, .asc, DTED and others), or a folder of "
+                    "them")
+        ->required()
+        ->type_name("");
+    add_overrides(sub, new_.input);
+    sub->add_option(
+           "-o,--output", new_.output,
+           "A .json file, or - for standard output; by default the file's name and .json, in "
+           "this folder, if there is none yet")
+        ->type_name("FILE");
+    sub->add_option("--view", new_.view, "Which of the views to take, 1 (the best) to 1000")
+        ->transform(in_range(1, kMostTiles))
+        ->type_name("N");
   }
 
   void add_scenes() {
@@ -281,6 +314,7 @@ class Arguments {
   std::function<int()> command_;
   RenderOptions render_;
   ContactSheetOptions sheet_;
+  NewOptions new_;
   ScenesOptions scenes_;
   DevicesOptions devices_;
   CheckOptions check_;

@@ -8,6 +8,7 @@ inline constexpr const char* kDescription =
 
 inline constexpr const char* kMainFooter = R"(Examples:
   aerostat render snow
+  aerostat render davos.tif
   aerostat scenes
   aerostat devices
   aerostat COMMAND --help
@@ -31,6 +32,7 @@ inline constexpr const char* kRenderFooter = R"(Examples:
   aerostat render scenes/snow.json --set /sun/elevation_deg=6 --set /balloon/pattern=spiral
   aerostat render scenes/snow.json --crop 400,200,880,520 --device cpu --stats
   aerostat render scenes/snow.json --device all
+  aerostat render davos.tif
   aerostat dump snow | aerostat render - -o - --format exr > layers.exr
 
 Devices:
@@ -40,8 +42,16 @@ inline constexpr const char* kContactSheetFooter = R"(Examples:
   aerostat contact-sheet scenes/snow.json
   aerostat contact-sheet scenes/sand.json --seeds 1-6,20-25 --quality draft -o dunes.png
   aerostat contact-sheet scenes/tropical.json --columns 3 --tile-width 480 --set /balloon/enabled=false
+  aerostat contact-sheet davos.tif --views 12
 
 Each tile is exposed by what it shows, unless the scene says /image/exposure_ev; the number below it is its /terrain/seed.)";
+
+inline constexpr const char* kNewFooter = R"(Examples:
+  aerostat new davos.tif
+  aerostat new davos.tif --view 3 --set /biome=snow -o winter.json
+  aerostat new tiles/ -o - | aerostat render - -o picture.png
+
+What the scene leaves open is chosen: place, camera and balloon, sun, biome and size. Each choice is said, and stands in the file to be changed. 'aerostat contact-sheet davos.tif --views 12' shows the views.)";
 
 inline constexpr const char* kScenesFooter = R"(Examples:
   aerostat scenes

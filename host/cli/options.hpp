@@ -45,11 +45,20 @@ struct ContactSheetOptions {
   // -seeds.png in the current folder.
   std::filesystem::path output;
   std::vector<std::uint32_t> seeds;  // seeds of the terrain, one for each tile
+  int views = 0;                     // number of chosen views of real land; 0: seeds instead
   int columns = 0;                   // 0: chosen by the number of tiles
   int tile_width = 320;
   std::string quality;  // empty: the scene's own quality
   DeviceOptions device;
   bool quiet = false;
+};
+
+struct NewOptions {
+  SceneOptions input;  // a file or folder of elevation data
+  // The value "-" stands for standard output. An empty value stands for the file's name and .json
+  // in the current folder.
+  std::filesystem::path output;
+  int view = 1;  // of the views by their measure, the best one being 1
 };
 
 struct ScenesOptions {

@@ -28,11 +28,11 @@ namespace {
 namespace fs = std::filesystem;
 
 /// Returns the unresolved scene with all options applied.
-scene::Scene scene_to_render(const RenderOptions& options) {
+scene::Scene scene_to_render(const RenderOptions& options, world::ReliefCache& reliefs) {
   SceneOptions input = options.input;
   // Options win over --set.
   if (!options.quality.empty()) input.overrides.push_back("/quality=" + options.quality);
-  scene::Scene scene = read_scene(input);
+  scene::Scene scene = read_scene(input, reliefs);
   if (options.width) scene.image.width = *options.width;
   if (options.height) scene.image.height = *options.height;
   if (options.spp) scene.image.spp = *options.spp;
@@ -107,14 +107,14 @@ int render(const RenderOptions& options) {
 
   CommandSeconds seconds;
   Stopwatch phase;
-  const scene::Scene scene = scene_to_render(options);
+  const auto cache = std::make_shared<render::SceneCache>();
+  const scene::Scene scene = scene_to_render(options, cache->reliefs);
   seconds.reading = phase.restart();
   require_encodable(options, scene.image, format);
   // Drivers are loaded while the ground is laid out. oneTBB is started first. Otherwise the
   // libraries that it loads, and the requests of its new threads to the loader, would wait for
   // the drivers.
   tbb::parallel_for(0, tbb::this_task_arena::max_concurrency(), [](int) {});
-  const auto cache = std::make_shared<render::SceneCache>();
   auto opening = std::async(std::launch::async, [&, light = scene.light] {
     return open_session(options, format, light, cache);
   });

@@ -12,9 +12,13 @@
 #include "cli/parse.hpp"
 #include "core/error.hpp"
 #include "core/file.hpp"
+#include "core/log.hpp"
+#include "elevation/open.hpp"
 #include "scene/installed.hpp"
 #include "scene/io.hpp"
 #include "scene/scene.hpp"
+#include "scene/source.hpp"
+#include "staging/stage.hpp"
 #include "world/resolve.hpp"
 
 namespace aerostat::cli {
@@ -40,6 +44,36 @@ std::string text_of_stdin() {
   return text;
 }
 
+/// Returns whether the scene is named by a bare file or folder of elevation data.
+bool is_land(const SceneOptions& options) {
+  if (is_standard(options.scene) || options.scene.extension() == ".json") return false;
+  return scene::find_scene(options.scene) == options.scene &&
+         elevation::is_elevation(options.scene);
+}
+
+/// Returns the text of standard input if the scene comes from there.
+std::string text_of(const SceneOptions& options) {
+  return is_standard(options.scene) ? text_of_stdin() : std::string();
+}
+
+/// Reads a scene that is no bare file of heights.
+scene::Scene plain_scene(const SceneOptions& options, const std::string& text) {
+  const std::vector<scene::Override> overrides = overrides_of(options);
+  if (is_standard(options.scene)) return scene::read_text(text, kStandardInput, overrides);
+  return scene::read_file(scene::find_scene(options.scene), overrides);
+}
+
+/// Reads the scene in a form that can be edited. Its messages name neither lines nor options, so
+/// that plain_scene() must have found no fault.
+scene::SceneSource source_of(const SceneOptions& options, const std::string& text) {
+  const auto source = [&] {
+    if (is_land(options)) return staging::scene_around(options.scene);
+    if (is_standard(options.scene)) return scene::SceneSource::from_text(text, kStandardInput);
+    return scene::SceneSource::from_file(scene::find_scene(options.scene));
+  };
+  return source().with(overrides_of(options));
+}
+
 /// Refuses to write to the scene's own file, whatever its name, because the output would destroy
 /// it.
 void refuse_own_input(const std::filesystem::path& output, const SceneOptions& input) {
@@ -53,15 +87,29 @@ void refuse_own_input(const std::filesystem::path& output, const SceneOptions& i
 
 }  // namespace
 
-scene::Scene read_scene(const SceneOptions& options) {
+std::vector<scene::Override> overrides_of(const SceneOptions& options) {
   std::vector<scene::Override> overrides;
   for (const std::string& text : options.overrides) {
     overrides.push_back(scene::parse_override(text));
   }
-  if (!is_standard(options.scene)) {
-    return scene::read_file(scene::find_scene(options.scene), overrides);
+  return overrides;
+}
+
+scene::Scene read_scene(const SceneOptions& options, world::ReliefCache& reliefs) {
+  const std::string text = text_of(options);
+  if (!is_land(options)) {
+    scene::Scene scene = plain_scene(options, text);
+    if (scene.terrain.kind != scene::TerrainKind::elevation) return scene;
   }
-  return scene::read_text(text_of_stdin(), kStandardInput, overrides);
+  const staging::Staged staged = staging::stage(source_of(options, text), reliefs);
+  for (const std::string& note : staged.notes) warn(note);
+  return staged.source.scene();
+}
+
+scene::SceneSource read_source(const SceneOptions& options) {
+  const std::string text = text_of(options);
+  if (!is_land(options)) plain_scene(options, text);
+  return source_of(options, text);
 }
 
 std::string name_of_scene(const SceneOptions& options) {
@@ -79,7 +127,7 @@ scene::ResolvedScene resolve_scene(const scene::Scene& scene, const SceneOptions
 }
 
 scene::ResolvedScene load_scene(const SceneOptions& options, world::ReliefCache& reliefs) {
-  return resolve_scene(read_scene(options), options, reliefs);
+  return resolve_scene(read_scene(options, reliefs), options, reliefs);
 }
 
 std::filesystem::path output_file(const std::filesystem::path& output, const SceneOptions& input,

@@ -2,16 +2,27 @@
 
 #include <filesystem>
 #include <string>
+#include <vector>
 
 #include "cli/options.hpp"
+#include "scene/io.hpp"
 #include "scene/resolved_scene.hpp"
+#include "scene/source.hpp"
 #include "world/surface.hpp"
 
 /// These functions read the input of all commands and write data to stdout.
 namespace aerostat::cli {
 
-/// Reads the scene and applies the overrides. Throws the errors of scene::read_file.
-scene::Scene read_scene(const SceneOptions& options);
+/// Reads the scene and applies the overrides. A bare file or folder of elevation data becomes a
+/// scene around it. What a scene on real land leaves open is chosen and said. Throws the errors of
+/// scene::read_file and staging::stage.
+scene::Scene read_scene(const SceneOptions& options, world::ReliefCache& reliefs);
+
+/// Reads the scene as read_scene() does, in a form that can be edited, and chooses nothing.
+scene::SceneSource read_source(const SceneOptions& options);
+
+/// Returns the changes of --set.
+std::vector<scene::Override> overrides_of(const SceneOptions& options);
 
 /// Returns the name of the scene for messages.
 std::string name_of_scene(const SceneOptions& options);

@@ -1,5 +1,6 @@
 #include "elevation/open.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <cstring>
@@ -57,6 +58,18 @@ std::vector<std::uint8_t> head_of(const std::filesystem::path& path) {
 }
 
 }  // namespace
+
+bool is_elevation(const std::filesystem::path& path) {
+  std::error_code code;
+  if (std::filesystem::is_directory(path, code)) return true;
+  try {
+    const std::vector<std::uint8_t> head = head_of(path);
+    return std::any_of(kFormats.begin(), kFormats.end(),
+                       [&](const Format* format) { return format->matches(head, path); });
+  } catch (const Error&) {
+    return false;
+  }
+}
 
 std::unique_ptr<Raster> open(const std::filesystem::path& path, const OpenOptions& options) {
   const std::vector<std::uint8_t> head = head_of(path);

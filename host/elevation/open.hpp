@@ -18,6 +18,8 @@ struct RawLayout {
   std::string sample_type;    // "uint8", "int16", "uint16", "float32"...; empty: by the file's name
   bool big_endian = false;
   std::uint64_t header_bytes = 0;
+
+  bool operator==(const RawLayout&) const = default;
 };
 
 /// What a user says of a file. It wins over what the file says.
@@ -31,6 +33,8 @@ struct OpenOptions {
   std::string encoding;          // "", "terrarium" or "terrain-rgb" for images of tiles
   std::string variable;          // of a file that holds several rasters; empty: by its name
   RawLayout raw;
+
+  bool operator==(const OpenOptions&) const = default;
 };
 
 /// The most samples along a side, and the most of all, that a raster may have.
@@ -38,6 +42,10 @@ inline constexpr int kMostSamplesASide = 1 << 20;
 inline constexpr std::uint64_t kMostSamples = std::uint64_t{1} << 34;
 /// The most samples of a file that has to be read as a whole.
 inline constexpr std::uint64_t kMostSamplesInMemory = std::uint64_t{1} << 28;
+
+/// Returns whether a file looks like one of heights. Folders do, and files that cannot be read do
+/// not.
+bool is_elevation(const std::filesystem::path& path);
 
 /// Opens a file of heights. Its content decides of which format it is, apart from formats without
 /// any mark, which its name decides. Throws Error{io} if the file cannot be read, and

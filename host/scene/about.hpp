@@ -123,6 +123,16 @@ constexpr About colors(int least, int most, const char* text, const char* part_t
           .editor = Editor::colors};
 }
 
+/// Describes a text.
+constexpr About text(const char* text) {
+  return {.text = text};
+}
+
+/// Describes a list of texts. `part_text` is the text of an element.
+constexpr About texts(int most, const char* text, const char* part_text) {
+  return {.text = text, .to = static_cast<double>(most), .part_text = part_text};
+}
+
 /// Describes a point in space whose coordinates are at most `reach` metres from 0.
 constexpr About place(const char* text, double reach = 1e6) {
   return {.text = text,

@@ -294,6 +294,16 @@ Scene defaults(BiomeKind biome, View view, Mood mood) {
   return scene;
 }
 
+void set_elevation(Scene& scene) {
+  Terrain& terrain = scene.terrain;
+  const Terrain plain;
+  terrain.kind = TerrainKind::elevation;
+  terrain.cells = 1536;
+  terrain.size_m = 60000.0;
+  terrain.grading = 30.0;
+  terrain.base_m = plain.base_m;
+}
+
 void set_season(Scene& scene, Season season) {
   scene.biome.season = season;
   if (scene.biome.kind != BiomeKind::meadow) return;

@@ -16,7 +16,32 @@ std::span<const char* const> enum_names<Season>() {
 
 template <>
 std::span<const char* const> enum_names<TerrainKind>() {
-  static constexpr const char* kNames[] = {"mountains", "island", "dunes"};
+  static constexpr const char* kNames[] = {"mountains", "island", "dunes", "elevation"};
+  return kNames;
+}
+
+template <>
+std::span<const char* const> enum_names<HeightUnit>() {
+  static constexpr const char* kNames[] = {"auto", "m", "dm", "cm", "ft", "us-ft"};
+  return kNames;
+}
+
+template <>
+std::span<const char* const> enum_names<TileEncoding>() {
+  static constexpr const char* kNames[] = {"auto", "terrarium", "terrain-rgb"};
+  return kNames;
+}
+
+template <>
+std::span<const char* const> enum_names<Voids>() {
+  static constexpr const char* kNames[] = {"land", "sea"};
+  return kNames;
+}
+
+template <>
+std::span<const char* const> enum_names<SampleType>() {
+  static constexpr const char* kNames[] = {"auto",   "uint8", "int8",    "uint16", "int16",
+                                           "uint32", "int32", "float32", "float64"};
   return kNames;
 }
 

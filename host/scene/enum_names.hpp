@@ -20,6 +20,14 @@ std::span<const char* const> enum_names<Season>();
 template <>
 std::span<const char* const> enum_names<TerrainKind>();
 template <>
+std::span<const char* const> enum_names<SampleType>();
+template <>
+std::span<const char* const> enum_names<Voids>();
+template <>
+std::span<const char* const> enum_names<TileEncoding>();
+template <>
+std::span<const char* const> enum_names<HeightUnit>();
+template <>
 std::span<const char* const> enum_names<FractalKind>();
 template <>
 std::span<const char* const> enum_names<HeightReference>();

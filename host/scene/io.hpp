@@ -44,6 +44,9 @@ std::string write_text(const Scene& scene);
 /// mood changes those of sun, moon, air, clouds and film.
 Scene defaults(BiomeKind biome, View view, Mood mood = Mood::none);
 
+/// Sets the ground to that of elevation data, with the defaults that are its own.
+void set_elevation(Scene& scene);
+
 /// Sets the season of a meadow and the colours that follow from it. Other biomes keep theirs.
 void set_season(Scene& scene, Season season);
 

@@ -1,6 +1,9 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
 
 #include "core/math.hpp"
 
@@ -10,7 +13,8 @@ namespace aerostat::scene {
 enum class BiomeKind { snow, tropical, sand, meadow };
 /// The time of the year in a meadow, which sets the colours of leaves and grass.
 enum class Season { spring, summer, autumn };
-enum class TerrainKind { mountains, island, dunes };
+/// The shape of the ground. `elevation` is that of the files of ElevationSource.
+enum class TerrainKind { mountains, island, dunes, elevation };
 enum class FractalKind { fbm, ridged };
 
 /// Several octaves of Perlin noise. The first octave has the wavelength Terrain::feature_m.
@@ -33,8 +37,57 @@ struct Dunes {
   bool operator==(const Dunes&) const = default;
 };
 
+/// The unit of the heights in a file. `automatic` goes by what the file says.
+enum class HeightUnit { automatic, metre, decimetre, centimetre, foot, us_survey_foot };
+/// The way in which the colours of an image tile hold heights.
+enum class TileEncoding { automatic, terrarium, terrain_rgb };
+/// What lies where the files have no heights over a large area: land like that around, or sea.
+enum class Voids { land, sea };
+enum class SampleType { automatic, uint8, int8, uint16, int16, uint32, int32, float32, float64 };
+
+/// The point of the files that lies at the terrain's centre: a latitude and longitude on WGS 84, or
+/// coordinates of the files' own system. Either both of a pair are given or none.
+struct TerrainPlace {
+  std::optional<double> latitude_deg, longitude_deg;
+  std::optional<double> easting, northing;
+
+  bool operator==(const TerrainPlace&) const = default;
+};
+
+/// The layout of a file that holds nothing but samples. A width and height of 0 mean that the file
+/// is square.
+struct RawSamples {
+  int width = 0, height = 0;
+  SampleType type = SampleType::automatic;
+  bool big_endian = false;
+  int header_bytes = 0;
+
+  bool operator==(const RawSamples&) const = default;
+};
+
+/// Elevation data, and what a scene says of it in place of the files.
+struct ElevationSource {
+  std::vector<std::string> source;  // files and folders; empty: the ground is made from noise
+  std::string crs;                  // coordinate reference system; empty: as the files say
+  HeightUnit unit = HeightUnit::automatic;
+  std::optional<double> nodata;  // the value of samples without a height
+  std::optional<dvec2>
+      image_heights_m;           // the heights of the least and the greatest value of images
+  std::optional<double> cell_m;  // distance of samples, for files that do not give a place
+  TileEncoding encoding = TileEncoding::automatic;
+  std::string variable;  // of files that hold several; empty: by its name
+  RawSamples raw;
+  TerrainPlace place;
+  std::optional<double> extent_m;  // side of the square of the files around `place` that counts
+  Voids voids = Voids::land;
+  bool curved = true;   // the ground falls away with the curvature of the Earth
+  double detail = 1.0;  // strength of the relief that is added below the files' resolution
+
+  bool operator==(const ElevationSource&) const = default;
+};
+
 /// The ground, a square of cells x cells quads around `center`, whose spacing grows outwards.
-struct Terrain {
+struct Terrain : ElevationSource {
   TerrainKind kind = TerrainKind::mountains;
   std::uint32_t seed = 1;
   int cells = 1024;                // cells along a side

@@ -42,11 +42,103 @@ inline constexpr auto kTable<Dunes> = table(
               .slider(EditGroup::dunes, "Height", 0, 200)));
 
 template <>
+inline constexpr auto kTable<TerrainPlace> = table(
+    "Point of the source that lies at center. It is a latitude and longitude, or an easting and "
+    "northing in the source's own coordinates. If it is left out, the middle of the source counts.",
+    field("latitude_deg", &TerrainPlace::latitude_deg,
+          number(-90, 90, "Latitude in degrees, {from} to {to} (north).")),
+    field("longitude_deg", &TerrainPlace::longitude_deg,
+          number(-360, 360, "Longitude in degrees, {from} to {to}; east is positive.")),
+    field(
+        "easting", &TerrainPlace::easting,
+        number(-1e9, 1e9,
+               "First coordinate, from west to east, in the units of the source, {from} to {to}.")),
+    field("northing", &TerrainPlace::northing,
+          number(-1e9, 1e9,
+                 "Second coordinate, from south to north, in the units of the source, {from} to "
+                 "{to}.")));
+
+template <>
+inline constexpr auto kTable<RawSamples> = table(
+    "Layout of a file that holds nothing but samples, such as .r16 and .raw.",
+    field("width", &RawSamples::width,
+          number(0, 1048576, "Samples in a row, {from} (a square file) to {to}.")),
+    field("height", &RawSamples::height,
+          number(0, 1048576, "Rows, {from} (a square file) to {to}.")),
+    field("type", &RawSamples::type,
+          word("Type of a sample. auto (the default) goes by the name of the file: uint16 for .r16 "
+               "and .raw, float32 for .r32.")),
+    field("big_endian", &RawSamples::big_endian,
+          truth("Whether the first byte of a sample is its most significant one.")),
+    field("header_bytes", &RawSamples::header_bytes,
+          number(0, 1e9, "Bytes before the first sample, {from} to {to}.")));
+
+template <>
 inline constexpr auto kTable<Terrain> = table(
     "The ground: a square of cells x cells quads around center. The quads grow outwards. Defaults "
-    "come with the biome.",
+    "come with the biome, or from the elevation data of source.",
     field("kind", &Terrain::kind,
-          word("Overall shape of the ground.").control(EditGroup::shape, "Kind")),
+          word("Overall shape of the ground. elevation is that of source and needs it; it is the "
+               "default with a source.")
+              .control(EditGroup::shape, "Kind")),
+    field(
+        "source", &Terrain::source,
+        texts(
+            4096,
+            "Files of elevation data, or folders of them, at most {to}, relative to the folder of "
+            "the scene file. A single name needs no list. Where files overlap, the first wins.",
+            "Name of a file or of a folder.")),
+    field("crs", &Terrain::crs,
+          text("Coordinate reference system of the source, such as EPSG:2056, which wins over what "
+               "the files say.")),
+    field(
+        "unit", &Terrain::unit,
+        word(
+            "Unit of the heights in the source. auto (the default) goes by what the files say, and "
+            "takes metres if they say nothing. ft is the international foot, us-ft that of US "
+            "surveys.")),
+    field("nodata", &Terrain::nodata,
+          number(-1e9, 1e9,
+                 "Value of samples of the source that have no height, {from} to {to}. Samples that "
+                 "are no numbers, or below -1e30, never have one.")),
+    field(
+        "image_heights_m", &Terrain::image_heights_m,
+        number(-100000, 100000,
+               "Heights in metres of black and of white, for images and other sources that do not "
+               "give them.")),
+    field(
+        "cell_m", &Terrain::cell_m,
+        number(0, 1000000,
+               "Distance of neighbouring samples in metres, {from} (excluded) to {to}, for sources "
+               "that do not say where they lie.")
+            .above()),
+    field("encoding", &Terrain::encoding,
+          word("How the colours of image tiles hold heights. auto (the default) finds out.")),
+    field("variable", &Terrain::variable,
+          text("Name of the variable that holds heights, for files with several.")),
+    field("raw", &Terrain::raw), field("place", &Terrain::place),
+    field(
+        "extent_m", &Terrain::extent_m,
+        number(10, 1000000,
+               "Side of the square around place in metres, {from} to {to}, from which the view is "
+               "chosen. If it is left out, all of the source counts.")),
+    field(
+        "voids", &Terrain::voids,
+        word("What lies where the source has no heights over a large area. land (the default) goes "
+             "on like the land around it, and sea is water.")),
+    field(
+        "curved", &Terrain::curved,
+        truth(
+            "Whether the ground of a source falls away with the curvature of the Earth, less what "
+            "refraction gives back.")
+            .control(EditGroup::shape, "Curvature of the Earth")),
+    field(
+        "detail", &Terrain::detail,
+        number(
+            0, 4,
+            "Strength of the relief that is added where the mesh is finer than the source, {from} "
+            "(the source alone) to {to}.")
+            .slider(EditGroup::shape, "Added detail", 0, 2, 2)),
     field("seed", &Terrain::seed,
           number(0, 4294967295,
                  "Seed of the noise, {from} to {to}. Each seed gives another landscape.")

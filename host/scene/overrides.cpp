@@ -159,6 +159,12 @@ Pointer parse_pointer(const std::string& text) {
 }
 
 void expand_short_forms(Json& document) {
+  if (document.is_object() && document.contains("terrain") && document["terrain"].is_object()) {
+    const auto source = document["terrain"].find("source");
+    if (source != document["terrain"].end() && source->is_string()) {
+      *source = Json::array({*source});
+    }
+  }
   const auto biome = document.find("biome");
   if (document.is_object() && biome != document.end() && biome->is_string()) {
     *biome = Json{{"kind", *biome}};
@@ -182,6 +188,13 @@ BiomeKind biome_of(const Json& document) {
   return document.is_object() && document.contains("biome")
              ? enum_of(document["biome"], "kind", BiomeKind::snow)
              : BiomeKind::snow;
+}
+
+bool has_source(const Json& document) {
+  const Json::json_pointer source("/terrain/source");
+  if (!document.is_object() || !document.contains(source)) return false;
+  const Json& names = document[source];
+  return names.is_array() && !names.empty();
 }
 
 Season season_of(const Json& document) {

@@ -13,7 +13,8 @@ namespace aerostat::scene::detail {
 /// syntax or on more than kMaxDepth tokens.
 Pointer parse_pointer(const std::string& text);
 
-/// Replaces the short form "biome": "sand" by "biome": {"kind": "sand"}.
+/// Replaces the short form "biome": "sand" by "biome": {"kind": "sand"}, and that of a single file,
+/// "source": "davos.tif", by a list.
 void expand_short_forms(Json& document);
 
 /// Sets each override in turn. Missing objects on the way are created. Missing arrays are taken
@@ -22,6 +23,9 @@ void expand_short_forms(Json& document);
 /// ways. Throws Error{bad_data} if a pointer leads into a plain value or outside an array.
 /// `faults` notes which values no longer come from the text.
 void apply_overrides(Json& document, const std::vector<Override>& overrides, Faults& faults);
+
+/// Returns whether the document names files of elevation data.
+bool has_source(const Json& document);
 
 /// These functions return the biome, view and quality that the document asks for. They return the
 /// defaults (snow, outside, standard) where the document gives no valid word.

@@ -42,6 +42,10 @@ void read(const Json& node, vec3& v) {
   v = {node[0], node[1], node[2]};
 }
 
+void read(const Json& node, std::string& text) {
+  text = node.get<std::string>();
+}
+
 void read(const Json& node, dvec2& v) {
   v = {node[0], node[1]};
 }
@@ -217,6 +221,7 @@ namespace detail {
 Scene usual_scene(const Json& document) {
   Scene usual = defaults(biome_of(document), view_of(document), mood_of(document));
   set_season(usual, season_of(document));
+  if (has_source(document)) set_elevation(usual);
   set_quality(usual, quality_of(document));
   const Json haze = document.value("haze", Json::object());
   set_haze_droplets(usual.haze, haze.value("visibility_m", usual.haze.visibility_m));
@@ -255,6 +260,15 @@ Json parse_document(const std::string& text, Faults& faults) {
   return document;
 }
 
+void name_files_from(const std::filesystem::path& folder, Json& document) {
+  if (!has_source(document)) return;
+  for (Json& name : document["terrain"]["source"]) {
+    if (!name.is_string() || name == "") continue;
+    const std::filesystem::path path = folder / name.get<std::string>();
+    name = std::filesystem::absolute(path).lexically_normal().string();
+  }
+}
+
 Scene read_document(Json& document, Faults& faults) {
   normalize_numbers(document);
   check_version(document, faults.name());
@@ -271,16 +285,27 @@ Scene read_document(Json& document, Faults& faults) {
 
 }  // namespace detail
 
-Scene read_text(const std::string& text, const std::string& name,
-                const std::vector<Override>& overrides) {
+namespace {
+
+/// Reads a scene whose files are named from `folder`.
+Scene read_from(const std::filesystem::path& folder, const std::string& text,
+                const std::string& name, const std::vector<Override>& overrides) {
   detail::Faults faults(name, text);
   Json document = detail::parse_document(text, faults);
+  detail::name_files_from(folder, document);
   detail::apply_overrides(document, overrides, faults);
   return detail::read_document(document, faults);
 }
 
+}  // namespace
+
+Scene read_text(const std::string& text, const std::string& name,
+                const std::vector<Override>& overrides) {
+  return read_from({}, text, name, overrides);
+}
+
 Scene read_file(const std::filesystem::path& path, const std::vector<Override>& overrides) {
-  return read_text(detail::read_bytes(path), path.string(), overrides);
+  return read_from(path.parent_path(), detail::read_bytes(path), path.string(), overrides);
 }
 
 }  // namespace aerostat::scene

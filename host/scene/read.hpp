@@ -17,6 +17,9 @@ std::string read_bytes(const std::filesystem::path& path);
 /// JSON or is too long. All keys that an object has twice are added to `faults`.
 Json parse_document(const std::string& text, Faults& faults);
 
+/// Turns the names of files in a document, which count from `folder`, into absolute paths.
+void name_files_from(const std::filesystem::path& folder, Json& document);
+
 /// Returns the scene that a document describes, and normalises the numbers of the document.
 /// Throws BadScene if `faults` is not empty, or if the document breaks the schema or makes no
 /// sense.

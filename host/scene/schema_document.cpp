@@ -38,7 +38,10 @@ template <>
 constexpr std::size_t kNumberCount<dvec3> = 3;
 
 OrderedJson number_json(double value) {
-  if (value == std::trunc(value)) return static_cast<std::int64_t>(value);
+  constexpr double kExact = 9007199254740992.0;  // 2^53
+  if (value == std::trunc(value) && std::abs(value) <= kExact) {
+    return static_cast<std::int64_t>(value);
+  }
   return value;
 }
 
@@ -133,6 +136,16 @@ class Rules {
       rule["items"] = structured({}, std::type_identity<T>());
     }
     return rule;
+  }
+
+  /// A single text may stand for a list of one.
+  OrderedJson structured(const About& about, std::type_identity<std::vector<std::string>>) {
+    const OrderedJson one = rule<std::string>(text(about.part_text));
+    const OrderedJson list = {{"description", text_of(about)},
+                              {"type", "array"},
+                              {"maxItems", number_json(about.to)},
+                              {"items", one}};
+    return {{"description", text_of(about)}, {"anyOf", OrderedJson::array({one, list})}};
   }
 
   OrderedJson structured(const About& about,

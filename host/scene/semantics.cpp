@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <optional>
 
 #include <fmt/format.h>
 
@@ -83,6 +84,40 @@ void check_balloons(const Scene& scene, const std::string& name) {
                    kMostFurtherBalloons - listed, listed, kMostFurtherBalloons));
 }
 
+void check_source(const Terrain& terrain, const std::string& name) {
+  const bool is_elevation = terrain.kind == TerrainKind::elevation;
+  if (is_elevation && terrain.source.empty()) {
+    fail(name, {"terrain", "kind"}, "\"elevation\" without a source",
+         "a file of elevation data in /terrain/source");
+  }
+  if (!is_elevation && !terrain.source.empty()) {
+    fail(name, {"terrain", "kind"}, "a kind of ground that is made from noise beside a source",
+         "\"elevation\", or no /terrain/source");
+  }
+  for (const std::string& file : terrain.source) {
+    if (file.empty()) fail(name, {"terrain", "source"}, "an empty name", "the name of a file");
+  }
+}
+
+void check_terrain_place(const Terrain& terrain, const std::string& name) {
+  const TerrainPlace& place = terrain.place;
+  const Pointer pointer = {"terrain", "place"};
+  if (place.latitude_deg.has_value() != place.longitude_deg.has_value()) {
+    fail(name, pointer, "one of latitude_deg and longitude_deg", "both of them");
+  }
+  if (place.easting.has_value() != place.northing.has_value()) {
+    fail(name, pointer, "one of easting and northing", "both of them");
+  }
+  if (place.latitude_deg && place.easting) {
+    fail(name, pointer, "latitude_deg and easting", "either degrees or the source's coordinates");
+  }
+  const std::optional<dvec2>& ends = terrain.image_heights_m;
+  if (ends && ends->x >= ends->y) {
+    fail(name, {"terrain", "image_heights_m"}, fmt::format("[{}, {}]", ends->x, ends->y),
+         "the height of black, and a greater one of white");
+  }
+}
+
 }  // namespace
 
 void check_semantics(const Json& document, const Scene& scene, Faults& faults) {
@@ -94,6 +129,8 @@ void check_semantics(const Json& document, const Scene& scene, Faults& faults) {
   }
   faults.gather([&] { check_camera(scene.camera, name); });
   faults.gather([&] { check_balloons(scene, name); });
+  faults.gather([&] { check_source(scene.terrain, name); });
+  faults.gather([&] { check_terrain_place(scene.terrain, name); });
   const Ground& ground = scene.biome.ground;
   faults.gather([&] { check_order(ground.rock_slope_deg, "rock_slope_deg", name); });
   faults.gather([&] { check_order(ground.snow_slope_deg, "snow_slope_deg", name); });

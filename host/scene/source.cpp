@@ -159,7 +159,11 @@ struct SceneSource::State {
 SceneSource::SceneSource() : SceneSource(std::make_shared<State>(Json{{"version", 1}})) {}
 
 SceneSource SceneSource::from_file(const std::filesystem::path& path) {
-  return from_text(detail::read_bytes(path), path.string());
+  const std::string text = detail::read_bytes(path);
+  detail::Faults faults(path.string(), text);
+  Json document = detail::parse_document(text, faults);
+  detail::name_files_from(path.parent_path(), document);
+  return SceneSource(std::make_shared<State>(std::move(document), std::move(faults)));
 }
 
 SceneSource SceneSource::from_text(const std::string& text, const std::string& name) {
@@ -190,6 +194,10 @@ SceneSource SceneSource::without(const std::vector<std::string>& pointers) const
 std::string SceneSource::value(const std::string& pointer) const {
   const Json* const value = found(state_->values, json_pointer(pointer));
   return value == nullptr ? std::string() : value->dump();
+}
+
+bool SceneSource::gives(const std::string& pointer) const {
+  return state_->document.contains(json_pointer(pointer));
 }
 
 bool SceneSource::differs(const std::string& pointer) const {

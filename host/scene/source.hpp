@@ -41,6 +41,9 @@ class SceneSource {
   /// none. The two angles of the sun have values however its direction was given.
   std::string value(const std::string& pointer) const;
 
+  /// Returns whether the source itself gives the value at a pointer or a part of it.
+  bool gives(const std::string& pointer) const;
+
   /// Returns whether the value at a pointer differs from the default of the biome, view and
   /// quality.
   bool differs(const std::string& pointer) const;

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <optional>
+#include <string>
 #include <type_traits>
 #include <vector>
 
@@ -30,6 +31,10 @@ OrderedJson written(const T& value);
 
 OrderedJson written(const vec3& v) {
   return OrderedJson::array({shortest(v.x), shortest(v.y), shortest(v.z)});
+}
+
+OrderedJson written(const std::string& text) {
+  return text;
 }
 
 OrderedJson written(const dvec2& v) {

@@ -5,8 +5,11 @@
 namespace aerostat::terrain {
 namespace {
 
-std::unique_ptr<Relief> make_relief(const scene::Terrain& terrain, Carving carving) {
+std::unique_ptr<Relief> make_relief(const scene::Terrain& terrain, Carving carving,
+                                    RealLandCache& lands) {
   switch (terrain.kind) {
+    case scene::TerrainKind::elevation:
+      return make_real_land(terrain, lands);
     case scene::TerrainKind::island:
       return make_island(terrain, carving);
     case scene::TerrainKind::dunes:
@@ -30,8 +33,9 @@ scene::Terrain shape_of(scene::Terrain terrain) {
 std::shared_ptr<const Relief> relief_of(const scene::Terrain& terrain, Carving carving,
                                         ReliefCache& cache) {
   const scene::Terrain shape = shape_of(terrain);
-  return cache.of(carving).get(
-      shape, [&] { return std::shared_ptr<const Relief>(make_relief(shape, carving)); });
+  return cache.of(carving).get(shape, [&] {
+    return std::shared_ptr<const Relief>(make_relief(shape, carving, cache.lands));
+  });
 }
 
 }  // namespace
@@ -42,7 +46,7 @@ HeightField::HeightField(const scene::Terrain& terrain, Carving carving, ReliefC
       base_m_(static_cast<float>(terrain.base_m)) {}
 
 HeightField::HeightField(const scene::Terrain& terrain, Carving carving)
-    : relief_(make_relief(shape_of(terrain), carving)),
+    : relief_(relief_of(terrain, carving, *std::make_unique<ReliefCache>())),
       center_(terrain.center),
       base_m_(static_cast<float>(terrain.base_m)) {}
 

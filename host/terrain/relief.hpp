@@ -5,6 +5,7 @@
 #include "points.hpp"
 #include "scene/land.hpp"
 #include "terrain/carving.hpp"
+#include "terrain/real_land.hpp"
 
 namespace aerostat::terrain {
 
@@ -29,5 +30,8 @@ std::unique_ptr<Relief> make_island(const scene::Terrain& terrain, Carving carvi
 
 /// Makes a sea of transverse dunes with rocky table hills far out.
 std::unique_ptr<Relief> make_dunes(const scene::Terrain& terrain);
+
+/// Makes the ground of elevation data, with relief added below its resolution.
+std::unique_ptr<Relief> make_real_land(const scene::Terrain& terrain, RealLandCache& lands);
 
 }  // namespace aerostat::terrain

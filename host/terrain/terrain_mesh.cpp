@@ -35,8 +35,9 @@ class Samples {
       stop_if_asked(stop);
       sample_rows(rows * kTile);
     });
-    // Dunes get no scree, because their slip faces already lie at the angle of repose.
-    if (terrain.kind != scene::TerrainKind::dunes)
+    // Dunes get no scree, because their slip faces already lie at the angle of repose. Real land
+    // has its own.
+    if (terrain.kind != scene::TerrainKind::dunes && terrain.kind != scene::TerrainKind::elevation)
       lay_scree(ground_, kScreeShare * static_cast<float>(terrain.erosion));
   }
 

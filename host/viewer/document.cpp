@@ -5,6 +5,8 @@
 #include <new>
 
 #include "core/error.hpp"
+#include "elevation/open.hpp"
+#include "staging/stage.hpp"
 
 namespace aerostat::viewer {
 namespace {
@@ -47,7 +49,8 @@ class SourceCommand : public QUndoCommand {
   std::chrono::steady_clock::time_point made_;
 };
 
-Document::Document(QObject* parent) : QObject(parent) {}
+Document::Document(QObject* parent)
+    : QObject(parent), reliefs_(std::make_shared<world::ReliefCache>()) {}
 
 template <typename Action>
 bool Document::guarded(Action action) {
@@ -105,6 +108,12 @@ void Document::show(const scene::SceneSource& source) {
   Q_EMIT changed();
 }
 
+/// Returns the scene with what it leaves open on real land chosen. The files stay in memory for the
+/// next call.
+scene::SceneSource Document::staged(const scene::SceneSource& source) {
+  return staging::stage(source, *reliefs_).source;
+}
+
 void Document::start(const scene::SceneSource& source, const QString& path) {
   begin(source, path, path.isEmpty() ? FileStamp() : file_stamp(path.toStdString()));
 }
@@ -123,8 +132,14 @@ bool Document::open(const QString& path) {
   return guarded([&] {
     // The stamp is taken before the file is read, so it belongs to what is read or to an older
     // state.
-    const FileStamp stamp = file_stamp(path.toStdString());
-    begin(scene::SceneSource::from_file(path.toStdString()), path, stamp);
+    const std::string file = path.toStdString();
+    const FileStamp stamp = file_stamp(file);
+    if (!path.endsWith(QLatin1String(".json")) && elevation::is_elevation(file)) {
+      // The scene around a file of heights has no file of its own yet.
+      begin(staged(staging::scene_around(file)), {}, {});
+    } else {
+      begin(staged(scene::SceneSource::from_file(file)), path, stamp);
+    }
   });
 }
 

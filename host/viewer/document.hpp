@@ -4,9 +4,11 @@
 #include <QObject>
 #include <QString>
 #include <QUndoStack>
+#include <memory>
 
 #include "core/file.hpp"
 #include "scene/source.hpp"
+#include "world/surface.hpp"
 
 namespace aerostat::viewer {
 
@@ -45,6 +47,7 @@ class Document : public QObject {
 
   /// Starts again with another scene. `path` may be empty.
   void start(const scene::SceneSource& source, const QString& path);
+  /// Opens a scene file, or makes a scene around a file of elevation data, which then has no path.
   bool open(const QString& path);
   bool save(const QString& path);
   /// Returns the stamp of the file at the time when it was opened or saved. If the file has another
@@ -62,9 +65,11 @@ class Document : public QObject {
   template <typename Action>
   bool guarded(Action action);
   void show(const scene::SceneSource& source);
+  scene::SceneSource staged(const scene::SceneSource& source);
   void begin(const scene::SceneSource& source, const QString& path, const FileStamp& stamp);
 
   scene::SceneSource source_, saved_;
+  std::shared_ptr<world::ReliefCache> reliefs_;
   QString path_;
   FileStamp stamp_;
   QUndoStack undo_;

@@ -14,7 +14,11 @@ constexpr int kMostRecent = 9;
 const QString kRecentKey = QStringLiteral("recent");
 
 QString filter() {
-  return SceneFiles::tr("Scenes (*.json)") + ";;" + SceneFiles::tr("All files (*)");
+  return SceneFiles::tr("Scenes (*.json)") + ";;" + SceneFiles::tr("Elevation data") +
+         " (*.tif *.tiff *.hgt *.zip *.asc *.dem *.dt0 *.dt1 *.dt2 *.nc *.img *.png *.exr *.r16 "
+         "*.r32 "
+         "*.raw *.bil);;" +
+         SceneFiles::tr("All files (*)");
 }
 
 }  // namespace

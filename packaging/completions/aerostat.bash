@@ -1,13 +1,14 @@
 # Completion of aerostat's command line for bash.
 
-_aerostat_commands='render contact-sheet scenes devices check dump export'
+_aerostat_commands='render contact-sheet new scenes devices check dump export'
 
 _aerostat_options() {
   local common='--help' scene='--help --set' device='--device --lanes --memory-limit --quiet'
   case $1 in
     render)
       echo "$scene $device --output --format --width --height --quality --spp --seed --crop --denoise --stats" ;;
-    contact-sheet) echo "$scene $device --seeds --output --columns --tile-width --quality" ;;
+    contact-sheet) echo "$scene $device --seeds --views --output --columns --tile-width --quality" ;;
+    new) echo "$scene --output --view" ;;
     scenes) echo "$common --folder" ;;
     devices) echo "$common --json" ;;
     check) echo "$scene --json" ;;
@@ -29,7 +30,7 @@ _aerostat_files() {
 
 _aerostat_scenes() {
   compgen -W "$("$1" scenes 2>/dev/null | cut -d ' ' -f 1)" -- "$2"
-  _aerostat_files "$2" json
+  _aerostat_files "$2" json tif tiff hgt zip asc dem dt0 dt1 dt2 nc img png exr r16 r32 raw bil
 }
 
 _aerostat_devices() {
@@ -42,6 +43,7 @@ _aerostat_outputs() {
   case $1 in
     export) _aerostat_files "$2" ply obj ;;
     contact-sheet) _aerostat_files "$2" png ;;
+    new) _aerostat_files "$2" json ;;
     *) _aerostat_files "$2" png exr ;;
   esac
 }
@@ -55,7 +57,7 @@ _aerostat_values() {
     --format) compgen -W "$([[ $command == export ]] && echo ply obj || echo png exr)" -- "$word" ;;
     --plants) compgen -W 'none seen all' -- "$word" ;;
     -o | --output) _aerostat_outputs "$command" "$word" ;;
-    --set | --width | --height | --spp | --seed | --seeds | --crop | --memory-limit | --columns | \
+    --set | --width | --height | --spp | --seed | --seeds | --crop | --memory-limit | --columns | --view | --views | \
       --tile-width | --most-triangles) ;;
     *) return 1 ;;
   esac

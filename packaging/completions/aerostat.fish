@@ -3,6 +3,9 @@
 function __aerostat_scenes
     aerostat scenes 2>/dev/null | string replace -r ' +' \t
     __fish_complete_suffix .json
+    __fish_complete_suffix .tif
+    __fish_complete_suffix .hgt
+    __fish_complete_suffix .asc
 end
 
 function __aerostat_devices
@@ -15,13 +18,14 @@ complete -c aerostat -s h -l help -d 'Print the help and exit'
 complete -c aerostat -n __fish_use_subcommand -l version -d 'Print the version and exit'
 complete -c aerostat -n __fish_use_subcommand -a render -d 'Render a scene to a PNG or EXR file'
 complete -c aerostat -n __fish_use_subcommand -a contact-sheet -d 'Render many terrain seeds onto one sheet'
+complete -c aerostat -n __fish_use_subcommand -a new -d 'Write a scene around a file of elevation data'
 complete -c aerostat -n __fish_use_subcommand -a scenes -d 'List the scenes that came with aerostat'
 complete -c aerostat -n __fish_use_subcommand -a devices -d 'List OpenCL platforms and devices'
 complete -c aerostat -n __fish_use_subcommand -a check -d 'Validate a scene, or report on a flight track'
 complete -c aerostat -n __fish_use_subcommand -a dump -d 'Print the scene with every default filled in'
 complete -c aerostat -n __fish_use_subcommand -a export -d 'Write the triangles of the world to a file'
 
-set -l scene 'render contact-sheet check dump export'
+set -l scene 'render contact-sheet new check dump export'
 complete -c aerostat -n "__fish_seen_subcommand_from $scene" -a '(__aerostat_scenes)'
 complete -c aerostat -n "__fish_seen_subcommand_from $scene" -x -l set -d 'Change the scene: pointer=value'
 
@@ -32,7 +36,7 @@ complete -c aerostat -n "__fish_seen_subcommand_from $rendering" -x -l lanes -a 
 complete -c aerostat -n "__fish_seen_subcommand_from $rendering" -x -l memory-limit -d 'Largest amount of memory to use on each device'
 complete -c aerostat -n "__fish_seen_subcommand_from $rendering" -s q -l quiet -d 'Print only errors'
 
-set -l output 'render contact-sheet export'
+set -l output 'render contact-sheet new export'
 complete -c aerostat -n "__fish_seen_subcommand_from $output" -r -F -s o -l output -d 'The file to write'
 
 complete -c aerostat -n '__fish_seen_subcommand_from render' -x -l format -a 'png exr' -d 'Format of the picture'
@@ -46,6 +50,8 @@ complete -c aerostat -n '__fish_seen_subcommand_from render' -l denoise -d 'Take
 complete -c aerostat -n '__fish_seen_subcommand_from render' -l stats -d 'Report rays, times and memory'
 
 complete -c aerostat -n '__fish_seen_subcommand_from contact-sheet' -x -l seeds -d 'Terrain seeds and ranges of them'
+complete -c aerostat -n '__fish_seen_subcommand_from contact-sheet' -x -l views -d 'Number of views of real land'
+complete -c aerostat -n '__fish_seen_subcommand_from new' -x -l view -d 'Which of the views to take'
 complete -c aerostat -n '__fish_seen_subcommand_from contact-sheet' -x -l columns -d 'Tiles across'
 complete -c aerostat -n '__fish_seen_subcommand_from contact-sheet' -x -l tile-width -d 'Pixels across a tile'
 

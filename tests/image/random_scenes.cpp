@@ -48,6 +48,7 @@ class Maker {
     made["version"] = 1;
     settle_sun(made);
     settle_order(made);
+    settle_terrain(made);
     return made;
   }
 
@@ -161,6 +162,14 @@ class Maker {
       return fmt::format("{:02}:{:02}{}", whole(0, 23), whole(0, 59), zone);
     }
     return fmt::format("{}-{:02}-{:02}", whole(1900, 2100), whole(1, 12), whole(1, 28));
+  }
+
+  /// Makes the ground from noise, because no file of elevation data is at hand.
+  static void settle_terrain(Json& made) {
+    if (!made.contains("terrain")) return;
+    Json& terrain = made["terrain"];
+    for (const char* key : {"source", "place", "image_heights_m"}) terrain.erase(key);
+    if (terrain.value("kind", "") == "elevation") terrain.erase("kind");
   }
 
   /// Makes the place of the sun follow from a direction, from angles or from a date, but never from

@@ -687,6 +687,14 @@
         <source>Surfaces</source>
         <translation>Поверхности</translation>
     </message>
+    <message>
+        <source>Curvature of the Earth</source>
+        <translation>Кривизна Земли</translation>
+    </message>
+    <message>
+        <source>Added detail</source>
+        <translation>Добавленные детали</translation>
+    </message>
 </context>
 <context>
     <name>NumberBox</name>
@@ -871,14 +879,6 @@
     <message>
         <source>Root mean square of the slope of the waves, 0 (a mirror) to 1.</source>
         <translation>Среднеквадратичный уклон волн, от 0 (зеркало) до 1.</translation>
-    </message>
-    <message>
-        <source>The ground: a square of cells x cells quads around center. The quads grow outwards. Defaults come with the biome.</source>
-        <translation>Земля: квадрат из cells × cells ячеек вокруг center, шаг которых растёт к краям. Значения по умолчанию задаёт биом.</translation>
-    </message>
-    <message>
-        <source>Overall shape of the ground.</source>
-        <translation>Общая форма.</translation>
     </message>
     <message>
         <source>Seed of the noise, 0 to 4294967295. Each seed gives another landscape.</source>
@@ -1484,6 +1484,110 @@
         <source>Factor on the colours of the object. For terrain and water, it is their colour if /surfaces is plain, and has no effect otherwise. Linear Rec. 709 [red, green, blue], each 0 to 1.</source>
         <translation>Множитель цветов объекта. Для земли и воды это их цвет, если /surfaces — plain; иначе он не действует. Линейный Rec. 709 [красный, зелёный, синий], каждый от 0 до 1.</translation>
     </message>
+    <message>
+        <source>The ground: a square of cells x cells quads around center. The quads grow outwards. Defaults come with the biome, or from the elevation data of source.</source>
+        <translation>Поверхность земли: квадрат из cells x cells ячеек вокруг center. Ячейки растут к краям. Значения по умолчанию задаёт биом или данные о высотах из source.</translation>
+    </message>
+    <message>
+        <source>Overall shape of the ground. elevation is that of source and needs it; it is the default with a source.</source>
+        <translation>Общая форма земли. elevation — это рельеф из source, и он обязателен; если source задан, это значение по умолчанию.</translation>
+    </message>
+    <message>
+        <source>Files of elevation data, or folders of them, at most 4096, relative to the folder of the scene file. A single name needs no list. Where files overlap, the first wins.</source>
+        <translation>Файлы с данными о высотах или папки с ними, не больше 4096, относительно папки файла сцены. Одно имя можно дать без списка. Где файлы перекрываются, действует первый.</translation>
+    </message>
+    <message>
+        <source>Name of a file or of a folder.</source>
+        <translation>Имя файла или папки.</translation>
+    </message>
+    <message>
+        <source>Coordinate reference system of the source, such as EPSG:2056, which wins over what the files say.</source>
+        <translation>Система координат данных, например EPSG:2056. Она важнее того, что говорят файлы.</translation>
+    </message>
+    <message>
+        <source>Unit of the heights in the source. auto (the default) goes by what the files say, and takes metres if they say nothing. ft is the international foot, us-ft that of US surveys.</source>
+        <translation>Единица высот в данных. auto (по умолчанию) следует файлам, а если они молчат, берёт метры. ft — международный фут, us-ft — фут геодезистов США.</translation>
+    </message>
+    <message>
+        <source>Value of samples of the source that have no height, -1000000000 to 1000000000. Samples that are no numbers, or below -1e30, never have one.</source>
+        <translation>Значение отсчётов без высоты, от -1000000000 до 1000000000. Отсчёты, которые не являются числами или меньше -1e30, высоты не имеют никогда.</translation>
+    </message>
+    <message>
+        <source>Heights in metres of black and of white, for images and other sources that do not give them.</source>
+        <translation>Высоты чёрного и белого в метрах для изображений и других данных, которые их не задают.</translation>
+    </message>
+    <message>
+        <source>Distance of neighbouring samples in metres, 0 (excluded) to 1000000, for sources that do not say where they lie.</source>
+        <translation>Расстояние между соседними отсчётами в метрах, от 0 (исключая) до 1000000, для данных, которые не говорят, где они лежат.</translation>
+    </message>
+    <message>
+        <source>How the colours of image tiles hold heights. auto (the default) finds out.</source>
+        <translation>Как цвета плиток хранят высоты. auto (по умолчанию) определяет это само.</translation>
+    </message>
+    <message>
+        <source>Name of the variable that holds heights, for files with several.</source>
+        <translation>Имя переменной с высотами, если их в файле несколько.</translation>
+    </message>
+    <message>
+        <source>Layout of a file that holds nothing but samples, such as .r16 and .raw.</source>
+        <translation>Устройство файла, в котором нет ничего, кроме отсчётов, например .r16 и .raw.</translation>
+    </message>
+    <message>
+        <source>Samples in a row, 0 (a square file) to 1048576.</source>
+        <translation>Отсчётов в строке, от 0 (квадратный файл) до 1048576.</translation>
+    </message>
+    <message>
+        <source>Rows, 0 (a square file) to 1048576.</source>
+        <translation>Строк, от 0 (квадратный файл) до 1048576.</translation>
+    </message>
+    <message>
+        <source>Type of a sample. auto (the default) goes by the name of the file: uint16 for .r16 and .raw, float32 for .r32.</source>
+        <translation>Тип отсчёта. auto (по умолчанию) следует имени файла: uint16 для .r16 и .raw, float32 для .r32.</translation>
+    </message>
+    <message>
+        <source>Whether the first byte of a sample is its most significant one.</source>
+        <translation>Старший ли байт отсчёта идёт первым.</translation>
+    </message>
+    <message>
+        <source>Bytes before the first sample, 0 to 1000000000.</source>
+        <translation>Байтов перед первым отсчётом, от 0 до 1000000000.</translation>
+    </message>
+    <message>
+        <source>Point of the source that lies at center. It is a latitude and longitude, or an easting and northing in the source&apos;s own coordinates. If it is left out, the middle of the source counts.</source>
+        <translation>Точка данных, которая лежит в center. Это широта и долгота или координаты на восток и на север в собственной системе данных. Если её нет, берётся середина данных.</translation>
+    </message>
+    <message>
+        <source>Latitude in degrees, -90 to 90 (north).</source>
+        <translation>Широта в градусах, от -90 до 90 (север).</translation>
+    </message>
+    <message>
+        <source>Longitude in degrees, -360 to 360; east is positive.</source>
+        <translation>Долгота в градусах, от -360 до 360; восточная положительна.</translation>
+    </message>
+    <message>
+        <source>First coordinate, from west to east, in the units of the source, -1000000000 to 1000000000.</source>
+        <translation>Первая координата, с запада на восток, в единицах данных, от -1000000000 до 1000000000.</translation>
+    </message>
+    <message>
+        <source>Second coordinate, from south to north, in the units of the source, -1000000000 to 1000000000.</source>
+        <translation>Вторая координата, с юга на север, в единицах данных, от -1000000000 до 1000000000.</translation>
+    </message>
+    <message>
+        <source>Side of the square around place in metres, 10 to 1000000, from which the view is chosen. If it is left out, all of the source counts.</source>
+        <translation>Сторона квадрата вокруг place в метрах, от 10 до 1000000, в котором выбирается вид. Если её нет, берутся все данные.</translation>
+    </message>
+    <message>
+        <source>What lies where the source has no heights over a large area. land (the default) goes on like the land around it, and sea is water.</source>
+        <translation>Что лежит там, где у данных на большой площади нет высот. land (по умолчанию) продолжает землю вокруг, а sea — это вода.</translation>
+    </message>
+    <message>
+        <source>Whether the ground of a source falls away with the curvature of the Earth, less what refraction gives back.</source>
+        <translation>Уходит ли земля вниз с кривизной Земли за вычетом рефракции.</translation>
+    </message>
+    <message>
+        <source>Strength of the relief that is added where the mesh is finer than the source, 0 (the source alone) to 4.</source>
+        <translation>Сила рельефа, который добавляется там, где сетка мельче данных, от 0 (только данные) до 4.</translation>
+    </message>
 </context>
 <context>
     <name>Units</name>
@@ -1777,6 +1881,78 @@
     <message>
         <source>plain</source>
         <translation>простой</translation>
+    </message>
+    <message>
+        <source>elevation</source>
+        <translation>данные о высотах</translation>
+    </message>
+    <message>
+        <source>auto</source>
+        <translation>авто</translation>
+    </message>
+    <message>
+        <source>m</source>
+        <translation>м</translation>
+    </message>
+    <message>
+        <source>dm</source>
+        <translation>дм</translation>
+    </message>
+    <message>
+        <source>cm</source>
+        <translation>см</translation>
+    </message>
+    <message>
+        <source>ft</source>
+        <translation>футы</translation>
+    </message>
+    <message>
+        <source>us-ft</source>
+        <translation>футы США</translation>
+    </message>
+    <message>
+        <source>terrarium</source>
+        <translation>terrarium</translation>
+    </message>
+    <message>
+        <source>terrain-rgb</source>
+        <translation>terrain-rgb</translation>
+    </message>
+    <message>
+        <source>uint8</source>
+        <translation>uint8</translation>
+    </message>
+    <message>
+        <source>int8</source>
+        <translation>int8</translation>
+    </message>
+    <message>
+        <source>uint16</source>
+        <translation>uint16</translation>
+    </message>
+    <message>
+        <source>int16</source>
+        <translation>int16</translation>
+    </message>
+    <message>
+        <source>uint32</source>
+        <translation>uint32</translation>
+    </message>
+    <message>
+        <source>int32</source>
+        <translation>int32</translation>
+    </message>
+    <message>
+        <source>float32</source>
+        <translation>float32</translation>
+    </message>
+    <message>
+        <source>float64</source>
+        <translation>float64</translation>
+    </message>
+    <message>
+        <source>land</source>
+        <translation>земля</translation>
     </message>
 </context>
 <context>
@@ -2452,6 +2628,10 @@
     <message>
         <source>%1 already exists. Replace it?</source>
         <translation>Файл %1 уже существует. Заменить его?</translation>
+    </message>
+    <message>
+        <source>Elevation data</source>
+        <translation>Данные о высотах</translation>
     </message>
 </context>
 <context>

@@ -51,6 +51,12 @@ Scene full_scene() {
   scene.camera.aperture_m = 0.0;
   scene.camera.focus_m = 10.0;
   scene.sky.radiance = vec3(1.0f);
+  scene.terrain.source = {"davos.tif"};
+  scene.terrain.nodata = -9999.0;
+  scene.terrain.image_heights_m = dvec2(0.0, 1000.0);
+  scene.terrain.cell_m = 30.0;
+  scene.terrain.extent_m = 20000.0;
+  scene.terrain.place = {46.8, 9.8, 2600000.0, 1200000.0};
   return scene;
 }
 
@@ -98,7 +104,10 @@ TEST(SceneSchema, AcceptsEveryWordThatItNames) {
   int words = 0;
   walk(root, root, "", [&words](const std::string& path, const json& rule) {
     for (const json& word : rule.value("enum", json::array())) {
-      const Scene scene = read_text(R"({"version": 1})", "x.json", {{path, word.dump()}});
+      const bool needs_source = path == "/terrain/kind" && word == "elevation";
+      const std::string text =
+          needs_source ? R"({"version": 1, "terrain": {"source": "a.tif"}})" : R"({"version": 1})";
+      const Scene scene = read_text(text, "x.json", {{path, word.dump()}});
       const json dump = json::parse(write_text(scene));
       EXPECT_EQ(dump.at(json::json_pointer(path)), word) << path;
       ++words;
@@ -113,10 +122,16 @@ TEST(SceneSchema, BoundsAreEnforcedAtBothEnds) {
     if (path.starts_with("/lights/") || rule.contains("enum")) return;
     if (rule["type"] != "number" && rule["type"] != "integer") return;
     std::string text = R"({"version": 1})";
-    // These two fields need the date and the time as well.
+    // Some fields need others beside them.
     if (path == "/sun/latitude_deg" || path == "/sun/longitude_deg") {
       text = R"({"version": 1, "sun": {"date": "2024-06-21", "time": "06:30", "latitude_deg": 0,
                  "longitude_deg": 0}})";
+    }
+    if (path == "/terrain/place/latitude_deg" || path == "/terrain/place/longitude_deg") {
+      text = R"({"version": 1, "terrain": {"place": {"latitude_deg": 0, "longitude_deg": 0}}})";
+    }
+    if (path == "/terrain/place/easting" || path == "/terrain/place/northing") {
+      text = R"({"version": 1, "terrain": {"place": {"easting": 0, "northing": 0}}})";
     }
     const auto accepts = [&](double value) {
       try {

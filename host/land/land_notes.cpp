@@ -1,0 +1,121 @@
+#include "land/land_notes.hpp"
+
+#include <algorithm>
+#include <array>
+#include <map>
+
+#include <fmt/format.h>
+
+namespace aerostat::land {
+namespace {
+
+constexpr float kHighestLand_m = 9000.0f, kDeepestSea_m = -12000.0f;
+/// A gap in the heights beside an end of their range that hardly occurs in nature.
+constexpr float kSentinelGap_m = 500.0f;
+constexpr std::array kSentinels{-32768.0f, -32767.0f, -99999.0f, -9999.0f,
+                                9999.0f,   32767.0f,  65535.0f};
+
+std::string name_of(const elevation::RasterInfo& info) {
+  return info.path.filename().string();
+}
+
+/// Returns the sentences of the files. A sentence that several files have is given once.
+std::vector<std::string> notes_of_files(const Land& land) {
+  std::vector<std::string> order;
+  std::map<std::string, std::vector<std::string>> files_of;
+  for (const elevation::RasterInfo& info : land.files()) {
+    for (const std::string& note : info.notes) {
+      if (!files_of.contains(note)) order.push_back(note);
+      files_of[note].push_back(name_of(info));
+    }
+  }
+  std::vector<std::string> notes;
+  for (const std::string& note : order) {
+    const std::vector<std::string>& files = files_of[note];
+    const std::size_t others = files.size() - 1;
+    notes.push_back(others == 0 ? fmt::format("{}: {}", files[0], note)
+                                : fmt::format("{} and {} other file{}: {}", files[0], others,
+                                              others == 1 ? "" : "s", note));
+  }
+  return notes;
+}
+
+/// Warns of a value that stands for "no height" without being declared.
+void add_sentinel(const Pyramid& pyramid, float end, float next, std::uint64_t count,
+                  std::vector<std::string>& notes) {
+  const elevation::RasterInfo& info = pyramid.raster().info();
+  const auto stored = static_cast<float>(end / info.metres_per_unit);
+  const bool usual = std::any_of(kSentinels.begin(), kSentinels.end(),
+                                 [stored](float value) { return value == stored; });
+  if (!usual || !(std::abs(end - next) > kSentinelGap_m)) return;
+  notes.push_back(fmt::format(
+      "{}: {} samples are {}, far from all other heights. If they stand for samples without a "
+      "height, say so by /terrain/nodata={}.",
+      name_of(info), count, stored, stored));
+}
+
+void add_range(const Pyramid& pyramid, std::vector<std::string>& notes) {
+  const RasterStatistics& found = pyramid.statistics();
+  const std::string name = name_of(pyramid.raster().info());
+  add_sentinel(pyramid, found.lowest, found.next_lowest, found.at_lowest, notes);
+  add_sentinel(pyramid, found.highest, found.next_highest, found.at_highest, notes);
+  if (found.highest > kHighestLand_m) {
+    notes.push_back(fmt::format(
+        "{}: heights reach {:.0f} m, which is higher than any land. If they are feet, say so by "
+        "/terrain/unit=ft.",
+        name, found.highest));
+  }
+  if (found.lowest < kDeepestSea_m) {
+    notes.push_back(fmt::format("{}: heights go down to {:.0f} m, which is deeper than any sea.",
+                                name, found.lowest));
+  }
+}
+
+void add_voids(const Pyramid& pyramid, std::vector<std::string>& notes) {
+  const RasterStatistics& found = pyramid.statistics();
+  if (found.voids == 0) return;
+  const double share =
+      100.0 * static_cast<double>(found.voids) / static_cast<double>(found.samples);
+  const double largest =
+      100.0 * static_cast<double>(found.largest_void) / static_cast<double>(found.samples);
+  notes.push_back(fmt::format(
+      "{}: {} samples ({:.3g} %) have no height, the largest gap being {:.3g} % of the file{}. "
+      "They "
+      "were filled smoothly from the land around them; /terrain/voids=sea makes large gaps a sea.",
+      name_of(pyramid.raster().info()), found.voids, share, largest,
+      found.void_at_rim ? " and reaching its rim" : ""));
+}
+
+void add_below_zero(const Land& land, std::vector<std::string>& notes) {
+  if (land.has_sea()) {
+    notes.emplace_back(
+        "Land at or below 0 m is taken as sea; /biome/water/enabled=false makes it dry.");
+  } else if (land.lowest_m() < -5.0f) {
+    notes.push_back(
+        fmt::format("Heights go down to {:.0f} m, and that is taken as dry land. If it is the "
+                    "floor of a sea, say "
+                    "so by /biome/water/enabled=true.",
+                    land.lowest_m()));
+  }
+}
+
+}  // namespace
+
+std::vector<std::string> notes_about(const Land& land) {
+  std::vector<std::string> notes = notes_of_files(land);
+  for (const auto& pyramid : land.pyramids()) {
+    add_range(*pyramid, notes);
+    add_voids(*pyramid, notes);
+  }
+  add_below_zero(land, notes);
+  if (!land.has_place()) {
+    notes.push_back(
+        fmt::format("{}: no coordinate reference system is named, so that its numbers are taken as "
+                    "metres and its "
+                    "place on the Earth is unknown; name one by /terrain/crs.",
+                    name_of(land.files()[0])));
+  }
+  return notes;
+}
+
+}  // namespace aerostat::land

@@ -1,0 +1,296 @@
+#include "staging/stage.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <optional>
+
+#include <fmt/format.h>
+
+#include "geo/transform.hpp"
+#include "scene/scene.hpp"
+#include "scene/sun_angles.hpp"
+#include "scene/sun_position.hpp"
+#include "staging/climate.hpp"
+#include "staging/view_choice.hpp"
+#include "staging/view_map.hpp"
+#include "terrain/real_land.hpp"
+
+namespace aerostat::staging {
+namespace {
+
+using scene::Override;
+
+// The morning that is chosen where a scene gives no sun. Heights of the sun were chosen by eye.
+constexpr const char* kUsualDate = "2024-09-12";
+constexpr double kMorningSun_deg = 21.0;
+constexpr double kSomeSunAzimuth_deg = 112.0;  // for land whose place is unknown
+
+// The camera looks past the balloon from this far away, slightly down, so that the horizon is in
+// the upper third. The distance is for a balloon of 18.8 m. All were chosen by eye.
+constexpr double kStand_m = 104.0, kBalloonTurn_deg = 11.0, kDip_deg = 5.0;
+
+constexpr double kMostExtent_m = 100000.0;  // of the land that a view is chosen in
+constexpr double kNearExtent_m = 70000.0;   // around the best region of larger land
+constexpr double kLeastGround_m = 9000.0, kMostGround_m = 160000.0;
+
+double radians(double degrees) {
+  return degrees * std::numbers::pi / 180.0;
+}
+
+dvec3 towards(double azimuth_deg) {
+  const double azimuth = radians(azimuth_deg);
+  return {std::sin(azimuth), 0.0, -std::cos(azimuth)};
+}
+
+std::string list_of(const dvec3& v) {
+  return fmt::format("[{:.1f}, {:.1f}, {:.1f}]", v.x, v.y, v.z);
+}
+
+/// A date and time of the sun.
+struct Moment {
+  std::string date, time;
+  double azimuth_deg = 0.0;
+};
+
+/// Returns the morning at which the sun is as high as kMorningSun_deg, or the moment of the day at
+/// which it is highest.
+Moment morning_at(const geo::Place& place) {
+  Moment best{kUsualDate, "12:00Z", 180.0};
+  double least = 1e9;
+  for (int minute = 0; minute < 1440; minute += 5) {
+    const std::string time = fmt::format("{:02}:{:02}Z", minute / 60, minute % 60);
+    const auto days = scene::detail::days_from_2000(kUsualDate, time);
+    const auto sun =
+        scene::detail::sun_angles_at(days.value(), place.latitude_deg, place.longitude_deg);
+    // In the afternoon the sun is in the west on both hemispheres.
+    const bool morning = std::remainder(sun.azimuth_deg, 360.0) > 0.0;
+    const double off = std::abs(sun.elevation_deg - kMorningSun_deg) + (morning ? 0.0 : 1000.0);
+    if (off >= least) continue;
+    least = off;
+    best = {kUsualDate, time, sun.azimuth_deg};
+  }
+  return best;
+}
+
+class Stage {
+ public:
+  Stage(const scene::SceneSource& source, terrain::ReliefCache& reliefs, int view)
+      : source_(source),
+        scene_(source.scene()),
+        land_(terrain::real_land(scene_.terrain, reliefs.lands)),
+        middle_(terrain::middle_point(scene_.terrain, *land_)),
+        number_(view) {}
+
+  /// Returns the number of views that there are, after run().
+  std::size_t views() const { return views_; }
+
+  Staged run() {
+    notes_ = land_->notes();
+    has_sea_ = gives("/biome/water/enabled") ? scene_.biome.water.enabled : land_->has_sea();
+    choose_sun();
+    if (!gives("/camera/position")) choose_view();
+    choose_size();
+    choose_biome();
+    return {source_.with(changes_), std::move(notes_)};
+  }
+
+ private:
+  bool gives(const std::string& pointer) const { return source_.gives(pointer); }
+
+  void set(const std::string& pointer, const std::string& value) {
+    if (!gives(pointer)) changes_.push_back({pointer, value});
+  }
+  void set(const std::string& pointer, double value) {
+    set(pointer, fmt::format("{:.10g}", value));
+  }
+
+  void choose_sun() {
+    const bool by_date = gives("/sun/date");
+    const bool by_angle =
+        gives("/sun/direction") || gives("/sun/azimuth_deg") || gives("/sun/elevation_deg");
+    sun_azimuth_deg_ = scene::detail::angles_of(scene_.sun.direction).azimuth_deg;
+    if (by_date) {
+      month_ = month_of(source_.value("/sun/date"));
+    } else if (!by_angle && middle_.place) {
+      const Moment moment = morning_at(*middle_.place);
+      sun_azimuth_deg_ = moment.azimuth_deg;
+      month_ = month_of(moment.date);
+      set("/sun/date", moment.date);
+      set("/sun/time", moment.time);
+      set("/sun/latitude_deg", middle_.place->latitude_deg);
+      set("/sun/longitude_deg", middle_.place->longitude_deg);
+      notes_.push_back(fmt::format(
+          "No sun is given; it is that of {}, {}. /sun/date and /sun/time choose another.",
+          moment.date, moment.time));
+    } else if (!by_angle) {
+      sun_azimuth_deg_ = kSomeSunAzimuth_deg;
+      set("/sun/azimuth_deg", kSomeSunAzimuth_deg);
+      set("/sun/elevation_deg", kMorningSun_deg);
+    }
+  }
+
+  /// Returns the month of a date such as "2024-09-12", with the share of the month that is over.
+  /// The date has been checked.
+  static double month_of(const std::string& date) {
+    const std::size_t year = date.find("-");
+    const auto two_digits = [&date](std::size_t at) {
+      return 10.0 * (date[at] - '0') + (date[at + 1] - '0');
+    };
+    return two_digits(year + 1) + (two_digits(year + 4) - 1.0) / 31.0;
+  }
+
+  /// Returns the side of the area of the files around the middle in metres.
+  double extent() const {
+    if (scene_.terrain.extent_m) return *scene_.terrain.extent_m;
+    return std::max({land_->size_m().x, land_->size_m().y, 20.0 * land_->cell_m()});
+  }
+
+  void choose_view() {
+    double extent_m = std::min(extent(), kMostGround_m * 8.0);
+    land::LandPoint around = middle_;
+    if (extent_m > kMostExtent_m && !gives("/terrain/place")) {
+      const ViewMap coarse(*land_, around, extent_m, has_sea_);
+      const auto views = choose_views(coarse, sun_azimuth_deg_, 1);
+      if (!views.empty()) around = point_at(around, views[0].place);
+      extent_m = kNearExtent_m;
+    }
+    const ViewMap map(*land_, around, std::min(extent_m, kMostExtent_m), has_sea_);
+    ViewPlaces places;
+    if (gives("/balloon/position")) {
+      places = {{scene_.balloon.position.x, scene_.balloon.position.z}};
+    } else if (gives("/terrain/place")) {
+      places = {dvec2(0.0)};
+    }
+    const auto views = choose_views(map, sun_azimuth_deg_, number_ + 1, places);
+    views_ = views.size();
+    ViewChoice view;
+    view.above_ground_m = 150.0;
+    if (!views.empty()) view = views[std::min<std::size_t>(number_, views.size() - 1)];
+    apply(view, around);
+  }
+
+  land::LandPoint point_at(const land::LandPoint& from, const dvec2& way) const {
+    if (!from.place) return {std::nullopt, from.own + dvec2(way.x, -way.y)};
+    return {geo::place_of_local(*from.place, way), {}};
+  }
+
+  /// Sets place, balloon and camera to a view whose place counts from `around`.
+  void apply(const ViewChoice& view, const land::LandPoint& around) {
+    if (!gives("/terrain/place")) {
+      middle_ = point_at(around, gives("/balloon/position") ? dvec2(0.0) : view.place);
+      if (middle_.place) {
+        set("/terrain/place/latitude_deg", middle_.place->latitude_deg);
+        set("/terrain/place/longitude_deg", middle_.place->longitude_deg);
+      } else {
+        set("/terrain/place/easting", middle_.own.x);
+        set("/terrain/place/northing", middle_.own.y);
+      }
+    }
+    set("/balloon/position", list_of({0.0, view.above_ground_m, 0.0}));
+    set("/balloon/heading_deg",
+        view.azimuth_deg > 180.0 ? view.azimuth_deg - 360.0 : view.azimuth_deg);
+    notes_.push_back(fmt::format(
+        "No camera is given; it looks to azimuth {:.0f} degrees, {:.0f} m above the ground{}.",
+        view.azimuth_deg, view.above_ground_m, place_text()));
+    if (scene_.camera.view == scene::View::basket) return;
+    const double size = scene_.balloon.diameter_m / 18.8;
+    // The balloon stands on the side of the picture where the skyline is lower.
+    const double turn = view.peak_turn_deg > 0.0 ? -kBalloonTurn_deg : kBalloonTurn_deg;
+    const dvec2 floor = gives("/balloon/position")
+                            ? dvec2(scene_.balloon.position.x, scene_.balloon.position.z)
+                            : dvec2(0.0);
+    const dvec3 stand =
+        dvec3(floor.x, 2.0, floor.y) - kStand_m * size * towards(view.azimuth_deg + turn);
+    const dvec3 look = stand + 1000.0 * towards(view.azimuth_deg) -
+                       dvec3(0.0, 1000.0 * std::tan(radians(kDip_deg)), 0.0);
+    set("/camera/height_above", "balloon");
+    set("/camera/position", list_of(stand));
+    set("/camera/target", list_of(look));
+  }
+
+  std::string place_text() const {
+    if (!middle_.place) {
+      return fmt::format(" at ({:.0f}, {:.0f})", middle_.own.x, middle_.own.y);
+    }
+    const geo::Place& at = *middle_.place;
+    return fmt::format(" at {:.4f} {}, {:.4f} {}", std::abs(at.latitude_deg),
+                       at.latitude_deg < 0.0 ? "S" : "N", std::abs(at.longitude_deg),
+                       at.longitude_deg < 0.0 ? "W" : "E");
+  }
+
+  void choose_size() {
+    if (gives("/terrain/size_m")) return;
+    const double most = std::min(2.0 * extent(), kMostGround_m);
+    set("/terrain/size_m", std::round(std::clamp(most, kLeastGround_m, kMostGround_m)));
+  }
+
+  void choose_biome() {
+    set("/biome/water/enabled", has_sea_ ? "true" : "false");
+    const double highest = land_->highest_m();
+    const double top = scene_.sky.cumulus.base_m;
+    set("/sky/cumulus/base_m", std::round(std::max(top, 0.75 * highest + 900.0)));
+    if (gives("/biome/kind") || !middle_.place) return;
+    const Climate climate =
+        climate_of(*middle_.place, month_, std::max<double>(land_->lowest_m(), 0.0), highest);
+    constexpr const char* kKinds[] = {"snow", "tropical", "sand", "meadow"};
+    constexpr const char* kSeasons[] = {"spring", "summer", "autumn"};
+    set("/biome/kind", kKinds[static_cast<std::size_t>(climate.biome)]);
+    if (climate.biome == scene::BiomeKind::meadow) {
+      set("/biome/season", kSeasons[static_cast<std::size_t>(climate.season)]);
+    }
+    if (climate.biome == scene::BiomeKind::tropical)
+      set("/biome/ground/beach_top_m", has_sea_ ? 3.0 : -1e6);
+    if (climate.biome != scene::BiomeKind::sand) {
+      set("/biome/ground/forest_top_m", std::round(climate.tree_line_m));
+    }
+    set("/biome/ground/snow_line_m", std::round(climate.snow_line_m));
+    if (climate.biome == scene::BiomeKind::snow) {
+      // Alpine grass, greener than what snow leaves bare in winter. The colours were chosen by eye.
+      set("/biome/ground/cover_a", "[0.055, 0.085, 0.026]");
+      set("/biome/ground/cover_b", "[0.125, 0.13, 0.05]");
+    }
+    notes_.push_back(fmt::format(
+        "No biome is given; it is {} with snow above {:.0f} m and trees up to {:.0f} m, by "
+        "latitude, "
+        "height and season.",
+        kKinds[static_cast<std::size_t>(climate.biome)], climate.snow_line_m, climate.tree_line_m));
+  }
+
+  const scene::SceneSource& source_;
+  const scene::Scene& scene_;
+  std::shared_ptr<const land::Land> land_;
+  land::LandPoint middle_;
+  int number_;
+  std::size_t views_ = 0;
+  bool has_sea_ = false;
+  double sun_azimuth_deg_ = 0.0, month_ = 9.4;
+  std::vector<Override> changes_;
+  std::vector<std::string> notes_;
+};
+
+}  // namespace
+
+Staged stage(const scene::SceneSource& source, terrain::ReliefCache& reliefs, int view) {
+  if (source.scene().terrain.kind != scene::TerrainKind::elevation) return {source, {}};
+  return Stage(source, reliefs, view).run();
+}
+
+std::vector<Staged> stage_views(const scene::SceneSource& source, terrain::ReliefCache& reliefs,
+                                int count) {
+  std::vector<Staged> all;
+  for (int view = 0; view < count; ++view) {
+    Stage stage(source, reliefs, view);
+    Staged staged = stage.run();
+    if (view > 0 && static_cast<std::size_t>(view) >= stage.views()) break;
+    all.push_back(std::move(staged));
+  }
+  return all;
+}
+
+scene::SceneSource scene_around(const std::filesystem::path& file) {
+  return scene::SceneSource().with(
+      {{"/terrain/source", std::filesystem::absolute(file).lexically_normal().string()}});
+}
+
+}  // namespace aerostat::staging

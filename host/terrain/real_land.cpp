@@ -1,0 +1,156 @@
+#include "terrain/real_land.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+#include <vector>
+
+#include "blend.hpp"
+#include "core/error.hpp"
+#include "core/simd.hpp"
+#include "core/smooth_step.hpp"
+#include "fractal.hpp"
+#include "geo/transform.hpp"
+#include "gullies.hpp"
+#include "relief.hpp"
+
+namespace aerostat::terrain {
+namespace {
+
+// The relief that is added below the resolution of the files. All numbers were chosen by eye.
+constexpr double kWidestGully = 2.5;  // of the first octave, in samples
+constexpr float kGullyDepth = 0.22f;  // from crest to floor, relative to the width
+constexpr float kRoughness =
+    0.06f;  // height of noise relative to its longest wave, on steep ground
+constexpr int kGullyOctaves = 5, kNoiseOctaves = 9;
+constexpr float kSeaDepth_m = 25.0f;  // of large regions without heights that are sea
+
+/// The area around the terrain's square that heights may be asked for, as a share of its side.
+constexpr double kReach = 0.6;
+
+class RealLand : public Relief {
+ public:
+  RealLand(const scene::Terrain& terrain, std::shared_ptr<const land::Land> files)
+      : detail_(static_cast<float>(terrain.detail)),
+        curved_(terrain.curved && files->has_place()),
+        files_(std::move(files)),
+        local_(files_->around(middle_point(terrain, *files_), kReach * terrain.size_m)),
+        gullies_(kWidestGully * files_->cell_m(), kGullyOctaves, kGullyDepth,
+                 terrain.seed ^ 0x27D4EB2Fu),
+        noise_(
+            make_soft_octaves(2.0 * files_->cell_m(), terrain.seed ^ 0x85EBCA6Bu, kNoiseOctaves)) {}
+
+  void heights(const Points& points, Block& height) const override {
+    Slopes ground;
+    const auto count = static_cast<std::size_t>(points.count);
+    local_->sample({{points.x.data(), count},
+                    {points.z.data(), count},
+                    {points.spacing.data(), count},
+                    {ground.height.data(), count},
+                    {ground.dx.data(), count},
+                    {ground.dz.data(), count}});
+    if (detail_ > 0.0f) add_detail(points, ground);
+    for (int i = 0; i < points.count; ++i) {
+      const double x = points.x[i], z = points.z[i];
+      const double drop = curved_ ? geo::curvature_drop(std::sqrt(x * x + z * z)) : 0.0;
+      height[i] = static_cast<float>(ground.height[i] - drop);
+    }
+  }
+
+ private:
+  /// Adds roughness and gullies that are finer than the samples of the files. Both follow the
+  /// slope, so that plains and lakes stay flat.
+  void add_detail(const Points& points, Slopes& ground) const {
+    Block rough, strength;
+    fbm(noise_, points, rough);
+    const float height_m = kRoughness * noise_.front().layer.wavelength_m * detail_;
+    for (int i = 0; i < points.count; ++i) {
+      const float slope = length_of(ground.dx[i], ground.dz[i]);
+      strength[i] = detail_ * smooth_step(0.15f, 0.6f, slope);
+      ground.height[i] += height_m * smooth_step(0.03f, 0.8f, slope) * rough[i];
+    }
+    gullies_.add(points, strength, ground);
+  }
+
+  float detail_;
+  bool curved_;
+  std::shared_ptr<const land::Land> files_;
+  std::shared_ptr<const land::LocalLand> local_;
+  Gullies gullies_;
+  std::vector<Octave> noise_;
+};
+
+std::optional<double> metres_of(scene::HeightUnit unit) {
+  switch (unit) {
+    case scene::HeightUnit::automatic:
+      break;
+    case scene::HeightUnit::metre:
+      return 1.0;
+    case scene::HeightUnit::decimetre:
+      return 0.1;
+    case scene::HeightUnit::centimetre:
+      return 0.01;
+    case scene::HeightUnit::foot:
+      return 0.3048;
+    case scene::HeightUnit::us_survey_foot:
+      return 1200.0 / 3937.0;
+  }
+  return std::nullopt;
+}
+
+const char* name_of(scene::SampleType type) {
+  constexpr const char* kNames[] = {"",       "uint8", "int8",    "uint16", "int16",
+                                    "uint32", "int32", "float32", "float64"};
+  return kNames[static_cast<std::size_t>(type)];
+}
+
+}  // namespace
+
+land::LandOptions land_options(const scene::ElevationSource& source) {
+  constexpr const char* kEncodings[] = {"", "terrarium", "terrain-rgb"};
+  land::LandOptions options;
+  options.sources.assign(source.source.begin(), source.source.end());
+  elevation::OpenOptions& open = options.open;
+  open.crs = source.crs;
+  open.metres_per_unit = metres_of(source.unit);
+  open.nodata = source.nodata;
+  if (source.image_heights_m) {
+    open.image_heights_m = {source.image_heights_m->x, source.image_heights_m->y};
+  }
+  open.cell_m = source.cell_m;
+  open.encoding = kEncodings[static_cast<std::size_t>(source.encoding)];
+  open.variable = source.variable;
+  open.raw = {source.raw.width, source.raw.height, name_of(source.raw.type), source.raw.big_endian,
+              static_cast<std::uint64_t>(source.raw.header_bytes)};
+  options.sea_depth_m = source.voids == scene::Voids::sea ? kSeaDepth_m : 0.0f;
+  return options;
+}
+
+std::shared_ptr<const land::Land> real_land(const scene::ElevationSource& source,
+                                            RealLandCache& lands) {
+  const land::LandOptions options = land_options(source);
+  return lands.get(options, [&] { return std::make_shared<const land::Land>(options); });
+}
+
+land::LandPoint middle_point(const scene::ElevationSource& source, const land::Land& land) {
+  const scene::TerrainPlace& place = source.place;
+  if (place.latitude_deg) {
+    if (!land.has_place()) {
+      throw Error(
+          ErrorKind::bad_data,
+          "/terrain/place: a latitude and longitude need to know where the source lies; name "
+          "its coordinate reference system by /terrain/crs");
+    }
+    return {geo::Place{*place.latitude_deg, *place.longitude_deg}, {}};
+  }
+  if (!place.easting) return land.middle();
+  const dvec2 own(*place.easting, *place.northing);
+  if (!land.has_place()) return {std::nullopt, own};
+  return {geo::place_of(land.files()[0].georeference->crs, own), own};
+}
+
+std::unique_ptr<Relief> make_real_land(const scene::Terrain& terrain, RealLandCache& lands) {
+  return std::make_unique<RealLand>(terrain, real_land(terrain, lands));
+}
+
+}  // namespace aerostat::terrain

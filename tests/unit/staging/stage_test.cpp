@@ -1,0 +1,124 @@
+#include "staging/stage.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include "scene/scene.hpp"
+#include "scene/sun_angles.hpp"
+#include "staging/view_choice.hpp"
+#include "staging/view_map.hpp"
+#include "terrain/real_land.hpp"
+
+namespace aerostat::staging {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// A plain with one mountain in the north-east, in UTM zone 32.
+class StageFile : public ::testing::Test {
+ protected:
+  StageFile()
+      : file_(fs::temp_directory_path() /
+              (std::string("aerostat-stage-") +
+               ::testing::UnitTest::GetInstance()->current_test_info()->name() + ".asc")) {
+    std::ofstream out(file_);
+    out << "ncols 101\nnrows 101\nxllcenter 490000\nyllcenter 5190000\ncellsize 200\n";
+    for (int j = 0; j < 101; ++j) {
+      for (int i = 0; i < 101; ++i) {
+        out << 500.0 + 3000.0 * std::exp(-(std::pow(i - 75, 2) + std::pow(j - 25, 2)) / 200.0)
+            << ' ';
+      }
+      out << '\n';
+    }
+  }
+  ~StageFile() override { fs::remove(file_); }
+
+  scene::SceneSource source(const std::vector<scene::Override>& more = {}) const {
+    return scene_around(file_).with({{"/terrain/crs", "EPSG:32632"}}).with(more);
+  }
+
+  fs::path file_;
+  terrain::ReliefCache reliefs_;
+};
+
+TEST_F(StageFile, ABareFileBecomesAWholeScene) {
+  const Staged staged = stage(source(), reliefs_);
+  const scene::Scene& scene = staged.source.scene();
+  ASSERT_TRUE(scene.camera.position && scene.camera.target);
+  ASSERT_TRUE(scene.terrain.place.latitude_deg);
+  EXPECT_NEAR(*scene.terrain.place.latitude_deg, 46.95, 0.1);
+  EXPECT_FALSE(scene.biome.water.enabled);
+  EXPECT_EQ(scene.biome.kind, scene::BiomeKind::snow);
+  EXPECT_NEAR(scene::detail::angles_of(scene.sun.direction).elevation_deg, 21.0, 1.0);
+  EXPECT_GE(staged.notes.size(), 3u);
+  // The scene is complete: staging it once more changes nothing.
+  EXPECT_EQ(stage(staged.source, reliefs_).source.text(), staged.source.text());
+}
+
+TEST_F(StageFile, TheCameraLooksAtTheMountain) {
+  const Staged staged = stage(source(), reliefs_);
+  const scene::Scene& scene = staged.source.scene();
+  const auto land = terrain::real_land(scene.terrain, reliefs_.lands);
+  const ViewMap map(*land, terrain::middle_point(scene.terrain, *land), 20000.0, false);
+  const dvec2 to_summit(map.summit().x, map.summit().z);
+  const double azimuth = std::atan2(to_summit.x, -to_summit.y) * 180.0 / 3.14159265358979;
+  const dvec3 look = *scene.camera.target - *scene.camera.position;
+  const double view = std::atan2(look.x, -look.z) * 180.0 / 3.14159265358979;
+  EXPECT_LT(std::abs(std::remainder(view - azimuth, 360.0)), 25.0);
+}
+
+TEST_F(StageFile, WhatTheSceneGivesWins) {
+  const Staged staged = stage(source({{"/biome/kind", "sand"},
+                                      {"/sun/azimuth_deg", "200"},
+                                      {"/camera/position", "[0, 100, 0]"},
+                                      {"/camera/target", "[0, 100, -1000]"},
+                                      {"/biome/water/enabled", "true"}}),
+                              reliefs_);
+  const scene::Scene& scene = staged.source.scene();
+  EXPECT_EQ(scene.biome.kind, scene::BiomeKind::sand);
+  EXPECT_NEAR(scene::detail::angles_of(scene.sun.direction).azimuth_deg, 200.0 - 360.0, 1e-6);
+  EXPECT_EQ(*scene.camera.position, dvec3(0, 100, 0));
+  EXPECT_TRUE(scene.biome.water.enabled);
+}
+
+TEST_F(StageFile, AGivenPlaceStays) {
+  const Staged staged =
+      stage(source({{"/terrain/place", R"({"easting": 495000, "northing": 5195000})"}}), reliefs_);
+  const scene::TerrainPlace& place = staged.source.scene().terrain.place;
+  EXPECT_EQ(place.easting, 495000.0);
+  EXPECT_FALSE(place.latitude_deg);
+}
+
+TEST_F(StageFile, ViewsDiffer) {
+  const auto views = stage_views(source(), reliefs_, 4);
+  ASSERT_GE(views.size(), 3u);
+  for (std::size_t k = 1; k < views.size(); ++k) {
+    EXPECT_NE(views[k].source.text(), views[0].source.text());
+  }
+}
+
+TEST_F(StageFile, OtherScenesStayAsTheyAre) {
+  const scene::SceneSource plain;
+  EXPECT_EQ(stage(plain, reliefs_).source.text(), plain.text());
+  EXPECT_TRUE(stage(plain, reliefs_).notes.empty());
+}
+
+TEST_F(StageFile, AViewThatASlopeBlocksIsWorse) {
+  const scene::SceneSource given = source();
+  const auto land = terrain::real_land(given.scene().terrain, reliefs_.lands);
+  const ViewMap map(*land, land->middle(), 20000.0, false);
+  // From the foot of the mountain it fills the view, and from afar it stands on the horizon.
+  const dvec2 summit(map.summit().x, map.summit().z);
+  const auto near = choose_views(map, 90.0, 1, {summit + dvec2(-900.0, 900.0)});
+  const auto far = choose_views(map, 90.0, 1, {summit + dvec2(-5000.0, 5000.0)});
+  ASSERT_TRUE(!near.empty() && !far.empty());
+  EXPECT_GT(far[0].score, near[0].score);
+}
+
+}  // namespace
+}  // namespace aerostat::staging
