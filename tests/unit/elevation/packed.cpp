@@ -44,8 +44,8 @@ std::string zip(const std::vector<std::pair<std::string, std::string>>& members,
                                number(static_cast<std::size_t>(method), 2) + number(0, 4) +
                                number(checksum, 4) + number(packed.size(), 4) +
                                number(bytes.size(), 4) + number(name.size(), 2) + number(0, 2);
-    directory +=
-        "PK\x01\x02" + number(20, 2) + common + number(0, 10) + number(file.size(), 4) + name;
+    directory += "PK\x01\x02" + number(20, 2) + common + std::string(10, '\0') +
+                 number(file.size(), 4) + name;
     file += "PK\x03\x04" + common + name + packed;
   }
   return file + directory + "PK\x05\x06" + number(0, 4) + number(members.size(), 2) +
