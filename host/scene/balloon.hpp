@@ -1,9 +1,11 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "core/math.hpp"
+#include "scene/geo_point.hpp"
 #include "scene/height_reference.hpp"
 
 /// A balloon of a scene.
@@ -34,6 +36,8 @@ struct Balloon {
   bool enabled = true;
   dvec3 position{0.0, 0.0, 0.0};  // centre of the basket's floor
   HeightReference height_above = HeightReference::ground;
+  std::optional<GeoPoint> at;        // in place of position
+  std::optional<FlightTrack> track;  // in place of both
   double diameter_m = 18.8;
   double heading_deg = 0.0;
   int gores = 24;

@@ -2,6 +2,7 @@
 
 #include "scene/balloon.hpp"
 #include "scene/field.hpp"
+#include "scene/geo_point_fields.hpp"
 #include "scene/objects.hpp"
 
 /// Balloons and materials.
@@ -22,6 +23,7 @@ inline constexpr auto kTable<Balloon> = table(
                "the balloon (the default).")
               .words(2)
               .control(EditGroup::balloon, "Height counts from")),
+    field("at", &Balloon::at), field("track", &Balloon::track),
     field("diameter_m", &Balloon::diameter_m,
           number(2, 200, "Largest diameter of the envelope in metres, {from} to {to}.")
               .slider(EditGroup::balloon, "Diameter", 10, 40, 1)),

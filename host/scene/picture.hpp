@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "core/math.hpp"
+#include "scene/geo_point.hpp"
 #include "scene/height_reference.hpp"
 
 /// The camera of a scene and the settings of its picture.
@@ -30,6 +31,7 @@ struct Camera {
   /// The eye, and a point in the middle of the picture. Without them, world::resolve puts the eye
   /// into the basket and lets it look straight ahead, so that a resolved scene has both.
   std::optional<dvec3> position, target;
+  std::optional<GeoPoint> at, look_at;                  // in place of position and target
   HeightReference height_above = HeightReference::sea;  // holds for position and target
   dvec3 up{0.0, 1.0, 0.0};
   Lens lens = Lens::pinhole;

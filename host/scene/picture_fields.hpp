@@ -1,6 +1,7 @@
 #pragma once
 
 #include "scene/field.hpp"
+#include "scene/geo_point_fields.hpp"
 #include "scene/picture.hpp"
 
 /// The camera and the picture.
@@ -29,6 +30,7 @@ inline constexpr auto kTable<Camera> = table(
           word("Level from which the y of position and target is measured: the sea, the ground "
                "below each of them, or the floor of the balloon's basket (the default).")
               .control(EditGroup::camera, "Heights count from")),
+    field("at", &Camera::at), field("look_at", &Camera::look_at),
     field("up", &Camera::up,
           number(-1000, 1000,
                  "Direction that points upwards in the picture. Its length does not matter but "

@@ -261,11 +261,23 @@ Json parse_document(const std::string& text, Faults& faults) {
 }
 
 void name_files_from(const std::filesystem::path& folder, Json& document) {
-  if (!has_source(document)) return;
-  for (Json& name : document["terrain"]["source"]) {
-    if (!name.is_string() || name == "") continue;
+  if (folder.empty()) return;
+  const auto settle = [&folder](Json& name) {
+    if (!name.is_string() || name == "") return;
     const std::filesystem::path path = folder / name.get<std::string>();
     name = std::filesystem::absolute(path).lexically_normal().string();
+  };
+  const auto settle_track = [&settle](Json& balloon) {
+    const Json::json_pointer file("/track/file");
+    if (balloon.contains(file)) settle(balloon[file]);
+  };
+  if (has_source(document)) {
+    for (Json& name : document["terrain"]["source"]) settle(name);
+  }
+  if (!document.is_object()) return;
+  if (document.contains("balloon")) settle_track(document["balloon"]);
+  if (document.contains("balloons") && document["balloons"].is_array()) {
+    for (Json& balloon : document["balloons"]) settle_track(balloon);
   }
 }
 

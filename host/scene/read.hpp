@@ -17,7 +17,8 @@ std::string read_bytes(const std::filesystem::path& path);
 /// JSON or is too long. All keys that an object has twice are added to `faults`.
 Json parse_document(const std::string& text, Faults& faults);
 
-/// Turns the names of files in a document, which count from `folder`, into absolute paths.
+/// Turns the names of files in a document, which count from `folder`, into absolute paths. An empty
+/// folder is the current one, in which names stay as they are.
 void name_files_from(const std::filesystem::path& folder, Json& document);
 
 /// Returns the scene that a document describes, and normalises the numbers of the document.

@@ -24,6 +24,10 @@ template <>
 constexpr const char* kDefinition<Balloon> = "balloon";
 template <>
 constexpr const char* kDefinition<Material> = "material";
+template <>
+constexpr const char* kDefinition<GeoPoint> = "place";
+template <>
+constexpr const char* kDefinition<FlightTrack> = "track";
 
 /// The count of numbers in an array of numbers, or 0 for another type.
 template <class T>

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <iterator>
 #include <optional>
+#include <string>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -99,6 +101,24 @@ void check_source(const Terrain& terrain, const std::string& name) {
   }
 }
 
+/// Checks that places on the Earth are only given where the land has them.
+void check_geo_points(const Scene& scene, const std::string& name) {
+  if (scene.terrain.kind == TerrainKind::elevation) return;
+  const auto refuse = [&name](bool given, Pointer pointer) {
+    if (!given) return;
+    fail(name, std::move(pointer), "a place on the Earth in a landscape that is made from noise",
+         "positions in metres, or elevation data in /terrain/source");
+  };
+  refuse(scene.camera.at.has_value(), {"camera", "at"});
+  refuse(scene.camera.look_at.has_value(), {"camera", "look_at"});
+  refuse(scene.balloon.at.has_value(), {"balloon", "at"});
+  refuse(scene.balloon.track.has_value(), {"balloon", "track"});
+  for (std::size_t i = 0; i < scene.balloons.size(); ++i) {
+    refuse(scene.balloons[i].at.has_value(), {"balloons", std::to_string(i), "at"});
+    refuse(scene.balloons[i].track.has_value(), {"balloons", std::to_string(i), "track"});
+  }
+}
+
 void check_terrain_place(const Terrain& terrain, const std::string& name) {
   const TerrainPlace& place = terrain.place;
   const Pointer pointer = {"terrain", "place"};
@@ -130,6 +150,7 @@ void check_semantics(const Json& document, const Scene& scene, Faults& faults) {
   faults.gather([&] { check_camera(scene.camera, name); });
   faults.gather([&] { check_balloons(scene, name); });
   faults.gather([&] { check_source(scene.terrain, name); });
+  faults.gather([&] { check_geo_points(scene, name); });
   faults.gather([&] { check_terrain_place(scene.terrain, name); });
   const Ground& ground = scene.biome.ground;
   faults.gather([&] { check_order(ground.rock_slope_deg, "rock_slope_deg", name); });

@@ -4,14 +4,17 @@
 #include <cmath>
 #include <numbers>
 #include <optional>
+#include <utility>
 
 #include <fmt/format.h>
 
+#include "core/error.hpp"
 #include "geo/transform.hpp"
 #include "scene/scene.hpp"
 #include "scene/sun_angles.hpp"
 #include "scene/sun_position.hpp"
 #include "staging/climate.hpp"
+#include "staging/flight_point.hpp"
 #include "staging/view_choice.hpp"
 #include "staging/view_map.hpp"
 #include "terrain/real_land.hpp"
@@ -73,6 +76,15 @@ Moment morning_at(const geo::Place& place) {
   return best;
 }
 
+/// Returns the date and time of a flight, and where the sun stood.
+Moment moment_of(double time_s, const geo::Place& place) {
+  auto [date, time] = date_and_time(time_s);
+  const auto days = scene::detail::days_from_2000(date, time);
+  if (!days) return morning_at(place);  // a year for which the sun is not computed
+  const auto sun = scene::detail::sun_angles_at(*days, place.latitude_deg, place.longitude_deg);
+  return {std::move(date), std::move(time), sun.azimuth_deg};
+}
+
 class Stage {
  public:
   Stage(const scene::SceneSource& source, terrain::ReliefCache& reliefs, int view)
@@ -88,8 +100,9 @@ class Stage {
   Staged run() {
     notes_ = land_->notes();
     has_sea_ = gives("/biome/water/enabled") ? scene_.biome.water.enabled : land_->has_sea();
+    settle_places();
     choose_sun();
-    if (!gives("/camera/position")) choose_view();
+    if (!gives("/camera/position") && !scene_.camera.at) choose_view();
     choose_size();
     choose_biome();
     return {source_.with(changes_), std::move(notes_)};
@@ -105,6 +118,86 @@ class Stage {
     set(pointer, fmt::format("{:.10g}", value));
   }
 
+  /// Sets a value that the scene may give already.
+  void replace(const std::string& pointer, const std::string& value) {
+    changes_.push_back({pointer, value});
+  }
+
+  bool gives_balloon() const {
+    return gives("/balloon/position") || scene_.balloon.at || scene_.balloon.track;
+  }
+
+  /// Turns places on the Earth into positions. The first of them becomes the middle of the ground
+  /// if the scene names none.
+  void settle_places() {
+    const scene::Balloon& balloon = scene_.balloon;
+    const scene::Camera& camera = scene_.camera;
+    if (balloon.track) {
+      flight_ = flight_point(*balloon.track, *land_);
+      notes_.insert(notes_.end(), flight_->notes.begin(), flight_->notes.end());
+      anchor(flight_->place);
+    } else if (balloon.at) {
+      anchor({balloon.at->latitude_deg, balloon.at->longitude_deg});
+    } else if (camera.at) {
+      anchor({camera.at->latitude_deg, camera.at->longitude_deg});
+    }
+    if (flight_) {
+      put_flight("/balloon", *flight_);
+    } else if (balloon.at) {
+      put("/balloon/position", *balloon.at, balloon.height_above);
+    }
+    for (std::size_t i = 0; i < scene_.balloons.size(); ++i) {
+      const scene::Balloon& further = scene_.balloons[i];
+      const std::string pointer = fmt::format("/balloons/{}", i);
+      if (further.track) {
+        put_flight(pointer, flight_point(*further.track, *land_));
+      } else if (further.at) {
+        put(pointer + "/position", *further.at, further.height_above);
+      }
+    }
+    settle_camera();
+  }
+
+  void settle_camera() {
+    const scene::Camera& camera = scene_.camera;
+    if (!camera.at && !camera.look_at) return;
+    const bool given = gives("/camera/height_above");
+    const auto reference = given ? camera.height_above : scene::HeightReference::ground;
+    set("/camera/height_above", "ground");
+    if (camera.at) put("/camera/position", *camera.at, reference);
+    if (camera.look_at) put("/camera/target", *camera.look_at, reference);
+  }
+
+  void anchor(const geo::Place& place) {
+    if (!land_->has_place()) {
+      throw Error(ErrorKind::bad_data,
+                  "a place by latitude and longitude needs to know where the land lies; name the "
+                  "coordinate reference system of the source by /terrain/crs");
+    }
+    if (gives("/terrain/place")) return;
+    middle_ = {place, {}};
+    set("/terrain/place/latitude_deg", place.latitude_deg);
+    set("/terrain/place/longitude_deg", place.longitude_deg);
+    anchored_ = true;
+  }
+
+  /// Sets a position to a place. Heights over the sea count from the plane that touches the Earth
+  /// in the middle of the ground.
+  void put(const std::string& pointer, const scene::GeoPoint& point,
+           scene::HeightReference reference) {
+    const dvec2 at = geo::local_point(*middle_.place, {point.latitude_deg, point.longitude_deg});
+    const bool falls = reference == scene::HeightReference::sea && scene_.terrain.curved;
+    const double drop = falls ? geo::curvature_drop(glm::length(at)) : 0.0;
+    replace(pointer, fmt::format("[{:.2f}, {:.2f}, {:.2f}]", at.x, point.height_m - drop, at.y));
+  }
+
+  void put_flight(const std::string& balloon, const FlightPoint& flight) {
+    replace(balloon + "/height_above", "sea");
+    put(balloon + "/position",
+        {flight.place.latitude_deg, flight.place.longitude_deg, flight.height_m},
+        scene::HeightReference::sea);
+  }
+
   void choose_sun() {
     const bool by_date = gives("/sun/date");
     const bool by_angle =
@@ -113,7 +206,8 @@ class Stage {
     if (by_date) {
       month_ = month_of(source_.value("/sun/date"));
     } else if (!by_angle && middle_.place) {
-      const Moment moment = morning_at(*middle_.place);
+      const Moment moment = flight_ && flight_->time_s ? moment_of(*flight_->time_s, *middle_.place)
+                                                       : morning_at(*middle_.place);
       sun_azimuth_deg_ = moment.azimuth_deg;
       month_ = month_of(moment.date);
       set("/sun/date", moment.date);
@@ -157,7 +251,9 @@ class Stage {
     }
     const ViewMap map(*land_, around, std::min(extent_m, kMostExtent_m), has_sea_);
     ViewPlaces places;
-    if (gives("/balloon/position")) {
+    if (anchored_) {
+      places = {dvec2(0.0)};
+    } else if (gives_balloon()) {
       places = {{scene_.balloon.position.x, scene_.balloon.position.z}};
     } else if (gives("/terrain/place")) {
       places = {dvec2(0.0)};
@@ -177,8 +273,8 @@ class Stage {
 
   /// Sets place, balloon and camera to a view whose place counts from `around`.
   void apply(const ViewChoice& view, const land::LandPoint& around) {
-    if (!gives("/terrain/place")) {
-      middle_ = point_at(around, gives("/balloon/position") ? dvec2(0.0) : view.place);
+    if (!gives("/terrain/place") && !anchored_) {
+      middle_ = point_at(around, gives_balloon() ? dvec2(0.0) : view.place);
       if (middle_.place) {
         set("/terrain/place/latitude_deg", middle_.place->latitude_deg);
         set("/terrain/place/longitude_deg", middle_.place->longitude_deg);
@@ -187,7 +283,7 @@ class Stage {
         set("/terrain/place/northing", middle_.own.y);
       }
     }
-    set("/balloon/position", list_of({0.0, view.above_ground_m, 0.0}));
+    if (!gives_balloon()) set("/balloon/position", list_of({0.0, view.above_ground_m, 0.0}));
     set("/balloon/heading_deg",
         view.azimuth_deg > 180.0 ? view.azimuth_deg - 360.0 : view.azimuth_deg);
     notes_.push_back(fmt::format(
@@ -263,6 +359,8 @@ class Stage {
   land::LandPoint middle_;
   int number_;
   std::size_t views_ = 0;
+  std::optional<FlightPoint> flight_;
+  bool anchored_ = false;  // the middle of the ground is a place that the scene gives for something
   bool has_sea_ = false;
   double sun_azimuth_deg_ = 0.0, month_ = 9.4;
   std::vector<Override> changes_;

@@ -164,8 +164,17 @@ class Maker {
     return fmt::format("{}-{:02}-{:02}", whole(1900, 2100), whole(1, 12), whole(1, 28));
   }
 
-  /// Makes the ground from noise, because no file of elevation data is at hand.
+  /// Makes the ground from noise, because no file of elevation data is at hand. Then there are no
+  /// places on the Earth.
   static void settle_terrain(Json& made) {
+    const auto settle = [](Json& object) {
+      for (const char* key : {"at", "look_at", "track"}) object.erase(key);
+    };
+    for (const char* key : {"camera", "balloon"}) {
+      if (made.contains(key)) settle(made[key]);
+    }
+    for (Json& balloon : made["balloons"]) settle(balloon);
+    if (made["balloons"].is_null()) made.erase("balloons");
     if (!made.contains("terrain")) return;
     Json& terrain = made["terrain"];
     for (const char* key : {"source", "place", "image_heights_m"}) terrain.erase(key);

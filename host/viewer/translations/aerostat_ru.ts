@@ -1588,6 +1588,42 @@
         <source>Strength of the relief that is added where the mesh is finer than the source, 0 (the source alone) to 4.</source>
         <translation>Сила рельефа, который добавляется там, где сетка мельче данных, от 0 (только данные) до 4.</translation>
     </message>
+    <message>
+        <source>Place on the Earth. Only scenes on real land have such places.</source>
+        <translation>Место на Земле. Такие места есть только у сцен на настоящей земле.</translation>
+    </message>
+    <message>
+        <source>Height in metres, -100000 to 100000, above the level that height_above names.</source>
+        <translation>Высота в метрах, от -100000 до 100000, над уровнем, который называет height_above.</translation>
+    </message>
+    <message>
+        <source>Flight that a logger recorded. The balloon is where it was at a moment, and the sun as well, unless the scene gives another. It wins over position.</source>
+        <translation>Полёт, записанный прибором. Шар и солнце находятся там, где были в этот момент, если сцена не задаёт другого солнца. Он важнее position.</translation>
+    </message>
+    <message>
+        <source>Name of an IGC, GPX or KML file, relative to the folder of the scene file.</source>
+        <translation>Имя файла IGC, GPX или KML относительно папки файла сцены.</translation>
+    </message>
+    <message>
+        <source>Time of the flight, such as 2023-10-02T07:45:10Z. It wins over share.</source>
+        <translation>Время полёта, например 2023-10-02T07:45:10Z. Оно важнее share.</translation>
+    </message>
+    <message>
+        <source>Share of the flight&apos;s time, 0 (take-off) to 1 (landing). If neither it nor a time is given, it is 0.5.</source>
+        <translation>Доля времени полёта, от 0 (взлёт) до 1 (посадка). Если нет ни её, ни времени, берётся 0.5.</translation>
+    </message>
+    <message>
+        <source>Number of the track in the file, 0 (the longest) to 100000.</source>
+        <translation>Номер трека в файле, от 0 (самый длинный) до 100000.</translation>
+    </message>
+    <message>
+        <source>Time of the first fix, for tracks without times.</source>
+        <translation>Время первой точки для треков без времени.</translation>
+    </message>
+    <message>
+        <source>Seconds from fix to fix, 0 to 86400, for tracks without times.</source>
+        <translation>Секунд от точки до точки, от 0 до 86400, для треков без времени.</translation>
+    </message>
 </context>
 <context>
     <name>Units</name>

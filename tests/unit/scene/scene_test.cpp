@@ -194,6 +194,8 @@ TEST(SceneText, EveryFieldSurvivesTheRoundTrip) {
   scene.camera = {View::basket,
                   dvec3(1.5, 2, 3),
                   dvec3(4, 5, 6),
+                  {},
+                  {},
                   HeightReference::sea,
                   {0, 1, 0.25},
                   Lens::thin_lens,
@@ -229,7 +231,27 @@ TEST(SceneText, EveryFieldSurvivesTheRoundTrip) {
   EXPECT_EQ(back.camera.view_height_m, 88);
   EXPECT_EQ(back.fog, scene.fog);
   EXPECT_EQ(back.haze.albedo, scene.haze.albedo);
-  EXPECT_EQ(back.terrain.center, scene.terrain.center);
+  EXPECT_EQ(back.terrain, scene.terrain);
+}
+
+TEST(SceneText, RealLandSurvivesTheRoundTrip) {
+  Scene scene = defaults(BiomeKind::meadow, View::outside);
+  set_elevation(scene);
+  scene.terrain.source = {"a.tif", "b/"};
+  scene.terrain.crs = "EPSG:2056";
+  scene.terrain.place.easting = 2600000;
+  scene.terrain.place.northing = 1200000;
+  scene.terrain.raw = {640, 480, SampleType::uint16, true, 12};
+  scene.balloon.track = FlightTrack{"flight.igc", "", 0.25, 2, "", 3.0};
+  scene.camera.at = GeoPoint{46.8, 9.8, 12.5};
+  scene.camera.look_at = GeoPoint{46.9, 9.9, 3000};
+  const std::string dump = write_text(scene);
+  const Scene back = read_text(dump, "dump");
+  EXPECT_EQ(write_text(back), dump);
+  EXPECT_EQ(back.terrain, scene.terrain);
+  EXPECT_EQ(back.balloon.track, scene.balloon.track);
+  EXPECT_EQ(back.camera.at, scene.camera.at);
+  EXPECT_EQ(back.camera.look_at, scene.camera.look_at);
 }
 
 TEST(SceneText, WholeNumbersMayHaveAPoint) {

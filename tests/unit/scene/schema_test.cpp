@@ -45,6 +45,8 @@ void walk(const json& rule, const json& root, const std::string& path,
 Scene full_scene() {
   Scene scene = defaults(BiomeKind::snow, View::outside);
   scene.lights.emplace_back();
+  scene.balloon.at = scene.camera.at = scene.camera.look_at = GeoPoint{};
+  scene.balloon.track = FlightTrack{"flight.igc", "", 0.5, 0, "", 1.0};
   scene.balloons.push_back(scene.balloon);
   scene.image.exposure_ev = 0.0;
   scene.image.white_balance_k = 6504.0;
@@ -132,6 +134,14 @@ TEST(SceneSchema, BoundsAreEnforcedAtBothEnds) {
     }
     if (path == "/terrain/place/easting" || path == "/terrain/place/northing") {
       text = R"({"version": 1, "terrain": {"place": {"easting": 0, "northing": 0}}})";
+    }
+    if (path.find("at/") != std::string::npos || path.find("/track/") != std::string::npos) {
+      text = R"({"version": 1, "terrain": {"source": "a.tif"},
+                 "balloon": {"at": {"latitude_deg": 0, "longitude_deg": 0}, "track": {"file": "a.igc"}},
+                 "balloons": [{"at": {"latitude_deg": 0, "longitude_deg": 0},
+                               "track": {"file": "a.igc"}}],
+                 "camera": {"at": {"latitude_deg": 0, "longitude_deg": 0},
+                            "look_at": {"latitude_deg": 0, "longitude_deg": 0}}})";
     }
     const auto accepts = [&](double value) {
       try {

@@ -6,8 +6,11 @@
 #include <fstream>
 #include <string>
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include "core/error.hpp"
+#include "geo/transform.hpp"
 #include "scene/scene.hpp"
 #include "scene/sun_angles.hpp"
 #include "staging/view_choice.hpp"
@@ -92,6 +95,51 @@ TEST_F(StageFile, AGivenPlaceStays) {
   const scene::TerrainPlace& place = staged.source.scene().terrain.place;
   EXPECT_EQ(place.easting, 495000.0);
   EXPECT_FALSE(place.latitude_deg);
+}
+
+TEST_F(StageFile, PlacesOnTheEarthBecomePositions) {
+  const geo::Place middle = geo::place_of("EPSG:32632", {500000.0, 5200000.0});
+  const geo::Place north = geo::place_of_local(middle, {100.0, -3000.0});
+  const auto text = [](const geo::Place& place, double height) {
+    return fmt::format(R"({{"latitude_deg": {:.12f}, "longitude_deg": {:.12f}, "height_m": {}}})",
+                       place.latitude_deg, place.longitude_deg, height);
+  };
+  const Staged staged = stage(source({{"/balloon/at", text(middle, 120.0)},
+                                      {"/camera/at", text(north, 30.0)},
+                                      {"/camera/look_at", text(middle, 100.0)}}),
+                              reliefs_);
+  const scene::Scene& scene = staged.source.scene();
+  EXPECT_NEAR(*scene.terrain.place.latitude_deg, middle.latitude_deg, 1e-7);
+  EXPECT_NEAR(scene.balloon.position.y, 120.0, 1e-6);
+  EXPECT_LT(glm::length(dvec2(scene.balloon.position.x, scene.balloon.position.z)), 0.02);
+  EXPECT_NEAR(scene.camera.position->x, 100.0, 0.02);
+  EXPECT_NEAR(scene.camera.position->z, -3000.0, 0.02);
+  EXPECT_EQ(scene.camera.height_above, scene::HeightReference::ground);
+  EXPECT_EQ(stage(staged.source, reliefs_).source.text(), staged.source.text());
+}
+
+TEST_F(StageFile, ATrackPutsTheBalloonAndTheSunWhereTheyWere) {
+  const fs::path track = file_.string() + ".gpx";
+  std::ofstream(track) << R"(<gpx version="1.1"><trk><trkseg>
+    <trkpt lat="46.95" lon="9.00"><ele>800</ele><time>2023-10-02T07:00:00Z</time></trkpt>
+    <trkpt lat="46.96" lon="9.00"><ele>1200</ele><time>2023-10-02T07:10:00Z</time></trkpt>
+    <trkpt lat="46.97" lon="9.00"><ele>1600</ele><time>2023-10-02T07:20:00Z</time></trkpt>
+    </trkseg></trk></gpx>)";
+  const auto staged = [&](const std::string& more) {
+    return stage(
+        source({{"/balloon/track", fmt::format(R"({{"file": "{}"{}}})", track.string(), more)}}),
+        reliefs_);
+  };
+  const Staged at_time = staged(R"(, "at": "2023-10-02T07:10:00Z")");
+  const scene::Scene& scene = at_time.source.scene();
+  EXPECT_NEAR(*scene.terrain.place.latitude_deg, 46.96, 1e-4);
+  EXPECT_NEAR(scene.balloon.position.y, 1200.0, 60.0);
+  EXPECT_EQ(scene.balloon.height_above, scene::HeightReference::sea);
+  EXPECT_EQ(at_time.source.value("/sun/date"), "\"2023-10-02\"");
+  EXPECT_EQ(at_time.source.value("/sun/time"), "\"07:10:00Z\"");
+  EXPECT_NEAR(*staged(R"(, "share": 1)").source.scene().terrain.place.latitude_deg, 46.97, 1e-4);
+  EXPECT_THROW(staged(R"(, "at": "noon")"), Error);
+  fs::remove(track);
 }
 
 TEST_F(StageFile, ViewsDiffer) {
