@@ -145,9 +145,21 @@ class Arguments {
     sub->add_flag("--denoise", render_.denoise,
                   "Take the noise out of the picture with Open Image Denoise 2, which must be "
                   "installed");
+    add_labels(sub);
     add_device(sub, render_.device);
     add_quiet(sub, render_.quiet);
     sub->add_flag("--stats", render_.stats, "Report rays, times and memory on stderr");
+  }
+
+  void add_labels(CLI::App* sub) {
+    sub->add_option("--labels", render_.labels,
+                    "On real land, name the places of a GeoJSON or CSV file that are in sight, in "
+                    "x.svg beside x.png")
+        ->type_name("FILE");
+    sub->add_option("--labels-json", render_.labels_json,
+                    "Write pixel, distance and whether hidden of each of these places to a .json "
+                    "file, or - for standard output")
+        ->type_name("FILE");
   }
 
   void add_image(CLI::App* sub) {

@@ -33,6 +33,7 @@ inline constexpr const char* kRenderFooter = R"(Examples:
   aerostat render scenes/snow.json --crop 400,200,880,520 --device cpu --stats
   aerostat render scenes/snow.json --device all
   aerostat render davos.tif
+  aerostat render davos.tif --labels peaks.csv -o davos.png
   aerostat dump snow | aerostat render - -o - --format exr > layers.exr
 
 Devices:

@@ -34,6 +34,8 @@ struct RenderOptions {
   std::optional<std::uint32_t> seed;
   std::optional<render::Crop> crop;
   DeviceOptions device;
+  std::filesystem::path labels;       // places to name in the picture; empty: none
+  std::filesystem::path labels_json;  // "-" stands for standard output; empty: none
   bool denoise = false;
   bool quiet = false;
   bool stats = false;

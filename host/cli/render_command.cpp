@@ -6,6 +6,7 @@
 
 #include "cli/commands.hpp"
 #include "cli/interrupt.hpp"
+#include "cli/label_files.hpp"
 #include "cli/parse.hpp"
 #include "cli/picture.hpp"
 #include "cli/progress_bar.hpp"
@@ -93,6 +94,16 @@ std::string summary(const fs::path& output, const image::Film& film, int spp,
                      film.width, film.height, spp, seconds, names_of(devices));
 }
 
+/// Starts oneTBB before drivers are loaded in another thread. Otherwise the libraries that it
+/// loads, and the requests of its new threads to the loader, would wait for the drivers.
+void start_threads() {
+  tbb::parallel_for(0, tbb::this_task_arena::max_concurrency(), [](int) {});
+}
+
+void print_stats(const render::Session& session, const CommandSeconds& seconds) {
+  print_stderr(stats_text(session.stats(), peak_memory_bytes()) + seconds_text(seconds));
+}
+
 }  // namespace
 
 int render(const RenderOptions& options) {
@@ -101,6 +112,7 @@ int render(const RenderOptions& options) {
       options.output.empty() ? default_picture(options.input.scene) : options.output;
   const PictureFormat format = picture_format(named, options.format);
   const fs::path output = output_file(named, options.input, true);
+  LabelFiles labels(options, output, format);
   const Interrupt interrupt;
   ProgressBar bar(stderr_style(options.quiet), print_stderr);
   const WarningsAbove warnings(bar, options.quiet);
@@ -111,14 +123,13 @@ int render(const RenderOptions& options) {
   const scene::Scene scene = scene_to_render(options, cache->reliefs);
   seconds.reading = phase.restart();
   require_encodable(options, scene.image, format);
-  // Drivers are loaded while the ground is laid out. oneTBB is started first. Otherwise the
-  // libraries that it loads, and the requests of its new threads to the loader, would wait for
-  // the drivers.
-  tbb::parallel_for(0, tbb::this_task_arena::max_concurrency(), [](int) {});
+  start_threads();
+  // Drivers are loaded while the ground is laid out.
   auto opening = std::async(std::launch::async, [&, light = scene.light] {
     return open_session(options, format, light, cache);
   });
   const scene::ResolvedScene resolved = resolve_scene(scene, options.input, cache->reliefs);
+  labels.find(resolved, cache->reliefs);
   seconds.placing = phase.seconds();
   Opened opened = opening.get();
   seconds.device = opened.seconds;
@@ -134,14 +145,13 @@ int render(const RenderOptions& options) {
   seconds.encoding = phase.restart();
   stop_if_asked(interrupt.token());
   write_file(output, bytes);
+  labels.write(film, bytes);
   seconds.writing = phase.seconds();
 
   if (!options.quiet) {
     bar.message(summary(output, film, scene.image.spp, opened.devices, watch.seconds()));
   }
-  if (options.stats) {
-    print_stderr(stats_text(opened.session->stats(), peak_memory_bytes()) + seconds_text(seconds));
-  }
+  if (options.stats) print_stats(*opened.session, seconds);
   keep_to_the_end(std::move(opened.session));
   return 0;
 }

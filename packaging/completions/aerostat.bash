@@ -6,7 +6,7 @@ _aerostat_options() {
   local common='--help' scene='--help --set' device='--device --lanes --memory-limit --quiet'
   case $1 in
     render)
-      echo "$scene $device --output --format --width --height --quality --spp --seed --crop --denoise --stats" ;;
+      echo "$scene $device --output --format --width --height --quality --spp --seed --crop --labels --labels-json --denoise --stats" ;;
     contact-sheet) echo "$scene $device --seeds --views --output --columns --tile-width --quality" ;;
     new) echo "$scene --output --view" ;;
     scenes) echo "$common --folder" ;;
@@ -56,6 +56,8 @@ _aerostat_values() {
     --lanes) compgen -W '1 4 8 16' -- "$word" ;;
     --format) compgen -W "$([[ $command == export ]] && echo ply obj || echo png exr)" -- "$word" ;;
     --plants) compgen -W 'none seen all' -- "$word" ;;
+    --labels) _aerostat_files "$word" geojson json csv ;;
+    --labels-json) _aerostat_files "$word" json ;;
     -o | --output) _aerostat_outputs "$command" "$word" ;;
     --set | --width | --height | --spp | --seed | --seeds | --crop | --memory-limit | --columns | --view | --views | \
       --tile-width | --most-triangles) ;;

@@ -46,6 +46,8 @@ complete -c aerostat -n '__fish_seen_subcommand_from render' -x -l height -d 'Pi
 complete -c aerostat -n '__fish_seen_subcommand_from render' -x -l spp -d 'Samples per pixel'
 complete -c aerostat -n '__fish_seen_subcommand_from render' -x -l seed -d 'Seed of the samples'
 complete -c aerostat -n '__fish_seen_subcommand_from render' -x -l crop -d 'Render only a part: x0,y0,x1,y1'
+complete -c aerostat -n '__fish_seen_subcommand_from render' -r -F -l labels -d 'Places to name in the picture'
+complete -c aerostat -n '__fish_seen_subcommand_from render' -r -F -l labels-json -d 'Where the places are in the picture'
 complete -c aerostat -n '__fish_seen_subcommand_from render' -l denoise -d 'Take the noise out of the picture'
 complete -c aerostat -n '__fish_seen_subcommand_from render' -l stats -d 'Report rays, times and memory'
 

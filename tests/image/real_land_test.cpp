@@ -1,63 +1,21 @@
 // Tests that the land of a file stands where and as high as the file says: heights from straight
 // above, and summits by azimuth and elevation over the curved Earth.
+#include "real_land.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <filesystem>
-#include <fstream>
-#include <functional>
-#include <iomanip>
 #include <numbers>
 #include <string>
 #include <vector>
 
 #include "geo/transform.hpp"
-#include "pictures.hpp"
 #include "support/temporary_folder.hpp"
 
 namespace aerostat::test {
 namespace {
 
 constexpr double kPi = std::numbers::pi;
-constexpr const char* kCrs = "EPSG:32632";
-constexpr double kUtmScale = 0.9996;
-// On the central meridian of the zone, the local frame has the axes of UTM.
-constexpr dvec2 kMiddle{500000.0, 5200000.0};
-
-/// Writes an .asc file of side x side samples around kMiddle. `height` has the easting and northing
-/// from there.
-void write_land(const std::filesystem::path& path, int side, double cell,
-                const std::function<double(double east, double north)>& height) {
-  std::ofstream file(path);
-  const double half = 0.5 * (side - 1) * cell;
-  file << std::setprecision(10) << "ncols " << side << "\nnrows " << side << "\nxllcenter "
-       << kMiddle.x - half << "\nyllcenter " << kMiddle.y - half << "\ncellsize " << cell << '\n';
-  for (int j = 0; j < side; ++j) {
-    for (int i = 0; i < side; ++i) file << height(i * cell - half, half - j * cell) << ' ';
-    file << '\n';
-  }
-}
-
-scene::Scene bare_land(const std::filesystem::path& path, double size_m, int cells) {
-  scene::Scene scene = scene::defaults(scene::BiomeKind::snow, scene::View::outside);
-  scene.terrain.kind = scene::TerrainKind::elevation;
-  scene.terrain.source = {path.string()};
-  scene.terrain.crs = kCrs;
-  const geo::Place place = geo::place_of(kCrs, kMiddle);
-  scene.terrain.place.latitude_deg = place.latitude_deg;
-  scene.terrain.place.longitude_deg = place.longitude_deg;
-  scene.terrain.detail = 0.0;
-  scene.terrain.size_m = size_m;
-  scene.terrain.cells = cells;
-  scene.terrain.grading = 1.0;
-  scene.biome.water.enabled = false;
-  scene.vegetation.enabled = false;
-  scene.balloon.enabled = false;
-  scene.sky.cumulus.cover = 0.0;
-  scene::set_quality(scene, scene::Quality::draft);
-  scene.image.spp = 1;
-  return scene;
-}
 
 constexpr double kWaveHeight = 60.0, kColumnWave = 12.0, kRowWave = 16.0;  // waves in samples
 

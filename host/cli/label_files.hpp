@@ -1,0 +1,38 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <span>
+#include <vector>
+
+#include "cli/options.hpp"
+#include "cli/parse.hpp"
+#include "image/film.hpp"
+#include "labels/names_in_view.hpp"
+#include "labels/places.hpp"
+#include "scene/resolved_scene.hpp"
+#include "world/surface.hpp"
+
+namespace aerostat::cli {
+
+/// The files that --labels and --labels-json write beside a picture.
+class LabelFiles {
+ public:
+  /// Reads the places, if --labels is given. `output` is the picture. Throws Error{usage} if there
+  /// is nothing to write, and the errors of labels::read_places and require_writable.
+  LabelFiles(const RenderOptions& options, const std::filesystem::path& output,
+             PictureFormat format);
+
+  /// Finds the places in the picture. Throws the errors of labels::names_in_view.
+  void find(const scene::ResolvedScene& scene, world::ReliefCache& reliefs);
+
+  /// Writes the files. `bytes` are those of the picture's file.
+  void write(const image::Film& film, std::span<const std::uint8_t> bytes) const;
+
+ private:
+  std::vector<labels::NamedPlace> places_;
+  std::vector<labels::NameInView> names_;
+  std::filesystem::path svg_, json_;  // empty: not written
+};
+
+}  // namespace aerostat::cli
