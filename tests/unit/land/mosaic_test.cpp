@@ -32,13 +32,13 @@ TEST(Joined, TilesThatShareARowOfSamplesBecomeOneRaster) {
       if (i > 10 && j > 10) {
         EXPECT_TRUE(std::isnan(height));  // no file is there
       } else {
-        EXPECT_FLOAT_EQ(height, slope(i, j)) << i << ", " << j;
+        EXPECT_FLOAT_EQ(height, static_cast<float>(slope(i, j))) << i << ", " << j;
       }
     }
   std::vector<float> part(3);
   all[0]->read({9, 4, 3, 1}, part.data());
-  EXPECT_FLOAT_EQ(part[0], slope(9, 4));
-  EXPECT_FLOAT_EQ(part[2], slope(11, 4));
+  EXPECT_FLOAT_EQ(part[0], static_cast<float>(slope(9, 4)));
+  EXPECT_FLOAT_EQ(part[2], static_cast<float>(slope(11, 4)));
 }
 
 TEST(Joined, TheFirstWithAHeightWins) {

@@ -22,7 +22,9 @@ TEST(FillVoids, KeepsKnownHeightsAndStaysInTheirRange) {
   std::vector<float> filled = heights;
   fill_voids(kSide, kSide, filled);
   for (std::size_t k = 0; k < heights.size(); ++k) {
-    if (!std::isnan(heights[k])) EXPECT_EQ(filled[k], heights[k]);
+    if (!std::isnan(heights[k])) {
+      EXPECT_EQ(filled[k], heights[k]);
+    }
     EXPECT_GE(filled[k], 100.0f);
     EXPECT_LE(filled[k], 160.0f);
   }
@@ -37,7 +39,7 @@ TEST(FillVoids, ContinuesASlopeAcrossAHole) {
       heights[j * kSide + i] = hole ? kNone : 2.0f * static_cast<float>(i);
     }
   fill_voids(kSide, kSide, heights);
-  for (int i = 26; i < 39; ++i) EXPECT_NEAR(heights[32 * kSide + i], 2.0f * i, 4.0f) << i;
+  for (int i = 26; i < 39; ++i) EXPECT_NEAR(heights[32 * kSide + i], 2.0 * i, 4.0) << i;
 }
 
 TEST(FillVoids, MakesARasterWithoutHeightsFlat) {
