@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <string>
 #include <vector>
 
 #include "elevation/open.hpp"
@@ -26,8 +27,10 @@ struct TiffPages {
 };
 
 /// Finds the directories of a file that belong to its first raster. `handle` is of the first
-/// directory. Throws Error{bad_data} if the first one holds no heights.
-TiffPages pages_of(TiffHandle& handle);
+/// directory. Throws Error{bad_data} if the first one cannot be read or if `refusal`, which returns
+/// why a layout is not wanted or an empty text, does not want it.
+TiffPages pages_of(TiffHandle& handle,
+                   std::string (*refusal)(const TiffLayout& layout) = refusal_of_heights);
 
 /// What a GeoTIFF file says of itself, with what the user says of it.
 struct GeoTiffInfo {

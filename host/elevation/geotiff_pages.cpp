@@ -43,12 +43,12 @@ void sort_in(const TiffHandle& handle, std::uint64_t directory, bool is_subfile,
 
 }  // namespace
 
-TiffPages pages_of(TiffHandle& handle) {
+TiffPages pages_of(TiffHandle& handle, std::string (*refusal)(const TiffLayout& layout)) {
   std::string why;
   const std::optional<TiffLayout> main = layout_of(handle, why);
   if (!main) refuse(handle.path(), why);
-  const std::string refusal = refusal_of_heights(*main);
-  if (!refusal.empty()) refuse(handle.path(), refusal);
+  const std::string reason = refusal(*main);
+  if (!reason.empty()) refuse(handle.path(), reason);
   TIFF* const tiff = handle.get();
   TiffPages pages;
   pages.main = {*main, TIFFCurrentDirOffset(tiff)};

@@ -50,7 +50,7 @@ std::optional<geo::CrsInfo> known_crs(const std::string& crs) {
 
 }  // namespace
 
-void require_plausible_place(const RasterInfo& info, bool crs_is_from_user) {
+void require_plausible_place(const RasterInfo& info, bool crs_is_from_user, const char* option) {
   if (!info.georeference || info.georeference->crs.empty()) return;
   const std::optional<geo::CrsInfo> known = known_crs(info.georeference->crs);
   if (!known) return;
@@ -66,12 +66,13 @@ void require_plausible_place(const RasterInfo& info, bool crs_is_from_user) {
     refuse(info.path,
            fmt::format("its coordinate reference system is said to be {}, whose coordinates are "
                        "degrees, but they run from {:.8g} to {:.8g} and from {:.8g} to {:.8g} in "
-                       "cells of {:.4g}: read as degrees, {}; they look like metres. Set "
-                       "/terrain/crs to the system that is meant, for example \"EPSG:32632\"",
+                       "cells of {:.4g}: read as degrees, {}; they look like metres. Set {} "
+                       "to the system that is meant, for example \"EPSG:32632\"",
                        crs.name, extent.lowest.x, extent.highest.x, extent.lowest.y,
                        extent.highest.y, extent.cell,
                        is_off_globe ? "they lie beyond the poles or the globe"
-                                    : "a cell is larger than a mountain range"));
+                                    : "a cell is larger than a mountain range",
+                       option));
   }
   const bool looks_like_degrees =
       furthest_x <= 400.0 && furthest_y <= 91.0 && extent.cell < 0.1 && !crs_is_from_user;
@@ -81,10 +82,9 @@ void require_plausible_place(const RasterInfo& info, bool crs_is_from_user) {
         fmt::format("its coordinate reference system is said to be {}, whose coordinates are "
                     "lengths, but they run from {:.8g} to {:.8g} and from {:.8g} to {:.8g} in "
                     "cells of {:.4g}: read as metres, all of it is {:.3g} m wide; they look like "
-                    "degrees. Set /terrain/crs to the system that is meant, for example "
-                    "\"EPSG:4326\"",
+                    "degrees. Set {} to the system that is meant, for example \"EPSG:4326\"",
                     crs.name, extent.lowest.x, extent.highest.x, extent.lowest.y, extent.highest.y,
-                    extent.cell, extent.highest.x - extent.lowest.x));
+                    extent.cell, extent.highest.x - extent.lowest.x, option));
   }
 }
 

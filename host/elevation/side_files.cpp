@@ -125,7 +125,8 @@ SideFiles side_files_of(const std::filesystem::path& path) {
   files.hdr = text_beside(path, ".hdr");
   std::filesystem::path aux = path;
   files.aux_wkt = wkt_of_aux_xml(text_of(aux += ".aux.xml"));
-  for (const char* ending : {".tfw", ".tifw", ".tiffw", ".pgw", ".pngw", ".wld", ".blw", ".bpw"}) {
+  for (const char* ending :
+       {".tfw", ".tifw", ".tiffw", ".pgw", ".pngw", ".jgw", ".jpgw", ".wld", ".blw", ".bpw"}) {
     if (!files.world) files.world = world_of(text_beside(path, ending));
   }
   return files;

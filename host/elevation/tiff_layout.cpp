@@ -138,6 +138,10 @@ std::optional<TiffLayout> layout_of(const TiffHandle& handle, std::string& why) 
   layout.opacity = band_of_opacity(tiff, layout.bands);
   layout.compression = tag<std::uint16_t>(tiff, TIFFTAG_COMPRESSION, 1);
   layout.photometric = tag<std::uint16_t>(tiff, TIFFTAG_PHOTOMETRIC, PHOTOMETRIC_MINISBLACK);
+  if (layout.photometric == PHOTOMETRIC_YCBCR && layout.compression == COMPRESSION_JPEG) {
+    // libtiff then decodes to red, green and blue, and the sizes of blocks are those of that.
+    TIFFSetField(tiff, TIFFTAG_JPEGCOLORMODE, JPEGCOLORMODE_RGB);
+  }
   if (layout.bands < 1 || layout.bands > kMostBands) {
     why = fmt::format("it has {} bands, and at most {} are read", layout.bands, kMostBands);
     return std::nullopt;
