@@ -40,7 +40,7 @@ __kernel void scatter_at_hits(const AeroLaunch launch, const uint bounce,
                               __global const AeroScene* scene,
                               __global const AeroSkyCell* sky_table,
                               __global const AeroSkyImportance* sky_importance,
-                              __global const AeroChartWord* cloud_chart,
+                              __global const AeroChartWord* cloud_chart, __global const uint* drape,
                               __global const AeroInstance* instances, __global const float* grid,
                               __global const AeroFace* faces, __global const AeroVertex* vertices,
                               __global const Hit* hits, __global PathState* paths) {
@@ -55,7 +55,8 @@ __kernel void scatter_at_hits(const AeroLaunch launch, const uint bounce,
     return;
   }
   const AeroLaunch task = launch;
-  const SceneView view = scene_view(scene, sky_table, cloud_chart);
+  SceneView view = scene_view(scene, sky_table, cloud_chart);
+  view.drape = drape;
   const PixelPacket packet = pixel_packet(&task.tile, block);
   const PathNumbers numbers = path_numbers(&task.frame, &packet, bounce);
   const Hit hit = hits[block];
@@ -78,7 +79,7 @@ __kernel void scatter_at_hits(const AeroLaunch launch, const uint bounce,
     const SurfacePoint seen = surface_point(scene, &triangle, &state.path.ray, &hit,
                                             cone_across(&state.path.cone, distance));
     if (bounce == 0u) note_first_hit(triangle.object, distance, met, &state);
-    const Surface surface = surface_at(scene, &seen);
+    const Surface surface = surface_at(&view, &seen);
     const Lane3 emitted = emitted_radiance(scene, &surface, state.lit_by_burners);
     add_where(met, mul3(state.path.throughput, emitted), &state.radiance);
     if (bounce <= scene->bounces) {

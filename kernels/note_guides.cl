@@ -4,10 +4,10 @@
 /* Adds the albedos and normals of what a tile's eye rays hit to the guides of a denoiser. `hits`
  * are those of the eye rays. */
 __kernel void note_guides(const AeroLaunch launch, __global const AeroScene* scene,
-                          __global const AeroInstance* instances, __global const float* grid,
-                          __global const AeroFace* faces, __global const AeroVertex* vertices,
-                          __global const Hit* hits, __global const AeroFilmPixel* film,
-                          __global AeroFilmGuide* guides) {
+                          __global const uint* drape, __global const AeroInstance* instances,
+                          __global const float* grid, __global const AeroFace* faces,
+                          __global const AeroVertex* vertices, __global const Hit* hits,
+                          __global const AeroFilmPixel* film, __global AeroFilmGuide* guides) {
   const uint block = (uint)get_global_id(0);
   if (block >= launch.tile.block_count) return;
   const AeroLaunch task = launch;
@@ -21,8 +21,10 @@ __kernel void note_guides(const AeroLaunch launch, __global const AeroScene* sce
   const Ray ray = generate_rays(&task.frame, &packet);
   const RayCone cone = eye_cone(&task.frame);
   const lane_float distance = hit.t + (lane_float)task.frame.camera.lead;
+  SceneView view = scene_view(scene, 0, 0);
+  view.drape = drape;
   const Surface surface =
-      hit_surface(scene, &ground, &meshes, &ray, &hit, cone_across(&cone, distance));
+      hit_surface(&view, &ground, &meshes, &ray, &hit, cone_across(&cone, distance));
   const lane_float zero = (lane_float)0.0f;
   const Lane3 none = lane3(zero, zero, zero);
   GuideSamples samples;

@@ -20,6 +20,7 @@
 #include "scene/key_light.hpp"
 #include "scene/local_frame.hpp"
 #include "scene/scene.hpp"
+#include "terrain/drape.hpp"
 
 namespace aerostat::pack {
 namespace {
@@ -129,12 +130,25 @@ std::uint32_t shading_of(scene::Shading shading) {
 
 }  // namespace
 
-PackedScene pack_scene(const scene::ResolvedScene& scene) {
-  PackCache cache;
-  return pack_scene(scene, cache);
+AeroDrape pack_drape(const land::Drape& from, double blend) {
+  AeroDrape drape{};
+  drape.middle[0] = static_cast<float>(from.middle().x);
+  drape.middle[1] = static_cast<float>(from.middle().y);
+  drape.texel = static_cast<float>(from.texel_m());
+  drape.side = static_cast<std::uint32_t>(from.side());
+  drape.levels = static_cast<std::uint32_t>(from.levels());
+  drape.blend = static_cast<float>(blend);
+  return drape;
 }
 
-PackedScene pack_scene(const scene::ResolvedScene& scene, PackCache& cache) {
+PackedScene pack_scene(const scene::ResolvedScene& scene) {
+  PackCache cache;
+  terrain::ReliefCache reliefs;
+  return pack_scene(scene, cache, reliefs);
+}
+
+PackedScene pack_scene(const scene::ResolvedScene& scene, PackCache& cache,
+                       terrain::ReliefCache& reliefs) {
   if (scene->lights.size() > AERO_MAX_POINT_LIGHTS) {
     throw Error(ErrorKind::bad_data, fmt::format("/lights: found {} lights, expected at most {}",
                                                  scene->lights.size(), AERO_MAX_POINT_LIGHTS));
@@ -163,6 +177,10 @@ PackedScene pack_scene(const scene::ResolvedScene& scene, PackCache& cache) {
     packed.sky_importance = sky_importance(numbers, packed.sky_table);
   }
   copy(numbers.place, scene::place_of(*scene, scene.origin()));
+  packed.drape = terrain::drape_of(scene->terrain, reliefs);
+  if (packed.drape) {
+    numbers.drape = pack_drape(*packed.drape, scene->terrain.drape.blend);
+  }
   return packed;
 }
 

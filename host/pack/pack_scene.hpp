@@ -7,9 +7,11 @@
 #include "air/light.hpp"
 #include "bvh/bvh.hpp"
 #include "camera.h"
+#include "land/drape.hpp"
 #include "pack/cloud_chart.hpp"
 #include "scene/resolved_scene.hpp"
 #include "scene_params.h"
+#include "terrain/relief_cache.hpp"
 
 namespace aerostat::pack {
 
@@ -20,6 +22,8 @@ struct PackedScene {
   std::vector<AeroSkyCell> sky_table;
   /// The chart of clouds, or null if there is none.
   std::shared_ptr<const CloudChart> cloud_chart;
+  /// The picture on the ground, or null if there is none.
+  std::shared_ptr<const land::Drape> drape = {};
   /// The probabilities by which paths look for light in the sky, if light goes along paths.
   std::optional<AeroSkyImportance> sky_importance = {};
 };
@@ -34,8 +38,13 @@ struct PackCache {
   CloudChartCache clouds;
 };
 
-/// Packs a scene with what a cache has of the air and the clouds, and leaves its own there.
-PackedScene pack_scene(const scene::ResolvedScene& scene, PackCache& cache);
+/// Packs a scene with what caches have of the air, the clouds and the picture on the ground, and
+/// leaves its own there.
+PackedScene pack_scene(const scene::ResolvedScene& scene, PackCache& cache,
+                       terrain::ReliefCache& reliefs);
+
+/// Packs the place of a picture on the ground, whose texels are a buffer of their own.
+AeroDrape pack_drape(const land::Drape& drape, double blend);
 
 /// Camera, image size and sampling. Parallel rays begin shortly before `world`, the bounds of all
 /// that they can meet, if the eye is far away from it: single precision would bend them.

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstdint>
+
 #include "bvh_node.h"
 #include "film_pixel.h"
 #include "instance.h"
@@ -16,6 +18,8 @@ using SceneBuffer = opencl::Buffer<AeroScene>;
 using SkyTableBuffer = opencl::Buffer<AeroSkyCell>;
 using SkyImportanceBuffer = opencl::Buffer<AeroSkyImportance>;
 using CloudChartBuffer = opencl::Buffer<AeroChartWord>;
+/// The texels of AeroDrape.
+using DrapeBuffer = opencl::Buffer<std::uint32_t>;
 using NodeBuffer = opencl::Buffer<AeroBvhNode>;
 using TriangleBuffer = opencl::Buffer<AeroTriangle>;
 using FaceBuffer = opencl::Buffer<AeroFace>;

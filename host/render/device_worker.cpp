@@ -78,6 +78,15 @@ void DeviceWorker::begin_frame(const pack::PackedScene& scene, std::size_t pixel
     frame_.cloud_chart = {context_, budget_, scene.cloud_chart, std::span(scene.cloud_chart->words),
                           "the chart of clouds"};
   }
+  if (scene.drape != drape_) {
+    frame_.drape = {};
+    drape_ = nullptr;
+    if (scene.drape) {
+      frame_.drape = {context_, budget_, scene.drape, std::span(scene.drape->texels()),
+                      "the picture on the ground"};
+    }
+    drape_ = scene.drape;
+  }
   if (frame_.film.pixels.size() == pixels) return;
   frame_.film = {};
   frame_.film.pixels = {

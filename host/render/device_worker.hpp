@@ -123,6 +123,8 @@ class DeviceWorker {
   std::array<Built, scene::kIntegratorCount> built_;
   DeviceGeometry geometry_;
   FrameBuffers frame_;
+  /// The picture whose texels the frame has.
+  std::shared_ptr<const land::Drape> drape_;
   /// The pixels of the image that the film holds.
   Crop window_;
   /// Tells whether pixels of the frame may be converged.

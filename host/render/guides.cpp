@@ -7,10 +7,11 @@ void note_guides(const NoteGuides& kernel, const opencl::Context& context, const
                  const FrameBuffers& frame, const HitBuffer& hits,
                  std::vector<StageEvent>& events) {
   if (!frame.guides) return;
-  events.emplace_back(KernelStage::shading,
-                      opencl::launch(context, kernel, size, launch, frame.scene, geometry.instances,
-                                     geometry.grid, geometry.faces, geometry.vertices, hits,
-                                     frame.film.pixels, frame.film.guides));
+  events.emplace_back(
+      KernelStage::shading,
+      opencl::launch(context, kernel, size, launch, frame.scene, frame.drape, geometry.instances,
+                     geometry.grid, geometry.faces, geometry.vertices, hits, frame.film.pixels,
+                     frame.film.guides));
 }
 
 }  // namespace aerostat::render

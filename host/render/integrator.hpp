@@ -18,6 +18,7 @@ struct FrameBuffers {
   SkyTableBuffer sky_table;
   SkyImportanceBuffer sky_importance;
   CloudChartBuffer cloud_chart;
+  DrapeBuffer drape;
   DeviceFilm film;
   /// Whether launches add to the guides of the film.
   bool guides = false;
@@ -52,8 +53,8 @@ class Integrator {
 
 /// The kernel that adds to the guides of a film.
 using NoteGuides =
-    opencl::TypedKernel<AeroLaunch, SceneBuffer, InstanceBuffer, GridBuffer, FaceBuffer,
-                        VertexBuffer, HitBuffer, FilmBuffer, GuideBuffer>;
+    opencl::TypedKernel<AeroLaunch, SceneBuffer, DrapeBuffer, InstanceBuffer, GridBuffer,
+                        FaceBuffer, VertexBuffer, HitBuffer, FilmBuffer, GuideBuffer>;
 
 /// Enqueues it for the hits of a tile's eye rays if the frame asks for guides.
 void note_guides(const NoteGuides& kernel, const opencl::Context& context, const AeroLaunch& launch,
@@ -71,9 +72,9 @@ struct LocalKernels {
   opencl::TypedKernel<AeroLaunch, SceneBuffer, NodeBuffer, TriangleBuffer, InstanceBuffer,
                       GridBuffer, FaceBuffer, VertexBuffer, HitBuffer, FoundBuffer>
       trace_ambient_rays;
-  opencl::TypedKernel<AeroLaunch, SceneBuffer, SkyTableBuffer, CloudChartBuffer, InstanceBuffer,
-                      GridBuffer, FaceBuffer, VertexBuffer, HitBuffer, VisibleBuffer, FoundBuffer,
-                      FilmBuffer>
+  opencl::TypedKernel<AeroLaunch, SceneBuffer, SkyTableBuffer, CloudChartBuffer, DrapeBuffer,
+                      InstanceBuffer, GridBuffer, FaceBuffer, VertexBuffer, HitBuffer,
+                      VisibleBuffer, FoundBuffer, FilmBuffer>
       shade_hits;
   NoteGuides note_guides;
 };
@@ -85,8 +86,8 @@ struct PathKernels {
                       PathBuffer, HitBuffer>
       extend_paths;
   opencl::TypedKernel<AeroLaunch, std::uint32_t, SceneBuffer, SkyTableBuffer, SkyImportanceBuffer,
-                      CloudChartBuffer, InstanceBuffer, GridBuffer, FaceBuffer, VertexBuffer,
-                      HitBuffer, PathBuffer>
+                      CloudChartBuffer, DrapeBuffer, InstanceBuffer, GridBuffer, FaceBuffer,
+                      VertexBuffer, HitBuffer, PathBuffer>
       scatter_at_hits;
   opencl::TypedKernel<std::uint32_t, std::uint32_t, NodeBuffer, TriangleBuffer, InstanceBuffer,
                       GridBuffer, PathBuffer>

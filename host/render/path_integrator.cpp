@@ -38,11 +38,12 @@ class PathIntegrator final : public Integrator {
       if (bounce == 0) {
         note_guides(kernels_.note_guides, context, launch, size, geometry, frame, hits_, events);
       }
-      events.emplace_back(KernelStage::shading,
-                          opencl::launch(context, kernels_.scatter_at_hits, size, launch, bounce,
-                                         frame.scene, frame.sky_table, frame.sky_importance,
-                                         frame.cloud_chart, geometry.instances, geometry.grid,
-                                         geometry.faces, geometry.vertices, hits_, paths_));
+      events.emplace_back(
+          KernelStage::shading,
+          opencl::launch(context, kernels_.scatter_at_hits, size, launch, bounce, frame.scene,
+                         frame.sky_table, frame.sky_importance, frame.cloud_chart, frame.drape,
+                         geometry.instances, geometry.grid, geometry.faces, geometry.vertices,
+                         hits_, paths_));
       if (bounce > frame.bounces) break;
       for (std::uint32_t light = 0; light < kLightRays; ++light) {
         if (light == kRayToLamp && !frame.lamps) continue;

@@ -188,8 +188,9 @@ void Session::State::prepare(const scene::ResolvedScene& scene, const scene::Res
   // idle. Previews follow each other: their worlds are small, and a stop would have to wait for
   // work that runs beside.
   const auto when = is_single_picture() ? std::launch::async : std::launch::deferred;
-  auto packing =
-      std::async(when, [this, &shown] { return pack::pack_scene(shown, options.cache->packing); });
+  auto packing = std::async(when, [this, &shown] {
+    return pack::pack_scene(shown, options.cache->packing, options.cache->reliefs);
+  });
   build(scene, plants);
   await_programs();
   stop_if_asked();

@@ -65,6 +65,24 @@ struct RawSamples {
   bool operator==(const RawSamples&) const = default;
 };
 
+/// The places of two corners of a picture, as [latitude, longitude] in degrees on WGS 84. Either
+/// both are given or none.
+struct DrapeCorners {
+  std::optional<dvec2> north_west, south_east;
+
+  bool operator==(const DrapeCorners&) const = default;
+};
+
+/// A picture that lies over the ground of elevation data, such as an orthophoto.
+struct Drape {
+  std::string file;      // empty: none
+  double blend = 1.0;    // how much it counts beside the ground's own colours, 0 to 1
+  std::string crs;       // coordinate reference system; empty: as the file says
+  DrapeCorners corners;  // for pictures that do not say where they lie
+
+  bool operator==(const Drape&) const = default;
+};
+
 /// Elevation data, and what a scene says of it in place of the files.
 struct ElevationSource {
   std::vector<std::string> source;  // files and folders; empty: the ground is made from noise
@@ -82,6 +100,7 @@ struct ElevationSource {
   Voids voids = Voids::land;
   bool curved = true;   // the ground falls away with the curvature of the Earth
   double detail = 1.0;  // strength of the relief that is added below the files' resolution
+  Drape drape;
 
   bool operator==(const ElevationSource&) const = default;
 };
@@ -106,6 +125,12 @@ struct Terrain : ElevationSource {
 
   bool operator==(const Terrain&) const = default;
 };
+
+/// Returns the terrain without the picture on it, which its shape does not depend on.
+inline Terrain without_drape(Terrain terrain) {
+  terrain.drape = {};
+  return terrain;
+}
 
 /// The colours of the ground by height, slope and noise. One rule set serves all biomes.
 struct Ground {

@@ -74,6 +74,36 @@ inline constexpr auto kTable<RawSamples> = table(
           number(0, 1e9, "Bytes before the first sample, {from} to {to}.")));
 
 template <>
+inline constexpr auto kTable<DrapeCorners> = table(
+    "Places of two corners of the picture, for one that does not say where it lies. Its rows run "
+    "from west to east and its columns from north to south.",
+    field("north_west", &DrapeCorners::north_west,
+          number(-360, 360,
+                 "Outer corner of the first pixel of the first row, [latitude, longitude] in "
+                 "degrees on WGS 84.")),
+    field("south_east", &DrapeCorners::south_east,
+          number(-360, 360,
+                 "Outer corner of the last pixel of the last row, [latitude, longitude] in degrees "
+                 "on WGS 84.")));
+
+template <>
+inline constexpr auto kTable<Drape> = table(
+    "Picture that lies over the ground of a source, such as an orthophoto. Where it is transparent "
+    "and outside of it, the ground has its own colours.",
+    field("file", &Drape::file,
+          text("Name of the picture, relative to the folder of the scene file: GeoTIFF, PNG or "
+               "JPEG. An empty name means that there is none.")),
+    field("blend", &Drape::blend,
+          number(0, 1,
+                 "Share of the picture in the colour of the ground, {from} (the ground's own "
+                 "colours) to {to} (the picture alone).")
+              .slider(EditGroup::ground, "Picture on the ground", 0, 1, 2)),
+    field("crs", &Drape::crs,
+          text("Coordinate reference system of the picture, such as EPSG:3857, which wins over "
+               "what the file says.")),
+    field("corners", &Drape::corners));
+
+template <>
 inline constexpr auto kTable<Terrain> = table(
     "The ground: a square of cells x cells quads around center. The quads grow outwards. Defaults "
     "come with the biome, or from the elevation data of source.",
@@ -139,6 +169,7 @@ inline constexpr auto kTable<Terrain> = table(
             "Strength of the relief that is added where the mesh is finer than the source, {from} "
             "(the source alone) to {to}.")
             .slider(EditGroup::shape, "Added detail", 0, 2, 2)),
+    field("drape", &Terrain::drape),
     field("seed", &Terrain::seed,
           number(0, 4294967295,
                  "Seed of the noise, {from} to {to}. Each seed gives another landscape.")

@@ -273,6 +273,8 @@ void name_files_from(const std::filesystem::path& folder, Json& document) {
   };
   if (has_source(document)) {
     for (Json& name : document["terrain"]["source"]) settle(name);
+    const Json::json_pointer drape("/terrain/drape/file");
+    if (document.contains(drape)) settle(document[drape]);
   }
   if (!document.is_object()) return;
   if (document.contains("balloon")) settle_track(document["balloon"]);

@@ -138,6 +138,28 @@ void check_terrain_place(const Terrain& terrain, const std::string& name) {
   }
 }
 
+void check_drape(const Terrain& terrain, const std::string& name) {
+  const DrapeCorners& corners = terrain.drape.corners;
+  const Pointer pointer = {"terrain", "drape", "corners"};
+  if (!terrain.drape.file.empty() && terrain.source.empty()) {
+    fail(name, {"terrain", "drape", "file"}, "a picture on ground that is made from noise",
+         "a file of elevation data in /terrain/source, or no picture");
+  }
+  if (corners.north_west.has_value() != corners.south_east.has_value()) {
+    fail(name, pointer, "one of north_west and south_east", "both of them");
+  }
+  if (!corners.north_west) return;
+  const dvec2 &from = *corners.north_west, &to = *corners.south_east;
+  if (!(from.x <= 90.0 && to.x >= -90.0 && from.x > to.x)) {
+    fail(name, pointer, fmt::format("latitudes {} and {}", from.x, to.x),
+         "latitudes of -90 to 90, that of north_west the greater one");
+  }
+  if (from.y == to.y) {
+    fail(name, pointer, fmt::format("longitude {} twice", to.y),
+         "a picture that is some degrees wide");
+  }
+}
+
 }  // namespace
 
 void check_semantics(const Json& document, const Scene& scene, Faults& faults) {
@@ -152,6 +174,7 @@ void check_semantics(const Json& document, const Scene& scene, Faults& faults) {
   faults.gather([&] { check_source(scene.terrain, name); });
   faults.gather([&] { check_geo_points(scene, name); });
   faults.gather([&] { check_terrain_place(scene.terrain, name); });
+  faults.gather([&] { check_drape(scene.terrain, name); });
   const Ground& ground = scene.biome.ground;
   faults.gather([&] { check_order(ground.rock_slope_deg, "rock_slope_deg", name); });
   faults.gather([&] { check_order(ground.snow_slope_deg, "snow_slope_deg", name); });

@@ -27,6 +27,7 @@ scene::Terrain shape_of(scene::Terrain terrain) {
   terrain.center = any.center;
   terrain.grading = any.grading;
   terrain.base_m = any.base_m;
+  terrain.drape = any.drape;
   return terrain;
 }
 

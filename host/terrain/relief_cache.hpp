@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/last_made.hpp"
+#include "land/drape.hpp"
 #include "scene/land.hpp"
 #include "terrain/carving.hpp"
 #include "terrain/real_land.hpp"
@@ -17,6 +18,7 @@ class Relief;
 struct ReliefCache {
   LastMade<scene::Terrain, Relief> fine, coarse;
   RealLandCache lands;
+  LastMade<land::DrapeOptions, land::Drape> drapes;
 
   LastMade<scene::Terrain, Relief>& of(Carving carving) {
     return carving == Carving::coarse ? coarse : fine;

@@ -14,7 +14,7 @@ Shape build(const GroupInput& input) {
 }
 
 bool same(const GroupRequest& now, const GroupRequest& before) {
-  return now.scene->terrain == before.scene->terrain;
+  return scene::without_drape(now.scene->terrain) == scene::without_drape(before.scene->terrain);
 }
 
 }  // namespace

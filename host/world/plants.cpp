@@ -1,10 +1,13 @@
 #include <algorithm>
 #include <utility>
+#include <vector>
 
 #include <oneapi/tbb/parallel_for.h>
 
 #include "scatter/sight.hpp"
+#include "scene/local_frame.hpp"
 #include "scene/scene.hpp"
+#include "terrain/drape.hpp"
 #include "world/kinds.hpp"
 
 namespace aerostat::world {
@@ -36,10 +39,27 @@ void choose_details(const scene::ResolvedScene& scene, const std::vector<plant::
   });
 }
 
+/// A picture on the ground shows the plants that are there, so that none are made where it covers
+/// more than half of the ground's own colours.
+void clear_pictures(const GroupInput& input, std::vector<scatter::Instance>& instances) {
+  constexpr double kMostly = 0.5;
+  const scene::ResolvedScene& scene = input.request.scene;
+  const double blend = scene->terrain.drape.blend;
+  if (blend <= kMostly) return;
+  const auto drape = terrain::drape_of(scene->terrain, input.reliefs);
+  if (!drape) return;
+  const dvec3 origin = scene::place_of(*scene, scene.origin());
+  std::erase_if(instances, [&](const scatter::Instance& instance) {
+    const dvec3 place = origin + dvec3(instance.position);
+    return blend * static_cast<double>(drape->at(place.x, place.z, 0.0).w) > kMostly;
+  });
+}
+
 Shape build(const GroupInput& input) {
   const scene::ResolvedScene& scene = input.request.scene;
   scatter::Growth growth =
       scatter::scatter(scene, *input.ground, input.request.where, input.request.obstacles);
+  clear_pictures(input, growth.instances);
   choose_details(scene, growth.models, growth.instances);
   Instances plants;
   plants.places = std::move(growth.instances);
@@ -67,7 +87,7 @@ bool same(const GroupRequest& now, const GroupRequest& before) {
     return false;
   }
   const scene::Scene &a = *now.scene, &b = *before.scene;
-  return a.vegetation == b.vegetation && a.biome == b.biome &&
+  return a.vegetation == b.vegetation && a.biome == b.biome && a.terrain.drape == b.terrain.drape &&
          a.camera.position == b.camera.position &&
          scene::point_of_view(a.camera) == scene::point_of_view(b.camera) &&
          scene::pixel_size(a) == scene::pixel_size(b) && now.obstacles == before.obstacles;

@@ -27,7 +27,8 @@ double Surface::height(double x, double z, double spacing) const {
 
 bool same_land(const scene::Scene& a, const scene::Scene& b) {
   const scene::Water &one = a.biome.water, &other = b.biome.water;
-  return a.terrain == b.terrain && one.enabled == other.enabled && one.level_m == other.level_m;
+  return without_drape(a.terrain) == without_drape(b.terrain) && one.enabled == other.enabled &&
+         one.level_m == other.level_m;
 }
 
 }  // namespace aerostat::world

@@ -140,8 +140,23 @@ typedef struct AeroBalloon {
 
 AERO_ASSERT_LAYOUT(AeroBalloon, 60);
 
-/* The numbers of a scene. The table of the sky (AeroSkyCell) and the chart of clouds
- * (AeroChartWord) are buffers of their own. */
+/* A picture over the ground, in levels of detail: squares around one point with the same number of
+ * texels. Each is twice as wide as the one before. The texels are a buffer of their own, level by
+ * level and row by row from the least z on. A texel is a word whose lowest byte is red, and green,
+ * blue and opacity follow. A byte of colour is 255 times the square root of the albedo multiplied
+ * by the opacity. */
+typedef struct AeroDrape {
+  aero_float middle[2]; /* x and z of the middle of all levels, over the terrain, metres */
+  aero_float texel;     /* width of a texel of the first level, metres */
+  aero_uint side;       /* texels along a side of a level */
+  aero_uint levels;     /* 0 without a picture */
+  aero_float blend;     /* share of the picture in the colour of the ground, 0 to 1 */
+} AeroDrape;
+
+AERO_ASSERT_LAYOUT(AeroDrape, 24);
+
+/* The numbers of a scene. The table of the sky (AeroSkyCell), the chart of clouds (AeroChartWord)
+ * and the texels of a drape are buffers of their own. */
 typedef struct AeroScene {
   AeroSky sky;
   AeroGround ground;
@@ -159,8 +174,10 @@ typedef struct AeroScene {
    * count from a point near the eye, while patterns and heights go by places. */
   aero_float place[3];
   AeroNight night;
+  AeroDrape drape;
 } AeroScene;
 
-AERO_ASSERT_LAYOUT(AeroScene, (2712 + 32 * 60 + 12) + sizeof(AeroGround) + sizeof(AeroNight));
+AERO_ASSERT_LAYOUT(AeroScene, (2712 + 32 * 60 + 12) + sizeof(AeroGround) + sizeof(AeroNight) +
+                                  sizeof(AeroDrape));
 
 #endif

@@ -177,7 +177,7 @@ class Maker {
     if (made["balloons"].is_null()) made.erase("balloons");
     if (!made.contains("terrain")) return;
     Json& terrain = made["terrain"];
-    for (const char* key : {"source", "place", "image_heights_m"}) terrain.erase(key);
+    for (const char* key : {"source", "place", "image_heights_m", "drape"}) terrain.erase(key);
     if (terrain.value("kind", "") == "elevation") terrain.erase("kind");
   }
 

@@ -695,6 +695,10 @@
         <source>Added detail</source>
         <translation>Добавленные детали</translation>
     </message>
+    <message>
+        <source>Picture on the ground</source>
+        <translation>Снимок на земле</translation>
+    </message>
 </context>
 <context>
     <name>NumberBox</name>
@@ -1623,6 +1627,34 @@
     <message>
         <source>Seconds from fix to fix, 0 to 86400, for tracks without times.</source>
         <translation>Секунд от точки до точки, от 0 до 86400, для треков без времени.</translation>
+    </message>
+    <message>
+        <source>Picture that lies over the ground of a source, such as an orthophoto. Where it is transparent and outside of it, the ground has its own colours.</source>
+        <translation>Снимок поверх земли из данных, например ортофотоплан. Там, где он прозрачен, и за его краями у земли собственные цвета.</translation>
+    </message>
+    <message>
+        <source>Name of the picture, relative to the folder of the scene file: GeoTIFF, PNG or JPEG. An empty name means that there is none.</source>
+        <translation>Имя снимка относительно папки файла сцены: GeoTIFF, PNG или JPEG. Пустое имя означает, что снимка нет.</translation>
+    </message>
+    <message>
+        <source>Share of the picture in the colour of the ground, 0 (the ground&apos;s own colours) to 1 (the picture alone).</source>
+        <translation>Доля снимка в цвете земли, от 0 (собственные цвета земли) до 1 (только снимок).</translation>
+    </message>
+    <message>
+        <source>Coordinate reference system of the picture, such as EPSG:3857, which wins over what the file says.</source>
+        <translation>Система координат снимка, например EPSG:3857; она важнее того, что указано в файле.</translation>
+    </message>
+    <message>
+        <source>Places of two corners of the picture, for one that does not say where it lies. Its rows run from west to east and its columns from north to south.</source>
+        <translation>Места двух углов снимка, если в нём не указано, где он лежит. Его строки идут с запада на восток, а столбцы с севера на юг.</translation>
+    </message>
+    <message>
+        <source>Outer corner of the first pixel of the first row, [latitude, longitude] in degrees on WGS 84.</source>
+        <translation>Внешний угол первого пикселя первой строки, [широта, долгота] в градусах WGS 84.</translation>
+    </message>
+    <message>
+        <source>Outer corner of the last pixel of the last row, [latitude, longitude] in degrees on WGS 84.</source>
+        <translation>Внешний угол последнего пикселя последней строки, [широта, долгота] в градусах WGS 84.</translation>
     </message>
 </context>
 <context>

@@ -55,7 +55,8 @@ __kernel void probe_lit_ground(__global const AeroGround* ground, __global const
   surface.material.normal = lane3_from(slope);
   surface.point.to_viewer = lane3_from(slope);
   surface.material.diffuse = (lane_float)1.0f;
-  lay_ground(ground, -1e6f, load3(points), (lane_float)footprint, &surface.material);
+  lay_ground(ground, -1e6f, load3(points), (lane_float)footprint, (lane_float)0.0f,
+             &surface.material);
   const Lobes lobes = phong_lobes(&surface, lane3_from(slope + 3));
   STORE(surface.material.albedo.y, albedos);
   STORE(phong_color(&surface.material, &lobes).y, lit);

@@ -64,7 +64,7 @@ __kernel void probe_follow_paths(
     const lane_int free = on & lane_mask(hits[i].triangle == NO_TRIANGLE);
     const Lane3 sky = mul3(path->throughput, sky_without_sun(&view, &path->ray));
     add_radiance(radiance, path, free, sky);
-    const Surface surface = path_surface(scene, &world, &meshes, path, hits + i);
+    const Surface surface = path_surface(&view, &world, &meshes, path, hits + i);
     const SampleNumbers at = numbers_of(path->pixel, bounce);
     const MaterialSample sample = sample_material(&surface, &at);
     paths[first + i] = scattered_path(path, &surface, hits + i, &sample);

@@ -59,6 +59,7 @@ Scene full_scene() {
   scene.terrain.cell_m = 30.0;
   scene.terrain.extent_m = 20000.0;
   scene.terrain.place = {46.8, 9.8, 2600000.0, 1200000.0};
+  scene.terrain.drape.corners = {dvec2(46.9, 9.7), dvec2(46.7, 9.9)};
   return scene;
 }
 
