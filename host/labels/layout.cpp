@@ -1,7 +1,7 @@
 #include "labels/layout.hpp"
 
 #include <algorithm>
-#include <cmath>
+#include <cstddef>
 #include <optional>
 #include <utility>
 
@@ -37,17 +37,27 @@ bool leader_meets(const Label& a, const Label& b) {
 
 class Layout {
  public:
-  explicit Layout(const dvec2& size) : size_(size), em_(text_size(size.y)) {}
+  Layout(const dvec2& size, const std::vector<Point>& points)
+      : size_(size), em_(text_size(size.y)), points_(points) {}
 
+  /// Returns the lowest free place above a point. Of several in a row, it is the one that is in the
+  /// way of the fewest other leader lines.
   std::optional<Label> room_for(const Point& point) const {
     const double width = width_of(point.name) * em_, height = kLine * em_;
     for (int row = 0; row < kRows; ++row) {
       const double bottom = point.pixel.y - (1.0 + kGap) * em_ - row * height;
+      std::optional<Label> best;
+      std::ptrdiff_t fewest = 0;
       for (const double shift : kShifts) {
         const double left = point.pixel.x + (shift - 0.5) * width;
         const Label label{point.name, point.pixel, {left, bottom - height}, {left + width, bottom}};
-        if (is_free(label)) return label;
+        if (!is_free(label)) continue;
+        const std::ptrdiff_t blocked = lines_blocked(label);
+        if (best && blocked >= fewest) continue;
+        best = label;
+        fewest = blocked;
       }
+      if (best) return best;
     }
     return std::nullopt;
   }
@@ -65,8 +75,16 @@ class Layout {
     });
   }
 
+  std::ptrdiff_t lines_blocked(const Label& label) const {
+    return std::count_if(points_.begin(), points_.end(), [&](const Point& other) {
+      return other.pixel != label.point && other.pixel.x > label.lo.x &&
+             other.pixel.x < label.hi.x && other.pixel.y > label.lo.y;
+    });
+  }
+
   dvec2 size_;
   double em_;
+  const std::vector<Point>& points_;
   std::vector<Label> labels_;
 };
 
@@ -79,7 +97,7 @@ double text_size(double picture_height) {
 std::vector<Label> lay_out(std::vector<Point> points, const dvec2& size) {
   std::stable_sort(points.begin(), points.end(),
                    [](const Point& a, const Point& b) { return a.height_m > b.height_m; });
-  Layout layout(size);
+  Layout layout(size, points);
   for (const Point& point : points) {
     if (std::optional<Label> label = layout.room_for(point)) layout.add(std::move(*label));
   }

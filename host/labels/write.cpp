@@ -65,13 +65,18 @@ std::vector<Point> points_of(const std::vector<NameInView>& names, const Part& p
   return points;
 }
 
+/// Returns a label, first in wide black lines, so that it can be read on anything. Attributes say
+/// how it looks, because not every program knows style sheets.
 std::string label_text(const Label& label, double em) {
-  const double below = label.hi.y + 0.1 * em;
+  const std::string line = fmt::format("<path d=\"M{:.1f} {:.1f}V{:.1f}\"/>", label.point.x,
+                                       label.point.y, label.hi.y + 0.1 * em);
+  const std::string text =
+      fmt::format("<text x=\"{:.1f}\" y=\"{:.1f}\">{}</text>", 0.5 * (label.lo.x + label.hi.x),
+                  label.hi.y - 0.35 * em, escaped(label.name));
   return fmt::format(
-      "<g><path class=\"leader\" d=\"M{0:.1f} {1:.1f}V{2:.1f}\"/><text x=\"{3:.1f}\" "
-      "y=\"{4:.1f}\">{5}</text></g>\n",
-      label.point.x, label.point.y, below, 0.5 * (label.lo.x + label.hi.x), label.hi.y - 0.35 * em,
-      escaped(label.name));
+      "<g fill=\"#000\" stroke=\"#000\" stroke-width=\"{0:.2f}\">{2}{3}</g>\n"
+      "<g stroke=\"#fff\" stroke-width=\"{1:.2f}\">{2}</g><g fill=\"#fff\">{3}</g>\n",
+      0.18 * em, 0.07 * em, line, text);
 }
 
 }  // namespace
@@ -83,16 +88,18 @@ std::string svg_text(const std::vector<NameInView>& names, const Part& part,
       "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
       "<svg xmlns=\"http://www.w3.org/2000/svg\" xmlns:xlink=\"http://www.w3.org/1999/xlink\" "
       "width=\"{0:.0f}\" height=\"{1:.0f}\" viewBox=\"0 0 {0:.0f} {1:.0f}\">\n"
-      "<style>text{{font:{2:.1f}px sans-serif;text-anchor:middle;fill:#fff;stroke:#000;"
-      "stroke-width:{3:.2f};stroke-linejoin:round;paint-order:stroke}}"
-      ".leader{{stroke:#fff;stroke-width:{4:.2f};fill:none}}</style>\n"
       "<image width=\"{0:.0f}\" height=\"{1:.0f}\" xlink:href=\"data:image/png;base64,",
-      part.size.x, part.size.y, em, 0.18 * em, 0.07 * em);
+      part.size.x, part.size.y);
   text += base64(png) + "\"/>\n";
+  text += fmt::format(
+      "<g font-family=\"sans-serif\" font-weight=\"bold\" font-size=\"{:.1f}\" "
+      "text-anchor=\"middle\" "
+      "stroke-linejoin=\"round\">\n",
+      em);
   for (const Label& label : lay_out(points_of(names, part), part.size)) {
     text += label_text(label, em);
   }
-  return text + "</svg>\n";
+  return text + "</g>\n</svg>\n";
 }
 
 std::string json_text(const std::vector<NameInView>& names, const Part& part) {
