@@ -4,9 +4,11 @@
 #include <array>
 #include <cmath>
 #include <cstring>
+#include <system_error>
 
 #include <fmt/format.h>
 
+#include "core/error.hpp"
 #include "elevation/bytes.hpp"
 #include "elevation/plausible.hpp"
 #include "elevation/reading.hpp"
@@ -84,6 +86,12 @@ float albedo_of_srgb(double share) {
 
 std::unique_ptr<Picture> open_picture(const std::filesystem::path& path,
                                       const PictureOptions& options) {
+  std::error_code code;
+  if (!std::filesystem::is_regular_file(path, code)) {
+    throw Error(ErrorKind::io,
+                fmt::format("{}: cannot read the picture: {}", path.string(),
+                            code ? code.message() : std::string("it is not a regular file")));
+  }
   std::vector<std::uint8_t> head(4);
   const auto bytes = file_bytes(path);
   head.resize(static_cast<std::size_t>(std::min<std::uint64_t>(4, bytes->size())));

@@ -21,7 +21,7 @@ using Bytes = std::shared_ptr<const std::vector<std::uint8_t>>;
 /// Returns why a picture of this layout is not read, or an empty text.
 std::string refusal_of_picture(const TiffLayout& layout) {
   if (layout.sample != TiffSample::uint8 && layout.sample != TiffSample::uint16) {
-    return fmt::format("its samples are {}; a picture of 8 or 16 bits a band is expected",
+    return fmt::format("its samples are {}; a picture has unsigned ones of 8 or 16 bits a band",
                        name_of(layout.sample));
   }
   const bool is_jpeg = layout.compression == COMPRESSION_JPEG;
