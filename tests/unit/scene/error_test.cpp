@@ -137,7 +137,17 @@ INSTANTIATE_TEST_SUITE_P(
         Case{R"("camera": {"position": [1, 2, 3], "target": [1, 2, 3]})",
              "/camera/target: found the camera's own position, expected another point"},
         Case{R"("biome": {"ground": {"rock_slope_deg": [40, 30]}})",
-             "/biome/ground/rock_slope_deg: found [40, 30], expected the smaller one first"}));
+             "/biome/ground/rock_slope_deg: found [40, 30], expected the smaller one first"},
+        Case{R"("terrain": {"drape": {"file": "a.png"}})",
+             "/terrain/drape/file: found a picture on ground that is made from noise, expected a "
+             "file of elevation data in /terrain/source, or no picture"},
+        Case{R"("terrain": {"source": "a.tif", "drape": {"corners": {"north_west": [47, 9]}}})",
+             "/terrain/drape/corners: found one of north_west and south_east, expected both of "
+             "them"},
+        Case{R"("terrain": {"source": "a.tif",
+                "drape": {"corners": {"north_west": [46, 9], "south_east": [47, 10]}}})",
+             "/terrain/drape/corners: found latitudes 46 and 47, expected latitudes of -90 to 90, "
+             "that of north_west the greater one"}));
 
 TEST(SceneVersion, ComesFirst) {
   EXPECT_EQ(complaint("{}"), "x.json: /version: found nothing, expected 1");
