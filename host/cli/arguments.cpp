@@ -160,6 +160,9 @@ class Arguments {
                     "Write pixel, distance and whether hidden of each of these places to a .json "
                     "file, or - for standard output")
         ->type_name("FILE");
+    sub->add_flag("--world-file", render_.world_file,
+                  "On real land, seen orthographically from straight above, write x.pgw and x.prj "
+                  "beside x.png, which tell programs for maps where it lies");
   }
 
   void add_image(CLI::App* sub) {

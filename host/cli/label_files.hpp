@@ -7,7 +7,9 @@
 
 #include "cli/options.hpp"
 #include "cli/parse.hpp"
+#include "core/math.hpp"
 #include "image/film.hpp"
+#include "labels/map_frame.hpp"
 #include "labels/names_in_view.hpp"
 #include "labels/places.hpp"
 #include "scene/resolved_scene.hpp"
@@ -15,7 +17,7 @@
 
 namespace aerostat::cli {
 
-/// The files that --labels and --labels-json write beside a picture.
+/// The files that --labels, --labels-json and --world-file write beside a picture.
 class LabelFiles {
  public:
   /// Reads the places, if --labels is given. `output` is the picture. Throws Error{usage} if there
@@ -23,16 +25,22 @@ class LabelFiles {
   LabelFiles(const RenderOptions& options, const std::filesystem::path& output,
              PictureFormat format);
 
-  /// Finds the places in the picture. Throws the errors of labels::names_in_view.
+  /// Finds the places in the picture and where it lies. Throws the errors of labels::names_in_view
+  /// and labels::map_frame.
   void find(const scene::ResolvedScene& scene, world::ReliefCache& reliefs);
 
   /// Writes the files. `bytes` are those of the picture's file.
   void write(const image::Film& film, std::span<const std::uint8_t> bytes) const;
 
  private:
+  void name_world_files(const RenderOptions& options, const std::filesystem::path& output,
+                        PictureFormat format);
+
   std::vector<labels::NamedPlace> places_;
   std::vector<labels::NameInView> names_;
-  std::filesystem::path svg_, json_;  // empty: not written
+  std::filesystem::path svg_, json_, world_, prj_;  // empty: not written
+  dvec2 first_{0.0};                                // pixel of the picture's part
+  labels::MapFrame frame_;
 };
 
 }  // namespace aerostat::cli

@@ -36,6 +36,7 @@ struct RenderOptions {
   DeviceOptions device;
   std::filesystem::path labels;       // places to name in the picture; empty: none
   std::filesystem::path labels_json;  // "-" stands for standard output; empty: none
+  bool world_file = false;
   bool denoise = false;
   bool quiet = false;
   bool stats = false;

@@ -2,13 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <memory>
 
-#include "core/error.hpp"
 #include "geo/transform.hpp"
+#include "labels/land_place.hpp"
 #include "labels/projection.hpp"
 #include "scene/scene.hpp"
-#include "terrain/real_land.hpp"
 
 namespace aerostat::labels {
 namespace {
@@ -18,27 +16,12 @@ constexpr double kStep = 0.002, kShortest_m = 5.0, kLongest_m = 60.0;
 /// Farther than this from the middle of the ground, a scene has no land.
 constexpr double kFarthest_m = 1e6;
 
-geo::Place middle_of(const scene::Scene& scene, world::ReliefCache& reliefs) {
-  if (scene.terrain.kind != scene::TerrainKind::elevation) {
-    throw Error(ErrorKind::bad_data,
-                "--labels: the ground is made from noise and lies nowhere on the Earth; names need "
-                "a scene on real land (/terrain/source)");
-  }
-  const auto land = terrain::real_land(scene.terrain, reliefs.lands);
-  if (!land->has_place()) {
-    throw Error(ErrorKind::bad_data,
-                "--labels: the elevation data do not say where on the Earth they lie; name their "
-                "coordinate reference system by /terrain/crs");
-  }
-  return *terrain::middle_point(scene.terrain, *land).place;
-}
-
 /// The land of a scene, and how it is seen.
 class Sight {
  public:
   Sight(const scene::ResolvedScene& scene, world::ReliefCache& reliefs)
       : scene_(*scene),
-        middle_(middle_of(*scene, reliefs)),
+        middle_(land_place(*scene, reliefs, "--labels")),
         projection_(scene),
         surface_(*scene, world::Carving::fine, reliefs) {}
 

@@ -6,7 +6,7 @@ _aerostat_options() {
   local common='--help' scene='--help --set' device='--device --lanes --memory-limit --quiet'
   case $1 in
     render)
-      echo "$scene $device --output --format --width --height --quality --spp --seed --crop --labels --labels-json --denoise --stats" ;;
+      echo "$scene $device --output --format --width --height --quality --spp --seed --crop --labels --labels-json --world-file --denoise --stats" ;;
     contact-sheet) echo "$scene $device --seeds --views --output --columns --tile-width --quality" ;;
     new) echo "$scene --output --view" ;;
     scenes) echo "$common --folder" ;;

@@ -48,6 +48,7 @@ complete -c aerostat -n '__fish_seen_subcommand_from render' -x -l seed -d 'Seed
 complete -c aerostat -n '__fish_seen_subcommand_from render' -x -l crop -d 'Render only a part: x0,y0,x1,y1'
 complete -c aerostat -n '__fish_seen_subcommand_from render' -r -F -l labels -d 'Places to name in the picture'
 complete -c aerostat -n '__fish_seen_subcommand_from render' -r -F -l labels-json -d 'Where the places are in the picture'
+complete -c aerostat -n '__fish_seen_subcommand_from render' -l world-file -d 'Tell programs for maps where the picture lies'
 complete -c aerostat -n '__fish_seen_subcommand_from render' -l denoise -d 'Take the noise out of the picture'
 complete -c aerostat -n '__fish_seen_subcommand_from render' -l stats -d 'Report rays, times and memory'
 

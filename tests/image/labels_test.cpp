@@ -3,10 +3,12 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <sstream>
 #include <string>
 #include <vector>
 
 #include "core/error.hpp"
+#include "labels/map_frame.hpp"
 #include "labels/names_in_view.hpp"
 #include "real_land.hpp"
 #include "support/temporary_folder.hpp"
@@ -120,6 +122,34 @@ TEST(Labels, APeakBehindARidgeIsHidden) {
   EXPECT_FALSE(names[2].pixel);
   EXPECT_FALSE(names[3].hidden);
   EXPECT_NEAR(names[3].height_m, 2000.0, 1e-9);
+}
+
+// Tests that the world file leads from the pixel of a place to the coordinates of the place.
+TEST(MapFrame, LeadsFromPixelsToTheLocalFrame) {
+  const TemporaryFolder folder;
+  scene::Scene scene = land_of_ridges(folder.path());
+  scene.terrain.center = {100.0, -50.0};
+  scene.camera.lens = scene::Lens::orthographic;
+  scene.camera.position = {200.0, 3000.0, 300.0};
+  scene.camera.target = {200.0, 0.0, 300.0};
+  scene.camera.up = {0.6, 0.0, -0.8};
+  scene.camera.view_height_m = 4000.0;
+  world::ReliefCache reliefs;
+  const labels::MapFrame frame = labels::map_frame(resolved(scene), {7.0, 3.0}, reliefs);
+  std::istringstream numbers(frame.world_file);
+  dvec2 right, down, corner;
+  numbers >> right.x >> right.y >> down.x >> down.y >> corner.x >> corner.y;
+  ASSERT_TRUE(numbers);
+  const geo::Place middle = geo::place_of(kCrs, kMiddle);
+  const auto names = labels::names_in_view(
+      {{"place", geo::place_of_local(middle, {350.0, -800.0}), {}}}, resolved(scene), reliefs);
+  const dvec2 pixel = *names[0].pixel - dvec2(7.5, 3.5);
+  const dvec2 found = corner + pixel.x * right + pixel.y * down;
+  EXPECT_NEAR(found.x, 350.0, 0.01);
+  EXPECT_NEAR(found.y, 800.0, 0.01);
+  EXPECT_NE(frame.crs.find("PROJECTION[\"Transverse_Mercator\"]"), std::string::npos);
+  scene.camera.target->x += 1.0;
+  EXPECT_THROW(labels::map_frame(resolved(scene), {0.0, 0.0}, reliefs), Error);
 }
 
 TEST(Labels, NeedLandThatLiesOnTheEarth) {
