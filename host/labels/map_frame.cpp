@@ -31,7 +31,8 @@ MapFrame map_frame(const scene::ResolvedScene& scene, const dvec2& first,
                 "/camera/target straight below /camera/position");
   }
   const double pixel = scene::pixel_size(*scene).width_m;
-  const dvec2 right = pixel * on_map(axes.right), down = -pixel * on_map(axes.up);
+  // Adding 0 turns -0 into 0.
+  const dvec2 right = pixel * on_map(axes.right) + 0.0, down = -pixel * on_map(axes.up) + 0.0;
   const dvec2 center = on_map({scene->terrain.center.x, 0.0, scene->terrain.center.y});
   const dvec2 steps = first + 0.5 - 0.5 * dvec2(scene->image.width, scene->image.height);
   const dvec2 corner = on_map(scene.eye()) - center + steps.x * right + steps.y * down;
