@@ -35,7 +35,7 @@ set(AEROSTAT_ZSH_COMPLETIONS "${CMAKE_INSTALL_DATADIR}/zsh/site-functions" CACHE
 
 # host/scene/installed.cpp looks for the scenes in this folder, relative to that of the programs.
 install(DIRECTORY scenes/ DESTINATION "${CMAKE_INSTALL_DATADIR}/aerostat/scenes"
-        FILES_MATCHING PATTERN "*.json")
+        FILES_MATCHING PATTERN "*.json" REGEX "/data/")
 install(DIRECTORY docs/manual DESTINATION "${CMAKE_INSTALL_DOCDIR}")
 # The manual links to these files.
 install(FILES docs/performance.md DESTINATION "${CMAKE_INSTALL_DOCDIR}")

@@ -39,6 +39,7 @@ struct LandSamples {
   std::span<const float> spacing_m;        // distance to neighbouring samples
   std::span<float> height_m;               // over the files' zero, without curvature
   std::span<float> slope_east, slope_south;
+  std::span<float> outside_m = {};  // distance from the nearest file, 0 inside; may be left out
 };
 
 class LocalLand;

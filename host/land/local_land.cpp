@@ -84,14 +84,18 @@ class LocalLand::Lattice {
     return std::hypot(x, y);
   }
 
+  /// Returns the metres of a number of samples around a place.
+  float metres(const Seen& seen, double samples) const {
+    return static_cast<float>(samples / std::sqrt(std::max(samples_per_area(seen), 1e-18)));
+  }
+
   /// The height and the slopes to the east and to the south.
   struct Ground {
     float height, east, south;
   };
 
   Ground ground(const Seen& seen, double spacing_m) const {
-    const double area =
-        std::abs(seen.by_east.x * seen.by_south.y - seen.by_east.y * seen.by_south.x);
+    const double area = samples_per_area(seen);
     const SplinePoint point =
         pyramid_.at(seen.place.x, seen.place.y, spacing_m * std::sqrt(std::max(area, 1e-18)));
     const double columns = point.along_columns, rows = point.along_rows;
@@ -102,6 +106,11 @@ class LocalLand::Lattice {
   const Pyramid& pyramid() const { return pyramid_; }
 
  private:
+  /// Returns the number of samples in a square metre.
+  static double samples_per_area(const Seen& seen) {
+    return std::abs(seen.by_east.x * seen.by_south.y - seen.by_east.y * seen.by_south.x);
+  }
+
   double along(int node) const { return reach_m_ * (2.0 * node / (nodes_ - 1) - 1.0); }
 
   const dvec2& node(int i, int j) const {
@@ -183,6 +192,10 @@ void LocalLand::sample(const LandSamples& samples) const {
     samples.height_m[k] = sum.height;
     samples.slope_east[k] = sum.east;
     samples.slope_south[k] = sum.south;
+    if (samples.outside_m.empty()) continue;
+    // All of the land is outside if no file has a share of it.
+    const bool outside = left >= 1.0 && nearest > 0.0;
+    samples.outside_m[k] = outside ? fallback->metres(fallback_seen, nearest) : 0.0f;
   }
 }
 

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 #include <span>
-#include <utility>
+#include <string>
 
 namespace aerostat::staging {
 namespace {
@@ -58,23 +58,33 @@ double at_latitude(std::span<const AtLatitude> table, double latitude_deg) {
 struct DryRegion {
   double south, north, west, east;
 };
-constexpr std::array<DryRegion, 13> kDryRegions{{{15, 31, -17, 36},       // Sahara
-                                                 {13, 33, 36, 62},        // Arabia, Iran
-                                                 {24, 30, 62, 75},        // Sind, Thar
-                                                 {36, 46, 54, 66},        // Turkestan
-                                                 {36, 46, 76, 112},       // Taklamakan, Gobi
-                                                 {31, 38.5, -120, -108},  // Mojave to the Colorado
-                                                 {24, 33, -116, -103},    // Sonora, Chihuahua
-                                                 {-17, -4, -81.5, -76},   // coast of Peru
-                                                 {-28, -17, -71, -66},    // Atacama
-                                                 {-34, -28, -71.5, -66},  // dry Andes
-                                                 {-30, -16, 11, 22},      // Namib, Kalahari
-                                                 {-32, -19, 114, 143},    // Australia
-                                                 {27, 30, -18.5, -13}}};  // eastern Canaries
+constexpr double kHighestDesert_m = 2200.0;  // mean height above which dry regions are green
+constexpr std::array<DryRegion, 13> kDryRegions{
+    {{15, 31, -17, 36},         // Sahara
+     {13, 33, 36, 62},          // Arabia, Iran
+     {24, 30, 62, 75},          // Sind, Thar
+     {36, 46, 54, 66},          // Turkestan
+     {36, 46, 76, 112},         // Taklamakan, Gobi
+     {31, 38.5, -117.5, -108},  // Mojave to the Colorado
+     {24, 33, -116, -103},      // Sonora, Chihuahua
+     {-17, -4, -81.5, -76},     // coast of Peru
+     {-28, -17, -71, -66},      // Atacama
+     {-34, -28, -71.5, -66},    // dry Andes
+     {-30, -16, 11, 22},        // Namib, Kalahari
+     {-32, -19, 114, 143},      // Australia
+     {27, 30, -18.5, -13}}};    // eastern Canaries
 
-bool is_dry(const geo::Place& place) {
+/// Rough rectangles of land that summers turn brown.
+constexpr std::array<DryRegion, 6> kDrySummers{{{32, 42, -124.5, -117},  // California
+                                                {35, 43.5, -10, 36},     // Mediterranean
+                                                {27, 33.5, -18.5, -5},   // Canaries, Morocco
+                                                {-38, -30, -73.5, -70},  // Chile
+                                                {-35, -31, 17, 26},      // Cape
+                                                {-36, -30, 114, 120}}};  // south-west Australia
+
+bool is_in(std::span<const DryRegion> regions, const geo::Place& place) {
   const double longitude = std::remainder(place.longitude_deg, 360.0);
-  return std::any_of(kDryRegions.begin(), kDryRegions.end(), [&](const DryRegion& region) {
+  return std::any_of(regions.begin(), regions.end(), [&](const DryRegion& region) {
     return place.latitude_deg >= region.south && place.latitude_deg <= region.north &&
            longitude >= region.west && longitude <= region.east;
   });
@@ -100,7 +110,8 @@ Climate climate_of(const geo::Place& place, double month, double lowest_m, doubl
                         winter * at_latitude(kWinterDrop, place.latitude_deg);
   climate.tree_line_m = at_latitude(kTreeLine, place.latitude_deg);
   const double middle_m = 0.5 * (lowest_m + highest_m);
-  if (is_dry(place) && climate.snow_line_m > middle_m) {
+  climate.is_brown = is_in(kDrySummers, place) && climate.season == scene::Season::summer;
+  if (is_in(kDryRegions, place) && middle_m < kHighestDesert_m) {
     climate.biome = scene::BiomeKind::sand;
   } else if (highest_m > climate.tree_line_m - 200.0 || highest_m > climate.snow_line_m) {
     climate.biome = scene::BiomeKind::snow;
@@ -110,6 +121,45 @@ Climate climate_of(const geo::Place& place, double month, double lowest_m, doubl
     climate.biome = scene::BiomeKind::meadow;
   }
   return climate;
+}
+
+const char* name_of(scene::BiomeKind biome) {
+  constexpr const char* kNames[] = {"snow", "tropical", "sand", "meadow"};
+  return kNames[static_cast<std::size_t>(biome)];
+}
+
+std::vector<scene::Override> biome_values(const Climate& climate, bool has_sea) {
+  constexpr const char* kSeasons[] = {"spring", "summer", "autumn"};
+  const auto whole = [](double metres) { return std::to_string(std::lround(metres)); };
+  std::vector<scene::Override> values = {{"/biome/kind", name_of(climate.biome)},
+                                         {"/biome/ground/snow_line_m", whole(climate.snow_line_m)}};
+  const auto ground = [&values](const char* key, const std::string& value) {
+    values.push_back({std::string("/biome/ground/") + key, value});
+  };
+  if (climate.biome != scene::BiomeKind::sand) ground("forest_top_m", whole(climate.tree_line_m));
+  switch (climate.biome) {
+    case scene::BiomeKind::snow:
+      // Alpine grass, greener than what snow leaves bare in winter. The colours were chosen by eye,
+      // here and below.
+      ground("cover_a", "[0.055, 0.085, 0.026]");
+      ground("cover_b", "[0.125, 0.13, 0.05]");
+      break;
+    case scene::BiomeKind::tropical:
+      ground("beach_top_m", has_sea ? "3" : "-1000000");
+      break;
+    case scene::BiomeKind::meadow:
+      values.push_back({"/biome/season", kSeasons[static_cast<std::size_t>(climate.season)]});
+      if (!climate.is_brown) break;
+      ground("cover_a", "[0.19, 0.155, 0.07]");
+      ground("cover_b", "[0.27, 0.215, 0.105]");
+      ground("forest", "[0.06, 0.068, 0.032]");
+      ground("forest_share", "0.22");
+      ground("field_m", "0");
+      break;
+    case scene::BiomeKind::sand:
+      break;
+  }
+  return values;
 }
 
 }  // namespace aerostat::staging

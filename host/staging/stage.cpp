@@ -27,6 +27,7 @@ using scene::Override;
 // The morning that is chosen where a scene gives no sun. Heights of the sun were chosen by eye.
 constexpr const char* kUsualDate = "2024-09-12";
 constexpr double kMorningSun_deg = 21.0;
+constexpr geo::Place kSomePlace{46.0, 10.0};   // whose climate land of unknown place has
 constexpr double kSomeSunAzimuth_deg = 112.0;  // for land whose place is unknown
 
 // The camera looks past the balloon from this far away, slightly down, so that the horizon is in
@@ -326,31 +327,17 @@ class Stage {
     const double highest = land_->highest_m();
     const double top = scene_.sky.cumulus.base_m;
     set("/sky/cumulus/base_m", std::round(std::max(top, 0.75 * highest + 900.0)));
-    if (gives("/biome/kind") || !middle_.place) return;
-    const Climate climate =
-        climate_of(*middle_.place, month_, std::max<double>(land_->lowest_m(), 0.0), highest);
-    constexpr const char* kKinds[] = {"snow", "tropical", "sand", "meadow"};
-    constexpr const char* kSeasons[] = {"spring", "summer", "autumn"};
-    set("/biome/kind", kKinds[static_cast<std::size_t>(climate.biome)]);
-    if (climate.biome == scene::BiomeKind::meadow) {
-      set("/biome/season", kSeasons[static_cast<std::size_t>(climate.season)]);
-    }
-    if (climate.biome == scene::BiomeKind::tropical)
-      set("/biome/ground/beach_top_m", has_sea_ ? 3.0 : -1e6);
-    if (climate.biome != scene::BiomeKind::sand) {
-      set("/biome/ground/forest_top_m", std::round(climate.tree_line_m));
-    }
-    set("/biome/ground/snow_line_m", std::round(climate.snow_line_m));
-    if (climate.biome == scene::BiomeKind::snow) {
-      // Alpine grass, greener than what snow leaves bare in winter. The colours were chosen by eye.
-      set("/biome/ground/cover_a", "[0.055, 0.085, 0.026]");
-      set("/biome/ground/cover_b", "[0.125, 0.13, 0.05]");
-    }
+    if (gives("/biome/kind")) return;
+    const Climate climate = climate_of(middle_.place.value_or(kSomePlace), month_,
+                                       std::max<double>(land_->lowest_m(), 0.0), highest);
+    for (const Override& change : biome_values(climate, has_sea_))
+      set(change.pointer, change.value);
     notes_.push_back(fmt::format(
-        "No biome is given; it is {} with snow above {:.0f} m and trees up to {:.0f} m, by "
-        "latitude, "
-        "height and season.",
-        kKinds[static_cast<std::size_t>(climate.biome)], climate.snow_line_m, climate.tree_line_m));
+        "No biome is given; it is {} with snow above {:.0f} m and trees up to {:.0f} m, by {}, "
+        "height "
+        "and season.",
+        name_of(climate.biome), climate.snow_line_m, climate.tree_line_m,
+        middle_.place ? "latitude" : "46 degrees of latitude, because the place is unknown"));
   }
 
   const scene::SceneSource& source_;

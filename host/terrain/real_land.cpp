@@ -23,6 +23,10 @@ constexpr float kGullyDepth = 0.22f;  // from crest to floor, relative to the wi
 constexpr float kRoughness =
     0.06f;  // height of noise relative to its longest wave, on steep ground
 constexpr int kGullyOctaves = 5, kNoiseOctaves = 9;
+// Hills beyond the files: the wavelength of the first octave, the share of the files' relief, and
+// the distance over which they reach it.
+constexpr double kBeyondFeature_m = 9000.0;
+constexpr float kBeyondShare = 0.6f, kBeyondFrom_m = 9000.0f;
 constexpr float kSeaDepth_m = 25.0f;  // of large regions without heights that are sea
 
 /// The area around the terrain's square that heights may be asked for, as a share of its side.
@@ -38,17 +42,24 @@ class RealLand : public Relief {
         gullies_(kWidestGully * files_->cell_m(), kGullyOctaves, kGullyDepth,
                  terrain.seed ^ 0x27D4EB2Fu),
         noise_(
-            make_soft_octaves(2.0 * files_->cell_m(), terrain.seed ^ 0x85EBCA6Bu, kNoiseOctaves)) {}
+            make_soft_octaves(2.0 * files_->cell_m(), terrain.seed ^ 0x85EBCA6Bu, kNoiseOctaves)),
+        beyond_(make_octaves(scene::Fractal{}, kBeyondFeature_m, terrain.seed ^ 0xC2B2AE35u)),
+        beyond_m_(files_->has_sea()
+                      ? 0.0f
+                      : detail_ * kBeyondShare * (files_->highest_m() - files_->lowest_m())) {}
 
   void heights(const Points& points, Block& height) const override {
     Slopes ground;
+    Block outside;
     const auto count = static_cast<std::size_t>(points.count);
     local_->sample({{points.x.data(), count},
                     {points.z.data(), count},
                     {points.spacing.data(), count},
                     {ground.height.data(), count},
                     {ground.dx.data(), count},
-                    {ground.dz.data(), count}});
+                    {ground.dz.data(), count},
+                    {outside.data(), count}});
+    if (beyond_m_ > 0.0f) add_hills(points, outside, ground);
     if (detail_ > 0.0f) add_detail(points, ground);
     for (int i = 0; i < points.count; ++i) {
       const double x = points.x[i], z = points.z[i];
@@ -72,12 +83,28 @@ class RealLand : public Relief {
     gullies_.add(points, strength, ground);
   }
 
+  /// Adds hills and ranges beyond the files, so that the horizon is not that of a plain.
+  void add_hills(const Points& points, const Block& outside, Slopes& ground) const {
+    if (std::all_of(outside.begin(), outside.begin() + points.count,
+                    [](float metres) { return metres == 0.0f; })) {
+      return;
+    }
+    Block hills;
+    ridged(beyond_, 1.0f, points, hills);
+    for (int i = 0; i < points.count; ++i) {
+      const float share = smooth_step(0.0f, kBeyondFrom_m, outside[i]);
+      ground.height[i] += beyond_m_ * share * (hills[i] - 0.3f);
+    }
+  }
+
   float detail_;
   bool curved_;
   std::shared_ptr<const land::Land> files_;
   std::shared_ptr<const land::LocalLand> local_;
   Gullies gullies_;
   std::vector<Octave> noise_;
+  std::vector<Octave> beyond_;
+  float beyond_m_;
 };
 
 std::optional<double> metres_of(scene::HeightUnit unit) {
