@@ -12,11 +12,10 @@ namespace {
 
 using Scenes = CliTest;
 
-constexpr const char* kScenes[] = {"snow",      "snow-basket", "tropical",   "tropical-basket",
-                                   "sand",      "sand-basket", "sand-empty", "valley-fog",
-                                   "alpenglow", "night-glow",  "storm",      "autumn",
-                                   "lake",      "canyon",      "festival",   "raetikon",
-                                   "st-helens", "grand-canyon"};
+constexpr const char* kScenes[] = {
+    "snow",       "snow-basket", "tropical",  "tropical-basket", "sand",      "sand-basket",
+    "sand-empty", "valley-fog",  "alpenglow", "night-glow",      "storm",     "autumn",
+    "lake",       "canyon",      "festival",  "raetikon",        "st-helens", "grand-canyon"};
 
 TEST_F(Scenes, AllAreGood) {
   for (const char* scene : kScenes) {

@@ -125,8 +125,8 @@ INSTANTIATE_TEST_SUITE_P(Scenes, Golden, testing::ValuesIn(kScenes), scene_test_
 
 /// The names of the scenes that no other test renders.
 constexpr std::array<const char*, 11> kShownScenes = {
-    "valley-fog", "alpenglow", "night-glow", "storm", "autumn", "lake", "canyon", "festival",
-    "raetikon", "st-helens", "grand-canyon"};
+    "valley-fog", "alpenglow", "night-glow", "storm",     "autumn",      "lake",
+    "canyon",     "festival",  "raetikon",   "st-helens", "grand-canyon"};
 
 INSTANTIATE_TEST_SUITE_P(ShownScenes, Golden, testing::ValuesIn(kShownScenes), scene_test_name);
 
