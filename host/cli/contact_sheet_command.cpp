@@ -48,7 +48,7 @@ void settle_size(const ContactSheetOptions& options, scene::Image& image) {
 
 SceneOptions input_of(const ContactSheetOptions& options) {
   SceneOptions input = options.input;
-  if (!options.quality.empty()) input.overrides.push_back("/quality=" + options.quality);
+  if (!options.quality.empty()) input.overrides.emplace_back("/quality=" + options.quality);
   return input;
 }
 

@@ -32,7 +32,7 @@ namespace fs = std::filesystem;
 scene::Scene scene_to_render(const RenderOptions& options, world::ReliefCache& reliefs) {
   SceneOptions input = options.input;
   // Options win over --set.
-  if (!options.quality.empty()) input.overrides.push_back("/quality=" + options.quality);
+  if (!options.quality.empty()) input.overrides.emplace_back("/quality=" + options.quality);
   scene::Scene scene = read_scene(input, reliefs);
   if (options.width) scene.image.width = *options.width;
   if (options.height) scene.image.height = *options.height;

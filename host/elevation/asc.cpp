@@ -160,9 +160,10 @@ std::unique_ptr<Raster> read_body(Words& words, RasterInfo info,
                                   info.height));
   }
   info.sample_type = body.all_whole() ? "int32" : "float32";
-  if (body.has_comma()) info.notes.push_back("Commas in the heights were read as decimal marks.");
+  if (body.has_comma())
+    info.notes.emplace_back("Commas in the heights were read as decimal marks.");
   if (!own_mark && body.has_mark()) {
-    info.notes.push_back(
+    info.notes.emplace_back(
         "The header names no value for voids, and -9999 was taken, as ESRI's programs do.");
   }
   if (is_kept) return std::make_unique<MemoryRaster>(std::move(info), std::move(heights));

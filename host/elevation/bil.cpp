@@ -83,7 +83,7 @@ SampleType type_of(const HdrFile& hdr, RasterInfo& info) {
     if (bits == 64) return SampleType::float64;
   } else if (bits == 16) {
     if (pixels.empty()) {
-      info.notes.push_back(
+      info.notes.emplace_back(
           "The .hdr file does not say whether heights are signed, and signed ones were taken.");
     }
     return pixels.starts_with("unsigned") ? SampleType::uint16 : SampleType::int16;

@@ -90,7 +90,7 @@ void read_header(RasterInfo& info, Bytes bytes, std::size_t at, const OpenOption
   const std::string_view datum = text_at(bytes, at + kUhl + 144, 5);
   place.crs = datum == "WGS72" ? "EPSG:4322" : "EPSG:4326";
   if (datum != "WGS84" && datum != "WGS72") {
-    info.notes.push_back("The file names no known datum, and WGS 84 was taken.");
+    info.notes.emplace_back("The file names no known datum, and WGS 84 was taken.");
   }
   if (!options.crs.empty()) place.crs = options.crs;
   info.georeference = place;

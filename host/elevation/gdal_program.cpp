@@ -259,7 +259,7 @@ std::unique_ptr<Raster> open_by_gdal(const path& file, const OpenOptions& option
   Conversion conversion(file, *kind, translate);
   const path converted = conversion.convert(options);
   if (conversion.is_depth) {
-    conversion.notes.push_back(
+    conversion.notes.emplace_back(
         "The variable counts downwards, so its values are taken as depths below 0.");
   }
   return open_geotiff_for(

@@ -66,7 +66,7 @@ std::string horizontal_crs(const GeoKeys& keys, std::vector<std::string>& notes)
     notes.push_back(fmt::format(
         "The file names the coordinate reference system EPSG:{}, which PROJ does not know.", code));
   } else if (keys.code(kModelType) != 0 || projected != 0 || geographic != 0) {
-    notes.push_back(
+    notes.emplace_back(
         "The file describes a coordinate reference system of its own by parameters that make no "
         "known one.");
   }
@@ -174,7 +174,7 @@ GeoKeyCrs crs_of(const GeoKeys& keys) {
   result.pixel_is_point = keys.code(kRasterType) == 2;
   if (keys.empty()) return result;
   if (keys.code(kModelType) == 3) {
-    result.notes.push_back(
+    result.notes.emplace_back(
         "The file gives geocentric coordinates, which do not place a raster on the ground.");
   } else {
     result.crs = horizontal_crs(keys, result.notes);

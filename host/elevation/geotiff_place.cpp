@@ -33,7 +33,7 @@ std::optional<Georeference> place_of_tags(const TiffHandle& handle, bool pixel_i
     place.origin = dvec2(matrix[3], matrix[7]);
   } else if (scale.size() >= 2 && ties.size() >= 6) {
     if (scale[1] < 0.0) {
-      info.notes.push_back(
+      info.notes.emplace_back(
           "The file gives a negative distance of its rows; they are taken to run from north to "
           "south, as other programs take them.");
     }
@@ -88,7 +88,7 @@ void set_crs(const GeoKeyCrs& keys, const SideFiles& beside, const OpenOptions& 
     source = ".aux.xml";
   }
   if (place.crs.empty()) {
-    info.notes.push_back(
+    info.notes.emplace_back(
         "The file does not say its coordinate reference system, and no .prj file beside it does. "
         "/terrain/crs names it.");
     return;
@@ -113,11 +113,11 @@ void set_place(const TiffHandle& handle, const OpenOptions& options, RasterInfo&
   if (!info.georeference && beside.world) {
     const auto& [a, d, b, e, c, f] = *beside.world;
     info.georeference = Georeference{"", dvec2(c, f), dvec2(a, d), dvec2(b, e)};
-    info.notes.push_back("The place of the file is from the world file beside it.");
+    info.notes.emplace_back("The place of the file is from the world file beside it.");
   }
   if (!info.georeference && options.cell_m) {
     info.georeference = place_without_earth(info, options);
-    info.notes.push_back(
+    info.notes.emplace_back(
         "The file does not say where it lies, and the distance of its samples is taken from "
         "/terrain/cell_m.");
     return;

@@ -58,7 +58,7 @@ void set_image_place(RasterInfo& info, const OpenOptions& options, const SideFil
 
 void say_if_without_crs(RasterInfo& info) {
   if (!info.georeference || !info.georeference->crs.empty()) return;
-  info.notes.push_back(
+  info.notes.emplace_back(
       "The file does not say its coordinate reference system, and no .prj file beside it does. "
       "/terrain/crs names it.");
 }

@@ -137,7 +137,7 @@ std::string crs_of_prj(const std::string& prj, std::vector<std::string>& notes) 
   if (is_wkt(prj)) return prj;
   std::string crs = crs_of_old_prj(prj);
   if (crs.empty()) {
-    notes.push_back(
+    notes.emplace_back(
         "The .prj file beside it is in no form that is understood, and was left aside.");
   }
   return crs;

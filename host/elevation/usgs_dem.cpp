@@ -334,7 +334,8 @@ void say_what_was_guessed(RasterInfo& info, const Header& header, const OpenOpti
         "/terrain/crs names the system.",
         header.system, header.zone, header.datum));
   } else if (header.datum == 0) {
-    info.notes.push_back("The file does not say its datum, and NAD27 was taken, as its age says.");
+    info.notes.emplace_back(
+        "The file does not say its datum, and NAD27 was taken, as its age says.");
   }
 }
 

@@ -102,7 +102,7 @@ std::vector<cl::Platform> platforms(DeviceList& list) {
 void add_registered(DeviceList& list, bool has_platforms) {
   const auto drivers = registered_drivers(VendorEnvironment::of_process());
   list.has_drivers = !drivers.empty();
-  if (drivers.empty()) list.problems.push_back("no OpenCL driver is registered");
+  if (drivers.empty()) list.problems.emplace_back("no OpenCL driver is registered");
   auto problems = problems_of(drivers, has_platforms);
   std::move(problems.texts.begin(), problems.texts.end(), std::back_inserter(list.problems));
   list.lacks_memory = list.lacks_memory || problems.lack_memory;

@@ -270,7 +270,8 @@ void Fitting::clamp() {
     ++fit.clamped;
   }
   if (static_cast<double>(fit.clamped) > kManyClamped * static_cast<double>(count())) {
-    fit.notes.push_back("Many fixes lay below the ground. The heights or the ground may be wrong.");
+    fit.notes.emplace_back(
+        "Many fixes lay below the ground. The heights or the ground may be wrong.");
   }
 }
 

@@ -114,7 +114,7 @@ RawFile GpxHandler::result(std::vector<std::string> notes) {
   RawFile file{{}, std::move(notes)};
   const bool is_route = !has_fixes(tracks_) && has_fixes(routes_);
   file.tracks = std::move(is_route ? routes_ : tracks_);
-  if (is_route) file.notes.push_back("The file has no track, so its route was taken.");
+  if (is_route) file.notes.emplace_back("The file has no track, so its route was taken.");
   if (!has_fixes(file.tracks) && waypoints_ > 0) {
     throw Error(ErrorKind::bad_data, "the GPX file has only waypoints; expected a track (trk)");
   }

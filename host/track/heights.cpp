@@ -63,7 +63,7 @@ std::optional<HeightChoice> gnss_choice(const HeightEvidence& evidence) {
   if (!any(offsets)) {
     HeightChoice choice = as_is(HeightSource::gnss);
     if (is_ellipsoid) {
-      choice.notes.push_back(
+      choice.notes.emplace_back(
           "The file gives heights over the ellipsoid, which can be off by up to 106 m from those "
           "over the sea.");
     }
@@ -90,7 +90,7 @@ HeightChoice choose_heights(const HeightEvidence& evidence) {
     if (const auto choice = gnss_choice(evidence)) return *choice;
     if (evidence.has_pressure && any(evidence.pressure)) {
       HeightChoice choice = fitted(HeightSource::pressure_fitted, evidence.pressure);
-      choice.notes.push_back(
+      choice.notes.emplace_back(
           "The GNSS heights do not fit the ground, so the pressure heights were taken.");
       return choice;
     }
@@ -99,7 +99,7 @@ HeightChoice choose_heights(const HeightEvidence& evidence) {
   if (evidence.has_pressure) {
     if (any(evidence.pressure)) return fitted(HeightSource::pressure_fitted, evidence.pressure);
     HeightChoice choice = as_is(HeightSource::pressure);
-    choice.notes.push_back(
+    choice.notes.emplace_back(
         "Pressure heights follow the weather and can be off by 200 m. They could not be tested by "
         "the ground.");
     return choice;

@@ -133,7 +133,8 @@ void IgcReader::read_header(std::string_view line) {
 void IgcReader::read_date(std::string_view line) {
   const auto date = date_of(line);
   if (!date || date_ == date) return;
-  if (date_ && count_ == 0) notes_.push_back("The header has several dates; the last was taken.");
+  if (date_ && count_ == 0)
+    notes_.emplace_back("The header has several dates; the last was taken.");
   if (!date_) {
     for (Fix& fix : track_.segments[0]) *fix.time_s += *date * kDay_s;
     if (count_ > 0) last_s_ += *date * kDay_s;
@@ -228,7 +229,7 @@ RawFile IgcReader::result() {
   settle_zero_heights();
   if (!date_) {
     track_.clock = Clock::of_day;
-    track_.notes.push_back("The file names no date, so only the time of day is known.");
+    track_.notes.emplace_back("The file names no date, so only the time of day is known.");
   }
   if (passed_midnights_ > 0) {
     track_.notes.push_back(fmt::format("The clock passed midnight {} without a new date.",

@@ -206,7 +206,7 @@ void KmlHandler::join_lines(std::vector<std::string>& notes) {
 RawFile KmlHandler::result(std::vector<std::string> notes) {
   RawFile file{{}, std::move(notes)};
   if (!tracks_.empty() && !lines_.empty()) {
-    file.notes.push_back("The file has lines as well, which were passed over for its tracks.");
+    file.notes.emplace_back("The file has lines as well, which were passed over for its tracks.");
   }
   if (tracks_.empty()) join_lines(file.notes);
   file.tracks = std::move(tracks_.empty() ? lines_ : tracks_);
@@ -215,7 +215,7 @@ RawFile KmlHandler::result(std::vector<std::string> notes) {
                                      counted(unread_, "coordinate", "coordinates")));
   }
   if (unpaired_ > 0) {
-    file.notes.push_back("A track has another number of times than of coordinates.");
+    file.notes.emplace_back("A track has another number of times than of coordinates.");
   }
   if (without_zone_ > 0) {
     file.notes.push_back(

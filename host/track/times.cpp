@@ -106,7 +106,7 @@ void sort_segments(Track& track) {
   };
   if (std::is_sorted(track.segments.begin(), track.segments.end(), begins_before)) return;
   std::stable_sort(track.segments.begin(), track.segments.end(), begins_before);
-  track.notes.push_back("The segments were put into the order of their times.");
+  track.notes.emplace_back("The segments were put into the order of their times.");
 }
 
 /// Leaves out fixes whose time falls back or stands still.
@@ -209,16 +209,16 @@ void settle_times(Track& track, const ReadOptions& options) {
     const double day_s = kDay_s * std::floor(*options.start_s / kDay_s);
     for_each_fix(track, [&](Fix& fix) { *fix.time_s += day_s; });
     track.clock = Clock::utc;
-    track.notes.push_back("The date was given.");
+    track.notes.emplace_back("The date was given.");
   }
   if (track.clock != Clock::none) {
     if (options.interval_s) {
-      track.notes.push_back("The given interval was not needed, because the track has times.");
+      track.notes.emplace_back("The given interval was not needed, because the track has times.");
     }
   } else if (options.start_s && options.interval_s) {
     give_times(track, options);
   } else {
-    track.notes.push_back(
+    track.notes.emplace_back(
         "The track has no times. Its start and the interval between its fixes can be given.");
   }
 }

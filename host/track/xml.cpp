@@ -150,7 +150,7 @@ std::vector<std::string> read_xml(std::string_view bytes, XmlHandler& handler) {
   const char* forced = forced_encoding(bytes);
   const Parser parser = parser_for(reading, forced);
   if (forced != nullptr) {
-    notes.push_back("The file is not UTF-8 as it says and was read as Latin-1.");
+    notes.emplace_back("The file is not UTF-8 as it says and was read as Latin-1.");
   }
   const XML_Status status =
       XML_Parse(parser.get(), bytes.data(), static_cast<int>(bytes.size()), XML_TRUE);
