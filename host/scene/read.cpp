@@ -1,5 +1,6 @@
 #include "scene/read.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <cmath>
@@ -143,7 +144,7 @@ void settle_night(const Json& document, Scene& usual) {
   usual.moon = {true, moon.angles.azimuth_deg, moon.angles.elevation_deg, moon.distance_km};
   usual.stars.latitude_deg = latitude_deg;
   usual.stars.sidereal_deg = std::fmod(detail::sidereal_deg_at(*days) + longitude_deg, 360.0);
-  usual.stars.year = 2000.0 + *days / 365.25;
+  usual.stars.year = std::clamp(2000.0 + *days / 365.25, 1900.0, 2100.0);
 }
 
 /// Sets colours from the palette where the document gives no colours.

@@ -31,7 +31,10 @@ const std::vector<ScenePreset>& all_presets() {
 std::vector<ScenePreset> scene_presets(scene::BiomeKind biome) {
   std::vector<ScenePreset> presets;
   for (const ScenePreset& preset : all_presets()) {
-    if (preset.scene.scene().biome.kind == biome) presets.push_back(preset);
+    // A camera over real land would stand in the hills of other land.
+    const scene::Scene& scene = preset.scene.scene();
+    if (scene.terrain.kind == scene::TerrainKind::elevation) continue;
+    if (scene.biome.kind == biome) presets.push_back(preset);
   }
   return presets;
 }

@@ -29,7 +29,9 @@ TEST_F(Scenes, ADumpOfADumpIsTheSame) {
   for (const char* scene : kScenes) {
     const Outcome first = run({"dump", scene_path(scene)});
     ASSERT_EQ(first.code, 0) << first.err;
-    EXPECT_EQ(first.err, "");
+    // Only what files of real land left to be guessed or mended is said.
+    const bool real = contains(first.out, "\"kind\": \"elevation\"");
+    EXPECT_TRUE(real || first.err.empty()) << first.err;
     const Outcome second = run({"dump", write("dump.json", first.out)});
     EXPECT_EQ(second.code, 0) << second.err;
     EXPECT_EQ(second.out, first.out) << scene;
@@ -107,7 +109,7 @@ TEST_F(Scenes, InstalledOnesAreListed) {
   const Outcome list = run({"scenes"}, with_scenes());
   ASSERT_EQ(list.code, 0) << list.err;
   for (const char* scene : kScenes) EXPECT_TRUE(contains(list.out, std::string(scene) + " "));
-  EXPECT_EQ(std::count(list.out.begin(), list.out.end(), '\n'), 15);
+  EXPECT_EQ(std::count(list.out.begin(), list.out.end(), '\n'), 18);
   EXPECT_TRUE(contains(list.out, "without a balloon"));
   EXPECT_EQ(run({"scenes", "--folder"}, {"AEROSTAT_SCENE_DIR=/some/where"}).out, "/some/where\n");
   const Outcome none = run({"scenes"}, {"AEROSTAT_SCENE_DIR=" + folder_.string()});

@@ -31,6 +31,7 @@ std::optional<std::uint64_t> variable(const char* name) {
 std::vector<std::string> corpus() {
   std::vector<std::filesystem::path> paths;
   for (const auto& entry : std::filesystem::directory_iterator(AEROSTAT_SOURCE_DIR "/scenes")) {
+    if (!entry.is_regular_file()) continue;
     const std::string name = entry.path().filename().string();
     if (name.find(".schema.") == std::string::npos) paths.push_back(entry.path());
   }

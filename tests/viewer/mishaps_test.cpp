@@ -122,7 +122,7 @@ void MishapsTest::no_scenes_are_dropped_data() {
   QFile huge(path("huge.json"));
   QVERIFY(huge.open(QIODevice::WriteOnly));
   for (int i = 0; i < 25; ++i) QCOMPARE(huge.write(many), many.size());
-  QTest::newRow("folder") << folder_.path() << "directory";
+  QTest::newRow("folder") << folder_.path() << "folder";
   QTest::newRow("empty") << path("empty.json") << "line 1";
   QTest::newRow("200 MB of text") << path("huge.json") << "16 MiB";
   QTest::newRow("a key of 8 MB") << path("key.json") << "AAAA";
