@@ -198,7 +198,8 @@ std::string Conversion::run(const path& program, std::vector<std::string> argume
                                               : complaint));
 }
 
-/// Returns what stands for the raster of heights in GDAL's words, and sets the driver for it.
+/// Returns the name by which GDAL's programs open the raster of heights, which is that of the file
+/// or of a part of it, and sets the driver that reads it.
 std::string Conversion::choose(const std::string& about, const OpenOptions& options) {
   const std::vector<std::string> variables = variables_in(about);
   if (kind_.variable_driver == nullptr || variables.empty()) return input().string();

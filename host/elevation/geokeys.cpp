@@ -89,7 +89,8 @@ void set_coordinate_factor(const GeoKeys& keys, GeoKeyCrs& result) {
                             ? keys.number({kLinearUnitSize}).value_or(0.0)
                             : metres_of_unit_code(keys.code(kLinearUnits));
     const double factor = unit / info.metres_per_unit;
-    // The two feet of surveyors differ by 2 in a million, which is metres on the Earth.
+    // The international foot and the US survey foot differ by two millionths. Over the distances
+    // that coordinates count, that makes metres.
     if (unit > 0.0 && std::abs(factor - 1.0) > 1e-7) result.coordinate_factor = factor;
   }
   if (result.coordinate_factor == 1.0) return;

@@ -23,7 +23,7 @@ namespace {
 /// What libtiff calls the file in its complaints.
 constexpr const char* kName = "TIFF";
 
-/// Lets this process have as many files open as the system allows it.
+/// Raises the number of files that this process may have open to the most that the system allows.
 void allow_more_files() {
   rlimit limit{};
   if (getrlimit(RLIMIT_NOFILE, &limit) != 0) return;

@@ -61,9 +61,9 @@ std::unique_ptr<Raster> open_usgs_dem(const std::filesystem::path& path,
   return read_usgs_dem(read_whole(path, kMostBytes), path, options);
 }
 
-/// The numbers of records B. In most files they are fields of fixed width in blocks of 1024 bytes,
-/// and touch each other if they are long. In others the blocks were shortened, so that only spaces
-/// part the numbers.
+/// The numbers of records B. In most files they are fields of fixed width in blocks of 1024 bytes.
+/// Long numbers then follow one another without a space. Other files have shorter blocks, in which
+/// spaces separate the numbers.
 class Fields {
  public:
   enum class Form { blocks, words };

@@ -6,14 +6,12 @@
 
 #include <fmt/format.h>
 
+#include "elevation/sentinels.hpp"
+
 namespace aerostat::land {
 namespace {
 
 constexpr float kHighestLand_m = 9000.0f, kDeepestSea_m = -12000.0f;
-/// A gap in the heights beside an end of their range that hardly occurs in nature.
-constexpr float kSentinelGap_m = 500.0f;
-constexpr std::array kSentinels{-32768.0f, -32767.0f, -99999.0f, -9999.0f,
-                                9999.0f,   32767.0f,  65535.0f};
 
 std::string name_of(const elevation::RasterInfo& info) {
   return info.path.filename().string();
@@ -40,18 +38,15 @@ std::vector<std::string> notes_of_files(const Land& land) {
   return notes;
 }
 
-/// Warns of a value that stands for "no height" without being declared.
+/// Warns of a value at an end of the range that may stand for "no height" without being declared.
+/// Heights are turned back into the values that the file stores.
 void add_sentinel(const Pyramid& pyramid, float end, float next, std::uint64_t count,
                   std::vector<std::string>& notes) {
   const elevation::RasterInfo& info = pyramid.raster().info();
-  const auto stored = static_cast<float>(end / info.metres_per_unit);
-  const bool usual = std::any_of(kSentinels.begin(), kSentinels.end(),
-                                 [stored](float value) { return value == stored; });
-  if (!usual || !(std::abs(end - next) > kSentinelGap_m)) return;
-  notes.push_back(fmt::format(
-      "{}: {} samples are {}, far from all other heights. If they stand for samples without a "
-      "height, say so by /terrain/nodata={}.",
-      name_of(info), count, stored, stored));
+  const std::string warning =
+      elevation::sentinel_warning({end / info.metres_per_unit, next / info.metres_per_unit, count,
+                                   pyramid.statistics().known() - count});
+  if (!warning.empty()) notes.push_back(name_of(info) + ": " + warning);
 }
 
 void add_range(const Pyramid& pyramid, std::vector<std::string>& notes) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <span>
 
 #include "scene/balloon.hpp"
@@ -49,5 +50,11 @@ template <>
 std::span<const char* const> enum_names<Palette>();
 template <>
 std::span<const char* const> enum_names<Quality>();
+
+/// Returns the word that scene files use for a value of an enum.
+template <class Enum>
+const char* word_of(Enum value) {
+  return enum_names<Enum>()[static_cast<std::size_t>(value)];
+}
 
 }  // namespace aerostat::scene::detail

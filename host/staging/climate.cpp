@@ -7,7 +7,12 @@
 #include <span>
 #include <string>
 
+#include "scene/enum_names.hpp"
+
 namespace aerostat::staging {
+
+using scene::detail::word_of;
+
 namespace {
 
 /// A height by latitude.
@@ -123,15 +128,9 @@ Climate climate_of(const geo::Place& place, double month, double lowest_m, doubl
   return climate;
 }
 
-const char* name_of(scene::BiomeKind biome) {
-  constexpr const char* kNames[] = {"snow", "tropical", "sand", "meadow"};
-  return kNames[static_cast<std::size_t>(biome)];
-}
-
 std::vector<scene::Override> biome_values(const Climate& climate, bool has_sea) {
-  constexpr const char* kSeasons[] = {"spring", "summer", "autumn"};
   const auto whole = [](double metres) { return std::to_string(std::lround(metres)); };
-  std::vector<scene::Override> values = {{"/biome/kind", name_of(climate.biome)},
+  std::vector<scene::Override> values = {{"/biome/kind", word_of(climate.biome)},
                                          {"/biome/ground/snow_line_m", whole(climate.snow_line_m)}};
   const auto ground = [&values](const char* key, const std::string& value) {
     values.push_back({std::string("/biome/ground/") + key, value});
@@ -148,7 +147,7 @@ std::vector<scene::Override> biome_values(const Climate& climate, bool has_sea) 
       ground("beach_top_m", has_sea ? "3" : "-1000000");
       break;
     case scene::BiomeKind::meadow:
-      values.push_back({"/biome/season", kSeasons[static_cast<std::size_t>(climate.season)]});
+      values.push_back({"/biome/season", word_of(climate.season)});
       if (!climate.is_brown) break;
       ground("cover_a", "[0.19, 0.155, 0.07]");
       ground("cover_b", "[0.27, 0.215, 0.105]");

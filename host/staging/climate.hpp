@@ -22,9 +22,6 @@ struct Climate {
 /// `lowest_m` and `highest_m` are the heights of the land that is seen.
 Climate climate_of(const geo::Place& place, double month, double lowest_m, double highest_m);
 
-/// Returns the name of a biome in scene files.
-const char* name_of(scene::BiomeKind biome);
-
 /// Returns the values of a scene that follow from a climate: the biome, its season, lines and
 /// colours.
 std::vector<scene::Override> biome_values(const Climate& climate, bool has_sea);

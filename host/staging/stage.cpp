@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <optional>
 #include <utility>
 
@@ -10,6 +9,7 @@
 
 #include "core/error.hpp"
 #include "geo/transform.hpp"
+#include "scene/enum_names.hpp"
 #include "scene/scene.hpp"
 #include "scene/sun_angles.hpp"
 #include "scene/sun_position.hpp"
@@ -38,12 +38,8 @@ constexpr double kMostExtent_m = 100000.0;  // of the land that a view is chosen
 constexpr double kNearExtent_m = 70000.0;   // around the best region of larger land
 constexpr double kLeastGround_m = 9000.0, kMostGround_m = 160000.0;
 
-double radians(double degrees) {
-  return degrees * std::numbers::pi / 180.0;
-}
-
 dvec3 towards(double azimuth_deg) {
-  const double azimuth = radians(azimuth_deg);
+  const double azimuth = glm::radians(azimuth_deg);
   return {std::sin(azimuth), 0.0, -std::cos(azimuth)};
 }
 
@@ -300,7 +296,7 @@ class Stage {
     const dvec3 stand =
         dvec3(floor.x, 2.0, floor.y) - kStand_m * size * towards(view.azimuth_deg + turn);
     const dvec3 look = stand + 1000.0 * towards(view.azimuth_deg) -
-                       dvec3(0.0, 1000.0 * std::tan(radians(kDip_deg)), 0.0);
+                       dvec3(0.0, 1000.0 * std::tan(glm::radians(kDip_deg)), 0.0);
     set("/camera/height_above", "balloon");
     set("/camera/position", list_of(stand));
     set("/camera/target", list_of(look));
@@ -336,7 +332,7 @@ class Stage {
         "No biome is given; it is {} with snow above {:.0f} m and trees up to {:.0f} m, by {}, "
         "height "
         "and season.",
-        name_of(climate.biome), climate.snow_line_m, climate.tree_line_m,
+        scene::detail::word_of(climate.biome), climate.snow_line_m, climate.tree_line_m,
         middle_.place ? "latitude" : "46 degrees of latitude, because the place is unknown"));
   }
 

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numbers>
 
 #include <tbb/parallel_for.h>
 
@@ -19,10 +18,6 @@ constexpr double kFarthest_m = 40000.0;
 constexpr double kStep = 1.06;  // each step of a ray is so many times as long as the one before
 constexpr double kBlocking_deg = 4.0;
 constexpr double kApart_deg = 50.0;  // of views from places that lie close together
-
-double radians(double degrees) {
-  return degrees * std::numbers::pi / 180.0;
-}
 
 /// The distances that matter for views over a map. They are smaller over a small one.
 struct Distances {
@@ -52,7 +47,7 @@ Ray follow(const ViewMap& map, const dvec3& eye, double azimuth_rad, const Dista
   for (double d = distances.first_m; d < distances.farthest_m; d *= kStep) {
     const dvec2 at = dvec2(eye.x, eye.z) + d * towards;
     const double rise = map.height(at.x, at.y) - geo::curvature_drop(d) - eye.y;
-    const double angle = std::atan2(rise, d) * 180.0 / std::numbers::pi;
+    const double angle = glm::degrees(std::atan2(rise, d));
     ++steps;
     known += map.is_known(at.x, at.y) ? 1 : 0;
     if (d < distances.blocking_m) {
@@ -94,15 +89,14 @@ bool sees_summit(const ViewMap& map, const dvec3& eye, const Rays& rays, int mid
   const dvec2 way = dvec2(map.summit().x, map.summit().z) - dvec2(eye.x, eye.z);
   const double distance = glm::length(way);
   if (distance < Distances(map).blocking_m) return false;
-  const double azimuth = std::atan2(way.x, -way.y) * 180.0 / std::numbers::pi;
+  const double azimuth = glm::degrees(std::atan2(way.x, -way.y));
   const double turn = std::remainder(azimuth - middle * 360.0 / kAzimuths, 360.0);
   if (std::abs(turn) > 18.0) return false;
   const int nearest =
       ((static_cast<int>(std::lround(azimuth * kAzimuths / 360.0)) % kAzimuths) + kAzimuths) %
       kAzimuths;
-  const double angle =
-      std::atan2(map.summit().y - geo::curvature_drop(distance) - eye.y, distance) * 180.0 /
-      std::numbers::pi;
+  const double rise = map.summit().y - geo::curvature_drop(distance) - eye.y;
+  const double angle = glm::degrees(std::atan2(rise, distance));
   return angle > rays[nearest].skyline_deg - 1.0;
 }
 
@@ -132,7 +126,7 @@ ViewChoice judge(const ViewMap& map, const dvec3& eye, const Rays& rays, int mid
   const double mean = sum / kCount;
   const double deviation = std::sqrt(std::max(squares / kCount - mean * mean, 0.0));
   const double azimuth = middle * 360.0 / kAzimuths;
-  const double side = std::sin(radians(sun_azimuth_deg - azimuth));
+  const double side = std::sin(glm::radians(sun_azimuth_deg - azimuth));
   const double share = known / kCount;
   view.azimuth_deg = azimuth;
   view.score = mean / 6.0 + std::min(deviation, 3.0) / 2.5 + depth / kCount + 0.7 * side * side +
@@ -151,7 +145,7 @@ std::vector<ViewChoice> views_from(const ViewMap& map, const dvec2& place, doubl
   const Distances distances(map);
   Rays rays;
   for (int k = 0; k < kAzimuths; ++k) {
-    rays[k] = follow(map, eye, radians(k * 360.0 / kAzimuths), distances);
+    rays[k] = follow(map, eye, glm::radians(k * 360.0 / kAzimuths), distances);
   }
   std::vector<ViewChoice> views;
   for (int k = 0; k < kAzimuths; k += 2) {

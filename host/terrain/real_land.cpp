@@ -13,6 +13,7 @@
 #include "geo/transform.hpp"
 #include "gullies.hpp"
 #include "relief.hpp"
+#include "scene/enum_names.hpp"
 
 namespace aerostat::terrain {
 namespace {
@@ -125,16 +126,15 @@ std::optional<double> metres_of(scene::HeightUnit unit) {
   return std::nullopt;
 }
 
-const char* name_of(scene::SampleType type) {
-  constexpr const char* kNames[] = {"",       "uint8", "int8",    "uint16", "int16",
-                                    "uint32", "int32", "float32", "float64"};
-  return kNames[static_cast<std::size_t>(type)];
+/// Returns the word of a value, or nothing for `automatic`.
+template <class Enum>
+std::string word_unless_automatic(Enum value) {
+  return value == Enum::automatic ? std::string() : scene::detail::word_of(value);
 }
 
 }  // namespace
 
 land::LandOptions land_options(const scene::ElevationSource& source) {
-  constexpr const char* kEncodings[] = {"", "terrarium", "terrain-rgb"};
   land::LandOptions options;
   options.sources.assign(source.source.begin(), source.source.end());
   elevation::OpenOptions& open = options.open;
@@ -145,10 +145,10 @@ land::LandOptions land_options(const scene::ElevationSource& source) {
     open.image_heights_m = {source.image_heights_m->x, source.image_heights_m->y};
   }
   open.cell_m = source.cell_m;
-  open.encoding = kEncodings[static_cast<std::size_t>(source.encoding)];
+  open.encoding = word_unless_automatic(source.encoding);
   open.variable = source.variable;
-  open.raw = {source.raw.width, source.raw.height, name_of(source.raw.type), source.raw.big_endian,
-              static_cast<std::uint64_t>(source.raw.header_bytes)};
+  open.raw = {source.raw.width, source.raw.height, word_unless_automatic(source.raw.type),
+              source.raw.big_endian, static_cast<std::uint64_t>(source.raw.header_bytes)};
   options.sea_depth_m = source.voids == scene::Voids::sea ? kSeaDepth_m : 0.0f;
   return options;
 }

@@ -51,7 +51,7 @@ Position Flight::at(double time_s) const {
                       "the track's start");
   }
   const double first_s = start() - cut_start_s_, last_s = end() + cut_end_s_;
-  // Times are written in whole seconds, and fixes may have fractions.
+  // Users give times in whole seconds, but the times of fixes may have fractions of a second.
   if (!(time_s >= std::floor(first_s) && time_s <= std::ceil(last_s))) {
     throw Error(ErrorKind::usage,
                 fmt::format("{} is not within the track, which goes from {} to {}",

@@ -7,7 +7,8 @@
 
 #include "track/track.hpp"
 
-/// What the readers of the formats hand on. Nothing is chosen or mended yet.
+/// The tracks of a file as the reader of its format returns them, before one is chosen and its
+/// fixes are mended.
 namespace aerostat::track {
 
 /// The most tracks that are read from a file.

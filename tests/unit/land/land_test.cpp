@@ -146,7 +146,7 @@ TEST_F(LandFiles, FeetAndSentinelsAreSuspected) {
   std::string all;
   for (const std::string& note : land.notes()) all += note + "\n";
   EXPECT_NE(all.find("/terrain/unit=ft"), std::string::npos) << all;
-  EXPECT_NE(all.find("/terrain/nodata=-32768"), std::string::npos) << all;
+  EXPECT_NE(all.find("/terrain/nodata to -32768"), std::string::npos) << all;
 }
 
 TEST_F(LandFiles, KnowsASeaByItsLevel) {
