@@ -6,19 +6,9 @@
 #include <fmt/format.h>
 
 #include "elevation/bytes.hpp"
+#include "elevation/decode_image.hpp"
 #include "elevation/picture.hpp"
 #include "elevation/reading.hpp"
-
-#define STB_IMAGE_IMPLEMENTATION
-#define STB_IMAGE_STATIC
-#define STBI_ONLY_PNG
-#define STBI_ONLY_JPEG
-#define STBI_NO_STDIO
-#define STBI_MAX_DIMENSIONS (1 << 20)
-#pragma GCC diagnostic push
-#pragma GCC diagnostic ignored "-Wunused-function"
-#include <stb_image.h>
-#pragma GCC diagnostic pop
 
 namespace aerostat::elevation {
 namespace {
@@ -26,10 +16,7 @@ namespace {
 /// A byte of a compressed file makes at most so many pixels: deflate makes 1032 bytes of one.
 constexpr std::uint64_t kMostPixelsAByte = 1032 * 8;
 
-struct FreePixels {
-  void operator()(std::uint8_t* pixels) const { std::free(pixels); }
-};
-using Pixels = std::unique_ptr<std::uint8_t, FreePixels>;
+using Pixels = std::unique_ptr<std::uint8_t, FreeMemory>;
 
 /// A picture whose pixels are all in memory, with 8 bits of red, green, blue and opacity each.
 class ImagePicture final : public Picture {
@@ -67,13 +54,9 @@ std::unique_ptr<Picture> open_image_picture(const std::filesystem::path& path,
   info.path = path;
   info.format = bytes.front() == 0x89 ? "PNG" : "JPEG";
   info.sample_type = "uint8";
-  const auto length = static_cast<int>(bytes.size());
-  int channels = 0;
-  if (stbi_info_from_memory(bytes.data(), length, &info.width, &info.height, &channels) == 0) {
-    const char* reason = stbi_failure_reason();
-    refuse(path, fmt::format("the header of the {} file cannot be read: {}", info.format,
-                             reason == nullptr ? "no reason is known" : reason));
-  }
+  const ImageSize size = image_size(bytes, info.format, path);
+  info.width = size.width;
+  info.height = size.height;
   const auto count =
       static_cast<std::uint64_t>(info.width) * static_cast<std::uint64_t>(info.height);
   if (count > kMostPixelsInMemory) {
@@ -86,14 +69,8 @@ std::unique_ptr<Picture> open_image_picture(const std::filesystem::path& path,
                              info.width, info.height));
   }
   set_picture_place(info, options);
-  Pixels pixels(
-      stbi_load_from_memory(bytes.data(), length, &info.width, &info.height, &channels, 4));
-  if (!pixels) {
-    const char* reason = stbi_failure_reason();
-    refuse(path, fmt::format("the {} file cannot be decoded: {}", info.format,
-                             reason == nullptr ? "no reason is known" : reason));
-  }
-  return std::make_unique<ImagePicture>(std::move(info), std::move(pixels));
+  DecodedImage<std::uint8_t> image = decode_8_bits(bytes, 4, info.format, path);
+  return std::make_unique<ImagePicture>(std::move(info), std::move(image.samples));
 }
 
 }  // namespace aerostat::elevation

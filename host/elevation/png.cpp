@@ -17,20 +17,11 @@
 #include <zlib.h>
 
 #include "elevation/bytes.hpp"
+#include "elevation/decode_image.hpp"
 #include "elevation/images.hpp"
 #include "elevation/reading.hpp"
 #include "elevation/sample_raster.hpp"
 #include "elevation/web_tile.hpp"
-
-#define STB_IMAGE_IMPLEMENTATION
-#define STB_IMAGE_STATIC
-#define STBI_ONLY_PNG
-#define STBI_NO_STDIO
-#define STBI_MAX_DIMENSIONS (1 << 20)
-#pragma GCC diagnostic push
-#pragma GCC diagnostic ignored "-Wunused-function"
-#include <stb_image.h>
-#pragma GCC diagnostic pop
 
 namespace aerostat::elevation {
 namespace {
@@ -97,17 +88,13 @@ PngHeader check_pieces(Bytes bytes, const std::filesystem::path& path) {
   }
 }
 
-struct FreeDeleter {
-  void operator()(void* memory) const { std::free(memory); }
-};
-
 /// The decoded samples, row by row, of 8 or 16 bits.
 struct Pixels {
   int channels = 0;
   std::span<const std::uint8_t> bytes;
   std::span<const std::uint16_t> words;
-  std::unique_ptr<std::uint8_t, FreeDeleter> bytes_owner;
-  std::unique_ptr<std::uint16_t, FreeDeleter> words_owner;
+  std::unique_ptr<std::uint8_t, FreeMemory> bytes_owner;
+  std::unique_ptr<std::uint16_t, FreeMemory> words_owner;
 };
 
 Pixels decode(Bytes bytes, const PngHeader& header, const std::filesystem::path& path) {
@@ -118,19 +105,14 @@ Pixels decode(Bytes bytes, const PngHeader& header, const std::filesystem::path&
                              header.width, header.height));
   }
   Pixels pixels;
-  int width = 0, height = 0;
-  const auto length = static_cast<int>(bytes.size());
   if (header.bits == 16) {
-    pixels.words_owner.reset(
-        stbi_load_16_from_memory(bytes.data(), length, &width, &height, &pixels.channels, 0));
+    auto image = decode_16_bits(bytes, "PNG", path);
+    pixels.channels = image.channels;
+    pixels.words_owner = std::move(image.samples);
   } else {
-    pixels.bytes_owner.reset(
-        stbi_load_from_memory(bytes.data(), length, &width, &height, &pixels.channels, 0));
-  }
-  if (!pixels.words_owner && !pixels.bytes_owner) {
-    const char* reason = stbi_failure_reason();
-    refuse(path, fmt::format("the PNG file cannot be decoded: {}",
-                             reason == nullptr ? "no reason is known" : reason));
+    auto image = decode_8_bits(bytes, 0, "PNG", path);
+    pixels.channels = image.channels;
+    pixels.bytes_owner = std::move(image.samples);
   }
   const std::size_t values =
       static_cast<std::size_t>(samples) * static_cast<std::size_t>(pixels.channels);

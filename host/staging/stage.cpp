@@ -34,6 +34,7 @@ constexpr double kSomeSunAzimuth_deg = 112.0;  // for land whose place is unknow
 // the upper third. The distance is for a balloon of 18.8 m. All were chosen by eye.
 constexpr double kStand_m = 104.0, kBalloonTurn_deg = 11.0, kDip_deg = 5.0;
 
+constexpr double kUsualHeight_m = 150.0;  // of the balloon over the ground, where no view is found
 constexpr double kMostExtent_m = 100000.0;  // of the land that a view is chosen in
 constexpr double kNearExtent_m = 70000.0;   // around the best region of larger land
 constexpr double kLeastGround_m = 9000.0, kMostGround_m = 160000.0;
@@ -84,25 +85,26 @@ Moment moment_of(double time_s, const geo::Place& place) {
 
 class Stage {
  public:
-  Stage(const scene::SceneSource& source, terrain::ReliefCache& reliefs, int view)
+  Stage(const scene::SceneSource& source, terrain::ReliefCache& reliefs)
       : source_(source),
         scene_(source.scene()),
         land_(terrain::real_land(scene_.terrain, reliefs.lands)),
-        middle_(terrain::middle_point(scene_.terrain, *land_)),
-        number_(view) {}
+        middle_(terrain::middle_point(scene_.terrain, *land_)) {}
 
-  /// Returns the number of views that there are, after run().
-  std::size_t views() const { return views_; }
-
-  Staged run() {
+  /// Returns the scene with each of the `count` best views, or with the one that it gives.
+  std::vector<Staged> run(int count) {
     notes_ = land_->notes();
     has_sea_ = gives("/biome/water/enabled") ? scene_.biome.water.enabled : land_->has_sea();
     settle_places();
     choose_sun();
-    if (!gives("/camera/position") && !scene_.camera.at) choose_view();
-    choose_size();
-    choose_biome();
-    return {source_.with(changes_), std::move(notes_)};
+    if (gives("/camera/position") || scene_.camera.at) return {finished()};
+    std::vector<Staged> all;
+    for (const ViewChoice& view : find_views(count)) {
+      Stage one = *this;
+      one.apply(view);
+      all.push_back(one.finished());
+    }
+    return all;
   }
 
  private:
@@ -237,30 +239,26 @@ class Stage {
     return std::max({land_->size_m().x, land_->size_m().y, 20.0 * land_->cell_m()});
   }
 
-  void choose_view() {
+  /// Returns the best views, at least one. Their places count from `around_`.
+  std::vector<ViewChoice> find_views(int count) {
     double extent_m = std::min(extent(), kMostGround_m * 8.0);
-    land::LandPoint around = middle_;
+    around_ = middle_;
     if (extent_m > kMostExtent_m && !gives("/terrain/place")) {
-      const ViewMap coarse(*land_, around, extent_m, has_sea_);
-      const auto views = choose_views(coarse, sun_azimuth_deg_, 1);
-      if (!views.empty()) around = point_at(around, views[0].place);
+      const ViewMap coarse(*land_, around_, extent_m, has_sea_);
+      const auto best = choose_views(coarse, sun_azimuth_deg_, 1);
+      if (!best.empty()) around_ = point_at(around_, best[0].place);
       extent_m = kNearExtent_m;
     }
-    const ViewMap map(*land_, around, std::min(extent_m, kMostExtent_m), has_sea_);
+    const ViewMap map(*land_, around_, std::min(extent_m, kMostExtent_m), has_sea_);
     ViewPlaces places;
-    if (anchored_) {
-      places = {dvec2(0.0)};
-    } else if (gives_balloon()) {
+    if (gives_balloon() && !anchored_) {
       places = {{scene_.balloon.position.x, scene_.balloon.position.z}};
-    } else if (gives("/terrain/place")) {
+    } else if (anchored_ || gives("/terrain/place")) {
       places = {dvec2(0.0)};
     }
-    const auto views = choose_views(map, sun_azimuth_deg_, number_ + 1, places);
-    views_ = views.size();
-    ViewChoice view;
-    view.above_ground_m = 150.0;
-    if (!views.empty()) view = views[std::min<std::size_t>(number_, views.size() - 1)];
-    apply(view, around);
+    auto views = choose_views(map, sun_azimuth_deg_, count, places);
+    if (views.empty()) views.push_back({.above_ground_m = kUsualHeight_m});
+    return views;
   }
 
   land::LandPoint point_at(const land::LandPoint& from, const dvec2& way) const {
@@ -268,10 +266,10 @@ class Stage {
     return {geo::place_of_local(*from.place, way), {}};
   }
 
-  /// Sets place, balloon and camera to a view whose place counts from `around`.
-  void apply(const ViewChoice& view, const land::LandPoint& around) {
+  /// Sets place, balloon and camera to a view.
+  void apply(const ViewChoice& view) {
     if (!gives("/terrain/place") && !anchored_) {
-      middle_ = point_at(around, gives_balloon() ? dvec2(0.0) : view.place);
+      middle_ = point_at(around_, gives_balloon() ? dvec2(0.0) : view.place);
       if (middle_.place) {
         set("/terrain/place/latitude_deg", middle_.place->latitude_deg);
         set("/terrain/place/longitude_deg", middle_.place->longitude_deg);
@@ -312,6 +310,13 @@ class Stage {
                        at.longitude_deg < 0.0 ? "W" : "E");
   }
 
+  /// Chooses what follows from the view, and returns the scene.
+  Staged finished() {
+    choose_size();
+    choose_biome();
+    return {source_.with(changes_), std::move(notes_)};
+  }
+
   void choose_size() {
     if (gives("/terrain/size_m")) return;
     const double most = std::min(2.0 * extent(), kMostGround_m);
@@ -340,8 +345,7 @@ class Stage {
   const scene::Scene& scene_;
   std::shared_ptr<const land::Land> land_;
   land::LandPoint middle_;
-  int number_;
-  std::size_t views_ = 0;
+  land::LandPoint around_;
   std::optional<FlightPoint> flight_;
   bool anchored_ = false;  // the middle of the ground is a place that the scene gives for something
   bool has_sea_ = false;
@@ -353,20 +357,13 @@ class Stage {
 }  // namespace
 
 Staged stage(const scene::SceneSource& source, terrain::ReliefCache& reliefs, int view) {
-  if (source.scene().terrain.kind != scene::TerrainKind::elevation) return {source, {}};
-  return Stage(source, reliefs, view).run();
+  return stage_views(source, reliefs, view + 1).back();
 }
 
 std::vector<Staged> stage_views(const scene::SceneSource& source, terrain::ReliefCache& reliefs,
                                 int count) {
-  std::vector<Staged> all;
-  for (int view = 0; view < count; ++view) {
-    Stage stage(source, reliefs, view);
-    Staged staged = stage.run();
-    if (view > 0 && static_cast<std::size_t>(view) >= stage.views()) break;
-    all.push_back(std::move(staged));
-  }
-  return all;
+  if (source.scene().terrain.kind != scene::TerrainKind::elevation) return {{source, {}}};
+  return Stage(source, reliefs).run(count);
 }
 
 scene::SceneSource scene_around(const std::filesystem::path& file) {

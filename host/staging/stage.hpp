@@ -23,11 +23,13 @@ struct Staged {
 /// - the date and time of a September morning, as a sun that lights the view from the side,
 /// - the biome, the snow line and the tree line, by latitude, height and season,
 /// - whether there is a sea, the size of the ground, and the height of clouds.
-/// `view` counts the chosen views from 0, the best one. Throws the errors of land::Land.
+/// `view` counts the chosen views from 0, the best one; if there are fewer, the last one counts.
+/// Throws the errors of land::Land.
 Staged stage(const scene::SceneSource& source, terrain::ReliefCache& reliefs, int view = 0);
 
-/// Returns the scene with each of the `count` best views, the best one first. There are fewer if
-/// the land has fewer views, or if the scene gives its camera.
+/// Returns the scene with each of the `count` best views, the best one first. There are fewer, but
+/// at least one, if the land has fewer views, if the scene gives its camera, or if it is not on
+/// real land.
 std::vector<Staged> stage_views(const scene::SceneSource& source, terrain::ReliefCache& reliefs,
                                 int count);
 
