@@ -103,9 +103,6 @@ class LocalLand {
   LocalLand(const Land& land, const LandPoint& point, double reach_m);
   ~LocalLand();
 
-  /// The point, by its place on the Earth if the files have one.
-  const LandPoint& middle() const { return middle_; }
-
   /// Computes heights and slopes without detail that is finer than the spacing of the samples.
   void sample(const LandSamples& samples) const;
 
@@ -115,7 +112,6 @@ class LocalLand {
  private:
   class Lattice;
 
-  LandPoint middle_;
   std::vector<std::unique_ptr<Lattice>> lattices_;
 };
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <map>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -96,8 +97,24 @@ void add_below_zero(const Land& land, std::vector<std::string>& notes) {
 
 }  // namespace
 
+std::string datum_note(std::span<const elevation::RasterInfo> files) {
+  const elevation::RasterInfo* first = nullptr;
+  for (const elevation::RasterInfo& file : files) {
+    if (file.vertical_datum.empty()) continue;
+    if (first == nullptr) first = &file;
+    if (file.vertical_datum == first->vertical_datum) continue;
+    return fmt::format(
+        "The heights of {} count from the level \"{}\" and those of {} from \"{}\". They are used "
+        "as "
+        "they are, so that the land can have a step between them.",
+        name_of(*first), first->vertical_datum, name_of(file), file.vertical_datum);
+  }
+  return {};
+}
+
 std::vector<std::string> notes_about(const Land& land) {
   std::vector<std::string> notes = notes_of_files(land);
+  if (std::string note = datum_note(land.files()); !note.empty()) notes.push_back(std::move(note));
   for (const auto& pyramid : land.pyramids()) {
     add_range(*pyramid, notes);
     add_voids(*pyramid, notes);

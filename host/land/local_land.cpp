@@ -151,9 +151,9 @@ class LocalLand::Lattice {
   std::vector<dvec2> places_;  // columns and rows, row by row
 };
 
-LocalLand::LocalLand(const Land& land, const LandPoint& point, double reach_m) : middle_(point) {
+LocalLand::LocalLand(const Land& land, const LandPoint& point, double reach_m) {
   for (const auto& pyramid : land.pyramids()) {
-    lattices_.push_back(std::make_unique<Lattice>(*pyramid, middle_, reach_m));
+    lattices_.push_back(std::make_unique<Lattice>(*pyramid, point, reach_m));
   }
 }
 

@@ -6,21 +6,15 @@
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
 
+#include "core/cubic_spline.hpp"
 #include "land/pyramid.hpp"
 
 namespace aerostat::land {
 namespace {
 
-/// The weights of the four control values around a place, and their derivatives.
-struct Weights {
-  std::array<float, 4> value, slope;
-};
-
-Weights weights_at(float t) {
-  const float s = 1.0f - t;
-  return {{s * s * s / 6.0f, (3.0f * t * t * t - 6.0f * t * t + 4.0f) / 6.0f,
-           (3.0f * s * s * s - 6.0f * s * s + 4.0f) / 6.0f, t * t * t / 6.0f},
-          {-0.5f * s * s, 1.5f * t * t - 2.0f * t, -1.5f * s * s + 2.0f * s, 0.5f * t * t}};
+/// Weights that can be numbered.
+std::array<float, 4> listed(const SplineWeights& weights) {
+  return {weights.w0, weights.w1, weights.w2, weights.w3};
 }
 
 /// Returns the cell that stands for one beyond the rim, as in a mirror at the middle of the cells
@@ -35,13 +29,14 @@ int mirrored(int cell, int count) {
 /// The four cells around a place along one axis.
 struct Around {
   std::array<int, 4> cells;
-  Weights weights;
+  std::array<float, 4> weights, slopes;
 };
 
 Around around(double place, int count) {
   const double held = std::clamp(place, 0.0, static_cast<double>(count - 1));
   const int cell = std::min(static_cast<int>(held), std::max(count - 2, 0));
-  Around found{{}, weights_at(static_cast<float>(held - cell))};
+  const auto share = static_cast<float>(held - cell);
+  Around found{{}, listed(spline_weights(share)), listed(spline_slope_weights(share))};
   for (int k = 0; k < 4; ++k) found.cells[k] = mirrored(cell + k - 1, count);
   return found;
 }
@@ -95,12 +90,12 @@ SplinePoint Patch::at(double u, double v) const {
       const float known = heights[cell];
       lowest = i + j == 0 ? known : std::min(lowest, known);
       highest = i + j == 0 ? known : std::max(highest, known);
-      value += x.weights.value[i] * controls[cell];
-      slope += x.weights.slope[i] * controls[cell];
+      value += x.weights[i] * controls[cell];
+      slope += x.slopes[i] * controls[cell];
     }
-    point.height += z.weights.value[j] * value;
-    point.along_columns += z.weights.value[j] * slope;
-    point.along_rows += z.weights.slope[j] * value;
+    point.height += z.weights[j] * value;
+    point.along_columns += z.weights[j] * slope;
+    point.along_rows += z.slopes[j] * value;
   }
   point.height = std::clamp(point.height, lowest, highest);
   return point;

@@ -26,26 +26,12 @@ std::uint64_t cells_at(const elevation::RasterInfo& info, int level) {
 }
 
 /// Returns a level of cells that are twice as wide.
-Patch halved(const Patch& fine) {
-  Patch coarse;
-  coarse.width = (fine.width + 1) / 2;
-  coarse.height = (fine.height + 1) / 2;
-  coarse.heights.resize(static_cast<std::size_t>(coarse.width) *
-                        static_cast<std::size_t>(coarse.height));
-  const auto value = [&fine](int i, int j) {
-    return fine.heights[static_cast<std::size_t>(std::min(j, fine.height - 1)) *
-                            static_cast<std::size_t>(fine.width) +
-                        static_cast<std::size_t>(std::min(i, fine.width - 1))];
-  };
-  tbb::parallel_for(0, coarse.height, [&](int j) {
-    float* row = coarse.heights.data() +
-                 static_cast<std::size_t>(j) * static_cast<std::size_t>(coarse.width);
-    for (int i = 0; i < coarse.width; ++i) {
-      row[i] = 0.25f * (value(2 * i, 2 * j) + value(2 * i + 1, 2 * j) + value(2 * i, 2 * j + 1) +
-                        value(2 * i + 1, 2 * j + 1));
-    }
-  });
-  return coarse;
+Patch coarser(const Patch& fine) {
+  Patch patch;
+  patch.width = (fine.width + 1) / 2;
+  patch.height = (fine.height + 1) / 2;
+  patch.heights = halved(fine.width, fine.height, fine.heights);
+  return patch;
 }
 
 /// Gives large regions without heights the depth of a sea.
@@ -68,7 +54,7 @@ Pyramid::Pyramid(std::shared_ptr<const elevation::Raster> raster, const PyramidO
   while (cells_at(raster_->info(), base_) > kMostBaseCells) ++base_;
   read_base(options);
   while (std::max(levels_.back().width, levels_.back().height) > 1) {
-    levels_.push_back(halved(levels_.back()));
+    levels_.push_back(coarser(levels_.back()));
   }
   tbb::parallel_for(std::size_t{0}, levels_.size(), [this](std::size_t k) { levels_[k].fit(); });
   if (base_ == 0) return;

@@ -8,6 +8,7 @@
 #include <limits>
 #include <mutex>
 
+#include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
 
 #include "core/stop_scope.hpp"
@@ -79,6 +80,11 @@ void average(const std::vector<float>& samples, const elevation::Window& window,
   }
 }
 
+/// Returns how many cells a number of rows have.
+std::size_t cells_before(int width, int rows) {
+  return static_cast<std::size_t>(width) * static_cast<std::size_t>(rows);
+}
+
 /// Returns the least multiple of `a_cell` that is at least `count`.
 int rounded_up(int count, int a_cell) {
   return (count + a_cell - 1) / a_cell * a_cell;
@@ -138,6 +144,26 @@ std::vector<float> reduced_window(const elevation::Raster& raster, int level,
       std::numeric_limits<float>::quiet_NaN());
   average(samples, window, source.a_cell, means.data(), cells.width);
   return means;
+}
+
+std::vector<float> halved(int width, int height, const std::vector<float>& heights) {
+  const int w = (width + 1) / 2, h = (height + 1) / 2;
+  std::vector<float> half(cells_before(w, h));
+  tbb::parallel_for(tbb::blocked_range<int>(0, h, 16), [&](const auto& rows) {
+    for (int j = rows.begin(); j != rows.end(); ++j)
+      for (int i = 0; i < w; ++i) {
+        float sum = 0.0f, count = 0.0f;
+        for (int v = 2 * j; v < std::min(2 * j + 2, height); ++v)
+          for (int u = 2 * i; u < std::min(2 * i + 2, width); ++u) {
+            const float value = heights[cells_before(width, v) + static_cast<std::size_t>(u)];
+            if (std::isnan(value)) continue;
+            sum += value;
+            count += 1.0f;
+          }
+        half[cells_before(w, j) + static_cast<std::size_t>(i)] = sum / count;  // NaN without any
+      }
+  });
+  return half;
 }
 
 }  // namespace aerostat::land

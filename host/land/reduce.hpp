@@ -25,4 +25,8 @@ Reduced reduce(const elevation::Raster& raster, int level);
 std::vector<float> reduced_window(const elevation::Raster& raster, int level,
                                   const elevation::Window& cells);
 
+/// Returns the means of 2 x 2 cells, without those that are NaN. At the last row and column of odd
+/// sizes, cells are averaged as far as there are any.
+std::vector<float> halved(int width, int height, const std::vector<float>& heights);
+
 }  // namespace aerostat::land

@@ -8,6 +8,8 @@
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
 
+#include "land/reduce.hpp"
+
 namespace aerostat::land {
 namespace {
 
@@ -15,27 +17,6 @@ constexpr int kSmoothings = 12;  // chosen by eye
 
 std::size_t cells_of(int width, int height) {
   return static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
-}
-
-/// Returns the means of 2 x 2 cells, without those that are NaN.
-std::vector<float> halved(int width, int height, const std::vector<float>& heights) {
-  const int w = (width + 1) / 2, h = (height + 1) / 2;
-  std::vector<float> half(cells_of(w, h));
-  tbb::parallel_for(tbb::blocked_range<int>(0, h, 16), [&](const auto& rows) {
-    for (int j = rows.begin(); j != rows.end(); ++j)
-      for (int i = 0; i < w; ++i) {
-        float sum = 0.0f, count = 0.0f;
-        for (int v = 2 * j; v < std::min(2 * j + 2, height); ++v)
-          for (int u = 2 * i; u < std::min(2 * i + 2, width); ++u) {
-            const float value = heights[cells_of(width, v) + static_cast<std::size_t>(u)];
-            if (std::isnan(value)) continue;
-            sum += value;
-            count += 1.0f;
-          }
-        half[cells_of(w, j) + static_cast<std::size_t>(i)] = sum / count;  // NaN without any
-      }
-  });
-  return half;
 }
 
 /// Returns the value between the middles of coarse cells at the middle of a cell of half their

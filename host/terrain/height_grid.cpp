@@ -6,26 +6,11 @@
 
 #include <tbb/parallel_for.h>
 
+#include "core/cubic_spline.hpp"
 #include "core/simd.hpp"
 
 namespace aerostat::terrain {
 namespace {
-
-/// The weights of the four control values around a point.
-struct Weights {
-  float w0, w1, w2, w3;
-};
-
-AEROSTAT_INLINE Weights spline(float t) {
-  const float s = 1.0f - t;
-  return {s * s * s / 6.0f, (3.0f * t * t * t - 6.0f * t * t + 4.0f) / 6.0f,
-          (3.0f * s * s * s - 6.0f * s * s + 4.0f) / 6.0f, t * t * t / 6.0f};
-}
-
-AEROSTAT_INLINE Weights spline_slope(float t) {
-  const float s = 1.0f - t;
-  return {-0.5f * s * s, 1.5f * t * t - 2.0f * t, -1.5f * s * s + 2.0f * s, 0.5f * t * t};
-}
 
 /// The place of a point along one axis, and the nodes of the four control values there.
 struct Position {
@@ -48,7 +33,7 @@ struct Along {
 };
 
 AEROSTAT_INLINE Along along(const float* values, std::int32_t row, const Position& x,
-                            const Weights& w, const Weights& dw) {
+                            const SplineWeights& w, const SplineWeights& dw) {
   const float v0 = values[row + x.n0], v1 = values[row + x.n1], v2 = values[row + x.n2],
               v3 = values[row + x.n3];
   return {0.0f + w.w0 * v0 + w.w1 * v1 + w.w2 * v2 + w.w3 * v3,
@@ -67,8 +52,9 @@ AEROSTAT_INLINE void sample_loop(const HeightGrid& grid, const Points& points, S
   for (int k = 0; k < count; ++k) {
     const Position px = locate(nodes, spacing_m, points.x[k]);
     const Position pz = locate(nodes, spacing_m, points.z[k]);
-    const Weights wx = spline(px.fraction), wz = spline(pz.fraction);
-    const Weights dwx = spline_slope(px.fraction), dwz = spline_slope(pz.fraction);
+    const SplineWeights wx = spline_weights(px.fraction), wz = spline_weights(pz.fraction);
+    const SplineWeights dwx = spline_slope_weights(px.fraction),
+                        dwz = spline_slope_weights(pz.fraction);
     // The calls are written out because compilers do not vectorise a loop within this one.
     const Along r0 = along(values, pz.n0 * nodes, px, wx, dwx);
     const Along r1 = along(values, pz.n1 * nodes, px, wx, dwx);

@@ -4,11 +4,13 @@
 #include <filesystem>
 #include <fstream>
 #include <string>
+#include <vector>
 
 #include <gtest/gtest.h>
 
 #include "core/error.hpp"
 #include "geo/transform.hpp"
+#include "land/land_notes.hpp"
 
 namespace aerostat::land {
 namespace {
@@ -147,6 +149,23 @@ TEST_F(LandFiles, FeetAndSentinelsAreSuspected) {
   for (const std::string& note : land.notes()) all += note + "\n";
   EXPECT_NE(all.find("/terrain/unit=ft"), std::string::npos) << all;
   EXPECT_NE(all.find("/terrain/nodata to -32768"), std::string::npos) << all;
+}
+
+TEST(DatumNote, NamesFilesWhoseHeightsCountFromOtherLevels) {
+  std::vector<elevation::RasterInfo> files(3);
+  files[0].path = "tiles/a.tif";
+  files[1].path = "tiles/b.tif";
+  files[2].path = "tiles/c.tif";
+  EXPECT_EQ(datum_note(files), "");
+  files[1].vertical_datum = "EGM96 height";
+  EXPECT_EQ(datum_note(files), "");
+  files[2].vertical_datum = "NAVD88 height";
+  const std::string note = datum_note(files);
+  for (const char* word : {"b.tif", "EGM96 height", "c.tif", "NAVD88 height"}) {
+    EXPECT_NE(note.find(word), std::string::npos) << note;
+  }
+  files[2].vertical_datum = "EGM96 height";
+  EXPECT_EQ(datum_note(files), "");
 }
 
 TEST_F(LandFiles, KnowsASeaByItsLevel) {
