@@ -24,7 +24,8 @@ class ByteSource {
 };
 
 /// Returns the bytes of a regular file, which is opened at each reading so that any number of files
-/// may be in use. Throws Error{io} if it is none.
+/// may be in use. Throws Error{io} if it is not a regular
+/// file.
 std::shared_ptr<const ByteSource> file_bytes(const std::filesystem::path& path);
 
 /// Returns bytes that are in memory.

@@ -75,7 +75,8 @@ pid_t start(std::vector<std::string> command, std::vector<std::string> environme
   return child;
 }
 
-/// Starts a program in a thread of its own, because what confines a thread cannot be undone.
+/// Starts a program from a new thread. The limits of a thread hold until it ends, and the calling
+/// thread must not keep them.
 pid_t start_confined(const std::vector<std::string>& command,
                      const std::vector<std::string>& environment, const ChildLimits& limits,
                      int output) {

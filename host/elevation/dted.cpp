@@ -100,7 +100,7 @@ void read_header(RasterInfo& info, Bytes bytes, std::size_t at, const OpenOption
                                             : "";
 }
 
-/// What was seen while heights were read.
+/// Faults that were counted while heights were read.
 struct Seen {
   int wrong_sums = 0, complements = 0;
 };

@@ -160,7 +160,7 @@ std::vector<float> read_channel(Imf::InputFile& file, const RasterInfo& info,
 
 /// Turns stored values into metres, and says how coarse the numbers of 16 bits are.
 void to_metres(std::vector<float>& values, RasterInfo& info, const OpenOptions& options) {
-  // Only a range of heights says that stored values go from 0 to 1.
+  // Stored values are heights, unless the user gives the heights of 0 and 1.
   const HeightScale scale = height_scale_of(info, options, 0.0, 1.0, true);
   double largest = 0.0;
   for (float& value : values) {

@@ -5,7 +5,7 @@
 
 namespace aerostat::elevation {
 
-/// What the metadata that GDAL writes as XML say of the first band.
+/// The metadata of the first band, which GDAL writes as XML.
 struct GdalMetadata {
   std::optional<double> scale, offset;
   std::string unit;           // as written, for example "m"; empty if not said

@@ -64,7 +64,7 @@ class GeoKeys {
   std::map<std::uint16_t, std::string> texts_;
 };
 
-/// What geokeys say, in words of the geo folder.
+/// The coordinate reference system and the level of heights that geokeys name.
 struct GeoKeyCrs {
   std::string crs;  // a text that geo::crs_info understands, or empty
   /// What to multiply coordinates by, for files whose coordinates are in another unit than their

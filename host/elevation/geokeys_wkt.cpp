@@ -179,7 +179,7 @@ std::string parameters_of(const Method& method, const GeoKeys& keys, double degr
   if (method.parallels > 0) text += parameter("standard_parallel_1", angle({kParallel1}, 0.0));
   if (method.parallels > 1) text += parameter("standard_parallel_2", angle({kParallel2}, 0.0));
   if (method.latitude) {
-    // Of a polar projection, the parallel that is true to scale may stand for the origin.
+    // Some files give the latitude of the origin of a polar projection as its standard parallel.
     const bool is_polar = method.code == 15 && !keys.number({3081, 3085, 3089});
     const double latitude = is_polar ? angle({kParallel1}, 90.0) : angle({3081, 3085, 3089}, 0.0);
     text += parameter(method.latitude, latitude);

@@ -32,7 +32,7 @@ struct TiffPages {
 TiffPages pages_of(TiffHandle& handle,
                    std::string (*refusal)(const TiffLayout& layout) = refusal_of_heights);
 
-/// What a GeoTIFF file says of itself, with what the user says of it.
+/// The properties of a GeoTIFF file, with the changes that the user asks for.
 struct GeoTiffInfo {
   RasterInfo info;
   HeightRule rule;

@@ -6,7 +6,8 @@
 #include "elevation/raster.hpp"
 #include "elevation/side_files.hpp"
 
-/// What readers of images share: files that say nothing of heights and distances by themselves.
+/// Functions that the readers of images share. The files give neither heights in metres nor
+/// distances.
 namespace aerostat::elevation {
 
 /// Metres are scale * stored + offset_m.

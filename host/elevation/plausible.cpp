@@ -38,7 +38,8 @@ Extent extent_of(const RasterInfo& info) {
   return extent;
 }
 
-/// Returns what is known of a system, or nothing. Whoever needs the system says why it is unknown.
+/// Returns the properties of a coordinate reference system, or nothing if PROJ does not know it.
+/// The error of an unknown system is thrown later, where its coordinates are needed.
 std::optional<geo::CrsInfo> known_crs(const std::string& crs) {
   try {
     return geo::crs_info(crs);

@@ -59,7 +59,7 @@ std::uint32_t number_at(Bytes bytes, std::size_t at) {
          std::uint32_t{bytes[at + 2]} << 8 | bytes[at + 3];
 }
 
-/// What the header of a PNG says.
+/// The header of a PNG file (its chunk IHDR).
 struct PngHeader {
   std::uint32_t width = 0, height = 0;
   int bits = 0, colour = 0;

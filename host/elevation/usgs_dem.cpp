@@ -125,7 +125,7 @@ class Fields {
   const std::filesystem::path& path_;
 };
 
-/// What record A says.
+/// The values of record A, the header of the file.
 struct Header {
   int system = 0, zone = 0, ground_unit = 0, height_unit = 0;
   dvec2 spacing{0.0};

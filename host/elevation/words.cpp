@@ -18,7 +18,8 @@ void Words::read_more() {
 }
 
 double plain_number(std::string_view word) {
-  // A quotient of whole numbers that a double holds exactly is rounded once.
+  // Up to 15 digits and the power of ten are exact in a double, so that their quotient is rounded
+  // only once.
   constexpr std::size_t kDigits = 15;
   constexpr std::array kPowers{1e0, 1e1, 1e2,  1e3,  1e4,  1e5,  1e6,  1e7,
                                1e8, 1e9, 1e10, 1e11, 1e12, 1e13, 1e14, 1e15};

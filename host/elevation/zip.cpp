@@ -84,7 +84,7 @@ Entry entry_with(const std::vector<Entry>& entries, std::string_view ending,
                  const std::filesystem::path& path) {
   std::optional<Entry> found;
   for (const Entry& entry : entries) {
-    // The system of Apple adds files of its own to each member.
+    // macOS adds a file with its own attributes for each member.
     if (entry.name.starts_with("__MACOSX/") || !lower_case(entry.name).ends_with(ending)) continue;
     if (found) {
       refuse(path, fmt::format("the zip file has more than one {} file; unpack it, and name the "

@@ -8,7 +8,7 @@
 namespace aerostat::labels {
 
 /// Returns the place on the Earth of the terrain's centre. Throws Error{bad_data}, with the option
-/// that needs it, if the ground is none of a file, or if it is unknown where the file lies.
+/// that needs it, if the ground does not come from a file, or if it is unknown where the file lies.
 geo::Place land_place(const scene::Scene& scene, world::ReliefCache& reliefs,
                       const std::string& option);
 

@@ -23,8 +23,8 @@ struct NameInView {
 /// Returns where each place is seen in a scene on real land. Places without a height lie on the
 /// ground, and none lies below it. A place is hidden if the ground, curved as the scene has it,
 /// rises above the line of sight by more than the size of a pixel. Balloons, plants and clouds hide
-/// nothing. Throws Error{bad_data} if the ground is none of a file, or if it is unknown where on
-/// the Earth the file lies.
+/// nothing. Throws Error{bad_data} if the ground does not come from a file, or if it is unknown
+/// where on the Earth the file lies.
 std::vector<NameInView> names_in_view(const std::vector<NamedPlace>& places,
                                       const scene::ResolvedScene& scene,
                                       world::ReliefCache& reliefs);

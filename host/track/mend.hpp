@@ -2,7 +2,7 @@
 
 #include "track/track.hpp"
 
-/// Repairs of what a file says.
+/// Functions that correct the fixes of a file.
 namespace aerostat::track {
 
 /// Returns whether the place of a fix can be used: the file calls it valid, and it is not 0 N 0 E,

@@ -74,8 +74,8 @@ void on_text(void* user, const char* text, int length) {
   reading.guarded([&] { reading.text.append(text, static_cast<std::size_t>(length)); });
 }
 
-/// No format of tracks has entities of its own. A file that declares some wants to fill the memory
-/// or to read other files.
+/// Refuses a file that declares entities. No format of tracks needs them, and they can be used to
+/// fill the memory or to read other files.
 void on_entity(void* user, const char* name, int, const char*, int, const char*, const char*,
                const char*, const char*) {
   reading_of(user).guarded([&] {

@@ -75,7 +75,8 @@ void read_some(const elevation::Raster& raster) {
   }
 }
 
-/// Lets an error name the file, as an error of a whole file would.
+/// Runs an action, and puts the name of a file before the message of its error, as readers of whole
+/// files do.
 template <typename Action>
 void naming_the_file(Action action) {
   try {

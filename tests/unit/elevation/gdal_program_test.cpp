@@ -199,7 +199,8 @@ TEST(GdalProgram, LeavesNothingBehind) {
 
 TEST(GdalProgram, IsRunWithoutNetworkSideFilesAndOtherDrivers) {
   const Folder folder;
-  // This program stands for both of GDAL's and says what is not as it should be.
+  // This script takes the place of gdalinfo and gdal_translate, and reports every setting that is
+  // wrong.
   const std::string program =
       "#!/bin/sh\n"
       "expect() { [ \"$1\" = \"$2\" ] || printf '%s for %s, ' \"$1\" \"$2\"; }\n"

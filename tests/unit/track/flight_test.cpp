@@ -367,7 +367,7 @@ TEST(Smooth, TakesOutNoiseAndKeepsClimbs) {
 
 TEST(Smooth, CurveHasNoKinks) {
   const std::vector<double> times{0, 1, 2, 3}, values{0, 0, 10, 0};
-  // Where the curve turns, it is level on both sides.
+  // The slope of the curve is 0 at a turning point, before it and after it.
   EXPECT_NEAR(value_at(times, values, 1.01), 0.0, 0.01);
   EXPECT_NEAR(value_at(times, values, 1.99), 10.0, 0.01);
   EXPECT_NEAR(value_at(times, values, 2.01), 10.0, 0.01);
