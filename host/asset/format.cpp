@@ -1,17 +1,10 @@
-#include <algorithm>
-#include <cctype>
 #include <string>
 
 #include "asset/read.hpp"
+#include "asset/words.hpp"
 
 namespace aerostat::asset {
 namespace {
-
-std::string lower_case(std::string text) {
-  std::transform(text.begin(), text.end(), text.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return text;
-}
 
 bool is_word(std::string_view text, std::string_view word) {
   return text.substr(0, word.size()) == word && text.size() > word.size() &&

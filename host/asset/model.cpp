@@ -1,23 +1,53 @@
 #include "asset/model.hpp"
 
-#include <limits>
+#include <cmath>
 
 namespace aerostat::asset {
+namespace {
+
+/// From this number of corners on that are placed, boxes are placed instead. A second's work.
+constexpr double kMostCorners = 50e6;
+
+Bounds box_of(const Mesh& mesh) {
+  Bounds box;
+  for (const Primitive& primitive : mesh.primitives) {
+    for (const glm::vec3& position : primitive.positions) box.add(position);
+  }
+  return box;
+}
+
+void add_placed(Bounds& box, const Placement& placement, const Mesh& mesh) {
+  for (const Primitive& primitive : mesh.primitives) {
+    for (const glm::vec3& position : primitive.positions) {
+      box.add(glm::dvec3(placement.transform * glm::dvec4(position, 1.0)));
+    }
+  }
+}
+
+void add_placed(Bounds& box, const Placement& placement, const Bounds& mesh) {
+  if (mesh.empty()) return;
+  for (int corner = 0; corner < 8; ++corner) {
+    const glm::dvec3 point((corner & 1) != 0 ? mesh.most.x : mesh.least.x,
+                           (corner & 2) != 0 ? mesh.most.y : mesh.least.y,
+                           (corner & 4) != 0 ? mesh.most.z : mesh.least.z);
+    box.add(glm::dvec3(placement.transform * glm::dvec4(point, 1.0)));
+  }
+}
+
+}  // namespace
 
 Bounds bounds(const Model& model) {
-  constexpr double kEndless = std::numeric_limits<double>::infinity();
-  Bounds box{glm::dvec3(kEndless), glm::dvec3(-kEndless)};
-  for (const Placement& placement : model.placements) {
-    for (const Primitive& primitive : model.meshes[placement.mesh].primitives) {
-      for (const auto& triangle : primitive.triangles) {
-        for (const std::uint32_t corner : triangle) {
-          const glm::dvec3 point(placement.transform *
-                                 glm::dvec4(primitive.positions[corner], 1.0));
-          box.least = glm::min(box.least, point);
-          box.most = glm::max(box.most, point);
-        }
-      }
+  Bounds box;
+  if (static_cast<double>(placed_triangle_count(model)) * 3.0 <= kMostCorners) {
+    for (const Placement& placement : model.placements) {
+      add_placed(box, placement, model.meshes[placement.mesh]);
     }
+    return box;
+  }
+  std::vector<Bounds> boxes;
+  for (const Mesh& mesh : model.meshes) boxes.push_back(box_of(mesh));
+  for (const Placement& placement : model.placements) {
+    add_placed(box, placement, boxes[placement.mesh]);
   }
   return box;
 }

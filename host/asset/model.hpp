@@ -3,6 +3,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
@@ -97,13 +98,19 @@ inline constexpr double kFarFromOrigin = 10'000.0;
 
 /// A box along the axes. It is empty if `least` is greater than `most`.
 struct Bounds {
-  glm::dvec3 least, most;
+  glm::dvec3 least{std::numeric_limits<double>::infinity()};
+  glm::dvec3 most{-std::numeric_limits<double>::infinity()};
 
   bool empty() const { return least.x > most.x; }
   glm::dvec3 size() const { return most - least; }
+  void add(const glm::dvec3& point) {
+    least = glm::min(least, point);
+    most = glm::max(most, point);
+  }
 };
 
-/// Returns the box around all placed triangles, without `origin`.
+/// Returns the box around all placed triangles, without `origin`. Of meshes that are placed very
+/// often, it holds the placed boxes and may be larger than need be.
 Bounds bounds(const Model& model);
 
 /// Returns the number of triangles: of the meshes, each once, and of all that is placed.

@@ -1,36 +1,36 @@
 #include "asset/read.hpp"
 
-#include <fstream>
 #include <string>
-#include <system_error>
 
 #include <fmt/format.h>
 
+#include "asset/files.hpp"
+#include "asset/reading.hpp"
+#include "asset/words.hpp"
 #include "core/error.hpp"
 
 namespace aerostat::asset {
 namespace {
 
-/// Returns the bytes of a regular file that has at most `most` of them.
-std::string bytes_of(const std::filesystem::path& file, std::uint64_t most) {
-  std::error_code failed;
-  if (!std::filesystem::is_regular_file(file, failed)) {
-    throw Error(ErrorKind::io,
-                fmt::format("{}: {}", file.string(), failed ? failed.message() : "is not a file"));
+void read_format(Reading& reading, Format format) {
+  switch (format) {
+    case Format::gltf:
+      return read_gltf(reading);
+    case Format::obj:
+      return read_obj(reading);
+    case Format::ply:
+      return read_ply(reading);
+    case Format::stl:
+      return read_stl(reading);
   }
-  const std::uint64_t size = std::filesystem::file_size(file, failed);
-  if (!failed && size > most) {
-    throw Error(ErrorKind::bad_data,
-                fmt::format("{}: the file has {} bytes, and at most {} are read", file.string(),
-                            size, most));
-  }
-  std::string bytes(failed ? 0 : static_cast<std::size_t>(size), '\0');
-  std::ifstream stream(file, std::ios::binary);
-  stream.read(bytes.data(), static_cast<std::streamsize>(bytes.size()));
-  if (failed || !stream) {
-    throw Error(ErrorKind::io, fmt::format("{}: the file cannot be read", file.string()));
-  }
-  return bytes;
+}
+
+/// Turns a model whose z axis points up, so that +y does. North, which was +y, becomes -z.
+void turn_up(Model& model) {
+  const glm::dmat4 turn({1.0, 0.0, 0.0, 0.0}, {0.0, 0.0, -1.0, 0.0}, {0.0, 1.0, 0.0, 0.0},
+                        {0.0, 0.0, 0.0, 1.0});
+  model.origin = glm::dvec3(turn * glm::dvec4(model.origin, 1.0));
+  for (Placement& placement : model.placements) placement.transform = turn * placement.transform;
 }
 
 }  // namespace
@@ -47,9 +47,17 @@ Model read(const std::filesystem::path& file, const ReadOptions& options) {
   return read_bytes(bytes, *format, file, options);
 }
 
-Model read_bytes(std::string_view, Format, const std::filesystem::path& file, const ReadOptions&) {
-  throw Error(ErrorKind::bad_data,
-              fmt::format("{}: models of this format are not read yet", file.string()));
+Model read_bytes(std::string_view bytes, Format format, const std::filesystem::path& file,
+                 const ReadOptions& options) {
+  Reading reading{bytes, Files(file, options), Budget(options.limits), {}};
+  try {
+    read_format(reading, format);
+    finish(reading.model);
+  } catch (const Error& error) {
+    throw Error(error.kind(), fmt::format("{}: {}", file.string(), error.what()));
+  }
+  if (options.up == Axis::z) turn_up(reading.model);
+  return std::move(reading.model);
 }
 
 }  // namespace aerostat::asset

@@ -6,9 +6,9 @@
 #include <fmt/format.h>
 
 #include "elevation/bytes.hpp"
-#include "elevation/decode_image.hpp"
 #include "elevation/picture.hpp"
 #include "elevation/reading.hpp"
+#include "image/decode.hpp"
 
 namespace aerostat::elevation {
 namespace {
@@ -16,7 +16,7 @@ namespace {
 /// A byte of a compressed file makes at most so many pixels: deflate makes 1032 bytes of one.
 constexpr std::uint64_t kMostPixelsAByte = 1032 * 8;
 
-using Pixels = std::unique_ptr<std::uint8_t, FreeMemory>;
+using Pixels = std::unique_ptr<std::uint8_t, image::FreeMemory>;
 
 /// A picture whose pixels are all in memory, with 8 bits of red, green, blue and opacity each.
 class ImagePicture final : public Picture {
@@ -54,7 +54,7 @@ std::unique_ptr<Picture> open_image_picture(const std::filesystem::path& path,
   info.path = path;
   info.format = bytes.front() == 0x89 ? "PNG" : "JPEG";
   info.sample_type = "uint8";
-  const ImageSize size = image_size(bytes, info.format, path);
+  const image::ImageSize size = image::image_size(bytes, info.format, path);
   info.width = size.width;
   info.height = size.height;
   const auto count =
@@ -69,7 +69,7 @@ std::unique_ptr<Picture> open_image_picture(const std::filesystem::path& path,
                              info.width, info.height));
   }
   set_picture_place(info, options);
-  DecodedImage<std::uint8_t> image = decode_8_bits(bytes, 4, info.format, path);
+  image::DecodedImage<std::uint8_t> image = image::decode_8_bits(bytes, 4, info.format, path);
   return std::make_unique<ImagePicture>(std::move(info), std::move(image.samples));
 }
 

@@ -17,11 +17,11 @@
 #include <zlib.h>
 
 #include "elevation/bytes.hpp"
-#include "elevation/decode_image.hpp"
 #include "elevation/images.hpp"
 #include "elevation/reading.hpp"
 #include "elevation/sample_raster.hpp"
 #include "elevation/web_tile.hpp"
+#include "image/decode.hpp"
 
 namespace aerostat::elevation {
 namespace {
@@ -93,8 +93,8 @@ struct Pixels {
   int channels = 0;
   std::span<const std::uint8_t> bytes;
   std::span<const std::uint16_t> words;
-  std::unique_ptr<std::uint8_t, FreeMemory> bytes_owner;
-  std::unique_ptr<std::uint16_t, FreeMemory> words_owner;
+  std::unique_ptr<std::uint8_t, image::FreeMemory> bytes_owner;
+  std::unique_ptr<std::uint16_t, image::FreeMemory> words_owner;
 };
 
 Pixels decode(Bytes bytes, const PngHeader& header, const std::filesystem::path& path) {
@@ -106,11 +106,11 @@ Pixels decode(Bytes bytes, const PngHeader& header, const std::filesystem::path&
   }
   Pixels pixels;
   if (header.bits == 16) {
-    auto image = decode_16_bits(bytes, "PNG", path);
+    auto image = image::decode_16_bits(bytes, "PNG", path);
     pixels.channels = image.channels;
     pixels.words_owner = std::move(image.samples);
   } else {
-    auto image = decode_8_bits(bytes, 0, "PNG", path);
+    auto image = image::decode_8_bits(bytes, 0, "PNG", path);
     pixels.channels = image.channels;
     pixels.bytes_owner = std::move(image.samples);
   }

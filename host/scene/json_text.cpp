@@ -32,15 +32,16 @@ std::string shortened(std::string text) {
 /// passed.
 class Watcher {
  public:
-  explicit Watcher(const std::string& name) : name_(name) {}
+  Watcher(const std::string& name, const JsonRules& rules) : name_(name), rules_(rules) {}
 
   bool operator()(Json::parse_event_t event, const Json& parsed) {
     using Event = Json::parse_event_t;
     if (event == Event::key) {
       enter_key(parsed.get_ref<const std::string&>());
     } else if (event == Event::object_start || event == Event::array_start) {
-      if (frames_.size() == kMaxDepth) {
-        fail(name_, pointer(), "deeper nesting", fmt::format("at most {} levels", kMaxDepth));
+      if (frames_.size() == rules_.most_depth) {
+        fail(name_, pointer(), "deeper nesting",
+             fmt::format("at most {} levels", rules_.most_depth));
       }
       frames_.push_back({event == Event::array_start, 0, {}, {}});
     } else {
@@ -81,13 +82,15 @@ class Watcher {
   }
 
   void leave_value() {
-    if (++values_ > kMaxValues) {
-      fail(name_, pointer(), "too many values", fmt::format("at most {} in a file", kMaxValues));
+    if (++values_ > rules_.most_values) {
+      fail(name_, pointer(), "too many values",
+           fmt::format("at most {} in a file", rules_.most_values));
     }
     if (!frames_.empty()) ++frames_.back().index;
   }
 
   const std::string& name_;
+  const JsonRules& rules_;
   std::vector<Frame> frames_;
   std::vector<Pointer> twice_;
   std::size_t values_ = 0;
@@ -157,21 +160,25 @@ std::string describe(const Json& value) {
 }
 
 Json parse_json(std::string_view text, const std::string& name) {
+  return parse_json(text, name, JsonRules());
+}
+
+Json parse_json(std::string_view text, const std::string& name, const JsonRules& rules) {
   Faults faults(name);
-  Json json = parse_json(text, faults);
+  Json json = parse_json(text, faults, rules);
   faults.throw_if_any();
   return json;
 }
 
-Json parse_json(std::string_view text, Faults& faults) {
+Json parse_json(std::string_view text, Faults& faults, const JsonRules& rules) {
   const std::string& name = faults.name();
   const DotDecimals dot;
-  Watcher watcher(name);
+  Watcher watcher(name, rules);
   const auto callback = [&watcher](int, Json::parse_event_t event, Json& parsed) {
     return watcher(event, parsed);
   };
   try {
-    Json json = Json::parse(text.begin(), text.end(), callback, true, true);
+    Json json = Json::parse(text.begin(), text.end(), callback, true, rules.with_comments);
     for (const Pointer& pointer : watcher.twice())
       faults.add(pointer, "this key twice", "this key once");
     return json;

@@ -35,10 +35,18 @@ std::string describe(const Json& value);
 /// of double, more than kMaxDepth levels or more than kMaxValues values.
 Json parse_json(std::string_view text, const std::string& name);
 
+/// What parse_json accepts of files other than scenes.
+struct JsonRules {
+  std::size_t most_depth = kMaxDepth;
+  std::size_t most_values = kMaxValues;
+  bool with_comments = true;
+};
+Json parse_json(std::string_view text, const std::string& name, const JsonRules& rules);
+
 class Faults;
 
 /// Parses JSON with comments. Keys that an object has twice are added to `faults` and their last
 /// value counts. All other errors are thrown as by the function with a name.
-Json parse_json(std::string_view text, Faults& faults);
+Json parse_json(std::string_view text, Faults& faults, const JsonRules& rules = {});
 
 }  // namespace aerostat::scene::detail

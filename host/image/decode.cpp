@@ -1,8 +1,8 @@
-#include "elevation/decode_image.hpp"
+#include "image/decode.hpp"
 
 #include <fmt/format.h>
 
-#include "elevation/reading.hpp"
+#include "core/error.hpp"
 
 #define STB_IMAGE_IMPLEMENTATION
 #define STB_IMAGE_STATIC
@@ -15,13 +15,14 @@
 #include <stb_image.h>
 #pragma GCC diagnostic pop
 
-namespace aerostat::elevation {
+namespace aerostat::image {
 namespace {
 
 /// Refuses an image with stb's reason. `what` is what could not be done.
 [[noreturn]] void refuse_image(const std::string& what, const std::filesystem::path& path) {
   const char* reason = stbi_failure_reason();
-  refuse(path, fmt::format("{}: {}", what, reason == nullptr ? "no reason is known" : reason));
+  throw Error(ErrorKind::bad_data, fmt::format("{}: {}: {}", path.string(), what,
+                                               reason == nullptr ? "no reason is known" : reason));
 }
 
 int length_of(std::span<const std::uint8_t> bytes) {
@@ -62,4 +63,4 @@ DecodedImage<std::uint16_t> decode_16_bits(std::span<const std::uint8_t> bytes,
   return image;
 }
 
-}  // namespace aerostat::elevation
+}  // namespace aerostat::image

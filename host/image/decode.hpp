@@ -8,7 +8,7 @@
 #include <string>
 
 /// Decodes images by stb_image. Callers bound the size of an image before they decode it.
-namespace aerostat::elevation {
+namespace aerostat::image {
 
 struct FreeMemory {
   void operator()(void* memory) const { std::free(memory); }
@@ -42,4 +42,4 @@ DecodedImage<std::uint16_t> decode_16_bits(std::span<const std::uint8_t> bytes,
                                            const std::string& format,
                                            const std::filesystem::path& path);
 
-}  // namespace aerostat::elevation
+}  // namespace aerostat::image

@@ -1,0 +1,26 @@
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cstddef>
+#include <string_view>
+
+namespace aerostat::asset {
+
+/// Returns the number that is stored at a byte, which must lie in `bytes` as a whole. `order` is
+/// how the file orders the bytes of a number.
+template <class Number>
+Number number_at(std::string_view bytes, std::size_t at, std::endian order) {
+  std::array<char, sizeof(Number)> stored{};
+  std::copy_n(bytes.data() + at, sizeof(Number), stored.data());
+  if (order != std::endian::native) std::reverse(stored.begin(), stored.end());
+  return std::bit_cast<Number>(stored);
+}
+
+template <class Number>
+Number little_at(std::string_view bytes, std::size_t at) {
+  return number_at<Number>(bytes, at, std::endian::little);
+}
+
+}  // namespace aerostat::asset

@@ -1,0 +1,143 @@
+#include "asset/obj_materials.hpp"
+
+#include <cstdint>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "asset/words.hpp"
+#include "core/error.hpp"
+#include "track/text.hpp"
+
+namespace aerostat::asset {
+namespace {
+
+/// A texture with a pixel below this opacity cuts holes, chosen by eye.
+constexpr std::uint8_t kSeeThrough = 128;
+
+/// Returns the path that a name of an OBJ or MTL file leads to. Programs write names of folders
+/// that only their own computer has, and then the file is looked for beside the model.
+std::filesystem::path find_by_name(const Files& files, std::string_view name) {
+  try {
+    return files.find(name);
+  } catch (const Error&) {
+    const std::size_t folder = name.find_last_of("/\\");
+    if (folder == std::string_view::npos || folder + 1 == name.size()) throw;
+    try {
+      return files.find(name.substr(folder + 1));
+    } catch (const Error&) {
+      // The name as the file has it says more.
+    }
+    throw;
+  }
+}
+
+}  // namespace
+
+void ObjMaterials::read_library(const std::string& names) {
+  // The whole line may be one name with spaces.
+  if (const auto path = find(names, false)) return read_file(*path);
+  Words words(names);
+  for (std::string_view name = words.next(); !name.empty(); name = words.next()) {
+    if (const auto path = find(name, true)) read_file(*path);
+  }
+}
+
+std::optional<std::filesystem::path> ObjMaterials::find(std::string_view name, bool is_told) {
+  try {
+    return find_by_name(reading_.files, name);
+  } catch (const Error& error) {
+    if (is_told) reading_.note(fmt::format("Materials are missing: {}.", error.what()));
+    return std::nullopt;
+  }
+}
+
+void ObjMaterials::read_file(const std::filesystem::path& path) {
+  if (!read_.insert(path).second) return;
+  try {
+    const std::string text = reading_.files.read(path);
+    for (MtlMaterial& material : read_mtl(text, reading_.model.notes)) {
+      std::string name = material.material.name;
+      library_.try_emplace(std::move(name), std::move(material));
+    }
+  } catch (const Error& error) {
+    refuse(fmt::format("{}: {}", path.filename().string(), error.what()));
+  }
+}
+
+ObjMaterial ObjMaterials::of(const std::string& name, bool have_colors) {
+  const auto known = known_.find(name);
+  if (known != known_.end()) return known->second;
+  const auto found = library_.find(name);
+  MtlMaterial read{plain_material(), {}, {}, {}, {}};
+  if (have_colors) read.material.base_color = glm::vec4(1.0f);
+  if (found != library_.end()) read = found->second;
+  if (found == library_.end() && !name.empty()) {
+    reading_.note(
+        fmt::format("The material {} is missing, and grey takes its place.", in_quotes(name)));
+  }
+  read.material.name = track::clean_text(name);
+  return known_[name] = add(std::move(read));
+}
+
+ObjMaterial ObjMaterials::add(MtlMaterial read) {
+  reading_.budget.take_materials(1);
+  Material& material = read.material;
+  ObjMaterial result;
+  if (const std::optional<MtlMap>& map = read.color ? read.color : read.emission) {
+    result.scale = map->scale;
+    result.offset = map->offset;
+  }
+  if (read.color) {
+    material.base_color_texture = use(*read.color);
+    if (!material.base_color_texture) show_missing_texture(material);
+    show_opacity(material, read.opacity && read.opacity->file == read.color->file);
+  }
+  if (read.opacity && (!read.color || read.opacity->file != read.color->file)) {
+    reading_.note(
+        fmt::format("The texture {} of opacity is left out: only the opacity of the "
+                    "texture of colours is read.",
+                    in_quotes(read.opacity->file)));
+  }
+  if (read.emission) material.emission_texture = use(*read.emission);
+  if (read.normal) {
+    material.normal_texture = use(*read.normal);
+    material.normal_scale = read.normal->strength;
+  }
+  result.place = reading_.model.materials.size();
+  reading_.model.materials.push_back(std::move(material));
+  return result;
+}
+
+std::optional<TextureUse> ObjMaterials::use(const MtlMap& map) {
+  const std::optional<std::size_t> place = texture(map.file);
+  if (!place) return std::nullopt;
+  const Wrap wrap = map.clamp ? Wrap::clamp : Wrap::repeat;
+  return TextureUse{*place, wrap, wrap, false};
+}
+
+std::optional<std::size_t> ObjMaterials::texture(const std::string& file) {
+  const auto known = textures_.find(file);
+  if (known != textures_.end()) return known->second;
+  std::optional<std::size_t>& place = textures_[file];
+  try {
+    const std::string bytes = reading_.files.read(find_by_name(reading_.files, file));
+    place = add_texture(reading_, bytes, track::clean_text(file));
+  } catch (const Error& error) {
+    reading_.note(fmt::format("A texture is left out: {}.", error.what()));
+  }
+  return place;
+}
+
+/// Lets the opacity of the texture of colours count if it cuts holes or if the file says so.
+void ObjMaterials::show_opacity(Material& material, bool is_wanted) const {
+  if (!material.base_color_texture || material.alpha != AlphaMode::opaque) return;
+  const Texture& texture = reading_.model.textures[material.base_color_texture->texture];
+  bool has_holes = false;
+  for (std::size_t i = 3; i < texture.rgba.size(); i += 4) {
+    has_holes = has_holes || texture.rgba[i] < kSeeThrough;
+  }
+  if (has_holes || is_wanted) material.alpha = AlphaMode::mask;
+}
+
+}  // namespace aerostat::asset

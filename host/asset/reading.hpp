@@ -1,0 +1,93 @@
+#pragma once
+
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include <glm/glm.hpp>
+
+#include "asset/files.hpp"
+#include "asset/model.hpp"
+#include "asset/read.hpp"
+
+/// What the readers of several formats need.
+namespace aerostat::asset {
+
+/// Counts what is read of a model. Each function throws Error{bad_data} with the limit before more
+/// than that is read.
+class Budget {
+ public:
+  explicit Budget(const Limits& limits) : limits_(limits) {}
+
+  void take_vertices(std::uint64_t count);
+  void take_triangles(std::uint64_t count);
+  void take_placements(std::uint64_t count);
+  void take_materials(std::uint64_t count);
+  void take_nodes(std::uint64_t count);
+  void take_texture(std::uint64_t width, std::uint64_t height);
+
+  const Limits& limits() const { return limits_; }
+
+ private:
+  Limits limits_;
+  std::uint64_t vertices_ = 0, triangles_ = 0, placements_ = 0, materials_ = 0, nodes_ = 0;
+  std::uint64_t texture_bytes_ = 0;
+};
+
+/// What the reader of a format reads, and the model that it fills.
+struct Reading {
+  std::string_view bytes;
+  Files files;
+  Budget budget;
+  Model model;
+
+  void note(std::string sentence) { model.notes.push_back(std::move(sentence)); }
+};
+
+/// These functions read files of one format. They throw Error{bad_data} whose message does not name
+/// the file yet. Positions, normals, colours and uv of what they return may still be not finite.
+void read_stl(Reading& reading);
+void read_ply(Reading& reading);
+void read_obj(Reading& reading);
+void read_gltf(Reading& reading);
+
+/// Decodes a picture and appends it to the textures. Throws Error{bad_data} if it cannot be
+/// decoded, with the name of its format if that is known. `name` stands for it in messages.
+std::size_t add_texture(Reading& reading, std::string_view bytes, const std::string& name);
+
+/// Returns what a surface is made of whose file does not say it: grey, and seen from both sides.
+Material plain_material();
+
+/// Makes a material show that its texture of colours is missing: what the texture would have
+/// coloured is grey.
+void show_missing_texture(Material& material);
+
+/// Makes sure that all that is left of a model can be drawn, and notes what had to be mended.
+/// Triangles with positions that are not finite or with a corner twice are left out, and so is what
+/// nothing uses. Throws Error{bad_data} if no triangle is left.
+void finish(Model& model);
+
+/// Returns whole units that should be taken off all positions of a model in this box: nothing for
+/// a model around zero.
+glm::dvec3 far_origin(const Bounds& box);
+
+/// Sets the origin of a model whose positions are these, and returns them around it.
+std::vector<glm::vec3> around_origin(std::span<const glm::dvec3> points, Model& model);
+
+/// Adds a mesh that stands as the file says.
+void add_mesh(Model& model, std::string name, std::vector<Primitive> primitives);
+
+/// Returns whether no component is NaN or infinite.
+inline bool is_finite(const glm::dvec3& v) {
+  return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
+}
+
+/// Returns a linear component of a colour that is encoded in sRGB, from 0 to 1.
+float linear_of_srgb(float encoded);
+
+}  // namespace aerostat::asset
