@@ -40,10 +40,11 @@ __kernel void scatter_at_hits(const AeroLaunch launch, const uint bounce,
                               __global const AeroScene* scene,
                               __global const AeroSkyCell* sky_table,
                               __global const AeroSkyImportance* sky_importance,
-                              __global const AeroChartWord* cloud_chart, __global const uint* drape,
-                              __global const AeroInstance* instances, __global const float* grid,
-                              __global const AeroFace* faces, __global const AeroVertex* vertices,
-                              __global const Hit* hits, __global PathState* paths) {
+                              __global const AeroChartWord* cloud_chart,
+                              __global const uint* texels, __global const AeroInstance* instances,
+                              __global const float* grid, __global const AeroFace* faces,
+                              __global const AeroVertex* vertices, __global const Hit* hits,
+                              __global PathState* paths) {
   const uint block = (uint)get_global_id(0);
   if (block >= launch.tile.block_count) return;
   PathState state = paths[block];
@@ -55,8 +56,7 @@ __kernel void scatter_at_hits(const AeroLaunch launch, const uint bounce,
     return;
   }
   const AeroLaunch task = launch;
-  SceneView view = scene_view(scene, sky_table, cloud_chart);
-  view.drape = drape;
+  const SceneView view = scene_view(scene, sky_table, cloud_chart, texels);
   const PixelPacket packet = pixel_packet(&task.tile, block);
   const PathNumbers numbers = path_numbers(&task.frame, &packet, bounce);
   const Hit hit = hits[block];

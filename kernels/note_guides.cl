@@ -4,7 +4,7 @@
 /* Adds the albedos and normals of what a tile's eye rays hit to the guides of a denoiser. `hits`
  * are those of the eye rays. */
 __kernel void note_guides(const AeroLaunch launch, __global const AeroScene* scene,
-                          __global const uint* drape, __global const AeroInstance* instances,
+                          __global const uint* texels, __global const AeroInstance* instances,
                           __global const float* grid, __global const AeroFace* faces,
                           __global const AeroVertex* vertices, __global const Hit* hits,
                           __global const AeroFilmPixel* film, __global AeroFilmGuide* guides) {
@@ -21,8 +21,7 @@ __kernel void note_guides(const AeroLaunch launch, __global const AeroScene* sce
   const Ray ray = generate_rays(&task.frame, &packet);
   const RayCone cone = eye_cone(&task.frame);
   const lane_float distance = hit.t + (lane_float)task.frame.camera.lead;
-  SceneView view = scene_view(scene, 0, 0);
-  view.drape = drape;
+  const SceneView view = scene_view(scene, 0, 0, texels);
   const Surface surface =
       hit_surface(&view, &ground, &meshes, &ray, &hit, cone_across(&cone, distance));
   const lane_float zero = (lane_float)0.0f;

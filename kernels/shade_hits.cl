@@ -6,7 +6,7 @@
 /* Adds the radiance of a tile's eye rays to the film. */
 __kernel void shade_hits(const AeroLaunch launch, __global const AeroScene* scene,
                          __global const AeroSkyCell* sky_table,
-                         __global const AeroChartWord* cloud_chart, __global const uint* drape,
+                         __global const AeroChartWord* cloud_chart, __global const uint* texels,
                          __global const AeroInstance* instances, __global const float* grid,
                          __global const AeroFace* faces, __global const AeroVertex* vertices,
                          __global const Hit* hits, __global const lane_uint* visible,
@@ -14,8 +14,7 @@ __kernel void shade_hits(const AeroLaunch launch, __global const AeroScene* scen
   const uint block = (uint)get_global_id(0);
   if (block >= launch.tile.block_count) return;
   const AeroLaunch task = launch;
-  SceneView view = scene_view(scene, sky_table, cloud_chart);
-  view.drape = drape;
+  const SceneView view = scene_view(scene, sky_table, cloud_chart, texels);
   PixelPacket packet = pixel_packet(&task.tile, block);
   skip_converged(film, &task.film, task.tile.first_sample, &packet);
   if (!lane_any(packet.active)) return;

@@ -130,7 +130,7 @@ std::uint32_t shading_of(scene::Shading shading) {
 
 }  // namespace
 
-AeroDrape pack_drape(const land::Drape& from, double blend) {
+AeroDrape pack_drape(const land::Drape& from, double blend, std::uint32_t first) {
   AeroDrape drape{};
   drape.middle[0] = static_cast<float>(from.middle().x);
   drape.middle[1] = static_cast<float>(from.middle().y);
@@ -138,6 +138,7 @@ AeroDrape pack_drape(const land::Drape& from, double blend) {
   drape.side = static_cast<std::uint32_t>(from.side());
   drape.levels = static_cast<std::uint32_t>(from.levels());
   drape.blend = static_cast<float>(blend);
+  drape.first = first;
   return drape;
 }
 
@@ -177,9 +178,9 @@ PackedScene pack_scene(const scene::ResolvedScene& scene, PackCache& cache,
     packed.sky_importance = sky_importance(numbers, packed.sky_table);
   }
   copy(numbers.place, scene::place_of(*scene, scene.origin()));
-  packed.drape = terrain::drape_of(scene->terrain, reliefs);
-  if (packed.drape) {
-    numbers.drape = pack_drape(*packed.drape, scene->terrain.drape.blend);
+  if (const auto drape = terrain::drape_of(scene->terrain, reliefs)) {
+    const std::uint32_t first = packed.texels.add(drape, drape->texels());
+    numbers.drape = pack_drape(*drape, scene->terrain.drape.blend, first);
   }
   return packed;
 }

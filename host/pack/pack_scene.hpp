@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -9,6 +10,7 @@
 #include "camera.h"
 #include "land/drape.hpp"
 #include "pack/cloud_chart.hpp"
+#include "pack/texels.hpp"
 #include "scene/resolved_scene.hpp"
 #include "scene_params.h"
 #include "terrain/relief_cache.hpp"
@@ -22,8 +24,8 @@ struct PackedScene {
   std::vector<AeroSkyCell> sky_table;
   /// The chart of clouds, or null if there is none.
   std::shared_ptr<const CloudChart> cloud_chart;
-  /// The picture on the ground, or null if there is none.
-  std::shared_ptr<const land::Drape> drape = {};
+  /// The texels of all pictures.
+  Texels texels = {};
   /// The probabilities by which paths look for light in the sky, if light goes along paths.
   std::optional<AeroSkyImportance> sky_importance = {};
 };
@@ -43,8 +45,8 @@ struct PackCache {
 PackedScene pack_scene(const scene::ResolvedScene& scene, PackCache& cache,
                        terrain::ReliefCache& reliefs);
 
-/// Packs the place of a picture on the ground, whose texels are a buffer of their own.
-AeroDrape pack_drape(const land::Drape& drape, double blend);
+/// Packs a picture on the ground, whose texels begin at `first` in the buffer of texels.
+AeroDrape pack_drape(const land::Drape& drape, double blend, std::uint32_t first = 0);
 
 /// Camera, image size and sampling. Parallel rays begin shortly before `world`, the bounds of all
 /// that they can meet, if the eye is far away from it: single precision would bend them.

@@ -18,8 +18,8 @@ using SceneBuffer = opencl::Buffer<AeroScene>;
 using SkyTableBuffer = opencl::Buffer<AeroSkyCell>;
 using SkyImportanceBuffer = opencl::Buffer<AeroSkyImportance>;
 using CloudChartBuffer = opencl::Buffer<AeroChartWord>;
-/// The texels of AeroDrape.
-using DrapeBuffer = opencl::Buffer<std::uint32_t>;
+/// The texels of all pictures of a scene (pack::Texels).
+using TexelBuffer = opencl::Buffer<std::uint32_t>;
 using NodeBuffer = opencl::Buffer<AeroBvhNode>;
 using TriangleBuffer = opencl::Buffer<AeroTriangle>;
 using FaceBuffer = opencl::Buffer<AeroFace>;

@@ -78,15 +78,7 @@ void DeviceWorker::begin_frame(const pack::PackedScene& scene, std::size_t pixel
     frame_.cloud_chart = {context_, budget_, scene.cloud_chart, std::span(scene.cloud_chart->words),
                           "the chart of clouds"};
   }
-  if (scene.drape != drape_) {
-    frame_.drape = {};
-    drape_ = nullptr;
-    if (scene.drape) {
-      frame_.drape = {context_, budget_, scene.drape, std::span(scene.drape->texels()),
-                      "the picture on the ground"};
-    }
-    drape_ = scene.drape;
-  }
+  if (!(scene.texels == texels_)) set_texels(scene.texels);
   if (frame_.film.pixels.size() == pixels) return;
   frame_.film = {};
   frame_.film.pixels = {
@@ -98,6 +90,26 @@ void DeviceWorker::begin_frame(const pack::PackedScene& scene, std::size_t pixel
                         "the guides of the film",
                         opencl::Access::read_write,
                         opencl::Content::unset};
+}
+
+/// Gives the texels to the device in place of the former ones. Those of one picture need no copy.
+void DeviceWorker::set_texels(const pack::Texels& texels) {
+  constexpr const char* kWhat = "the texels of pictures";
+  frame_.texels = {};
+  texels_ = {};
+  const auto& parts = texels.parts();
+  if (parts.size() == 1) {
+    frame_.texels = {context_, budget_, parts.front().owner, parts.front().words, kWhat};
+  } else if (parts.size() > 1) {
+    frame_.texels = {
+        context_, budget_, texels.size(), kWhat, opencl::Access::read, opencl::Content::unset};
+    std::size_t first = 0;
+    for (const auto& part : parts) {
+      frame_.texels.write(part.words, first);
+      first += part.words.size();
+    }
+  }
+  texels_ = texels;
 }
 
 void DeviceWorker::begin_film(const Crop& window, Layers layers) {

@@ -92,6 +92,8 @@ class DeviceWorker {
   DeviceStats stats() const;
 
  private:
+  void set_texels(const pack::Texels& texels);
+
   struct Launch {
     std::vector<StageEvent> events;
     std::uint64_t rays = 0;
@@ -123,8 +125,8 @@ class DeviceWorker {
   std::array<Built, scene::kIntegratorCount> built_;
   DeviceGeometry geometry_;
   FrameBuffers frame_;
-  /// The picture whose texels the frame has.
-  std::shared_ptr<const land::Drape> drape_;
+  /// The texels that the frame has.
+  pack::Texels texels_;
   /// The pixels of the image that the film holds.
   Crop window_;
   /// Tells whether pixels of the frame may be converged.

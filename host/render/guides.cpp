@@ -9,7 +9,7 @@ void note_guides(const NoteGuides& kernel, const opencl::Context& context, const
   if (!frame.guides) return;
   events.emplace_back(
       KernelStage::shading,
-      opencl::launch(context, kernel, size, launch, frame.scene, frame.drape, geometry.instances,
+      opencl::launch(context, kernel, size, launch, frame.scene, frame.texels, geometry.instances,
                      geometry.grid, geometry.faces, geometry.vertices, hits, frame.film.pixels,
                      frame.film.guides));
 }

@@ -18,7 +18,7 @@ struct FrameBuffers {
   SkyTableBuffer sky_table;
   SkyImportanceBuffer sky_importance;
   CloudChartBuffer cloud_chart;
-  DrapeBuffer drape;
+  TexelBuffer texels;
   DeviceFilm film;
   /// Whether launches add to the guides of the film.
   bool guides = false;
@@ -53,7 +53,7 @@ class Integrator {
 
 /// The kernel that adds to the guides of a film.
 using NoteGuides =
-    opencl::TypedKernel<AeroLaunch, SceneBuffer, DrapeBuffer, InstanceBuffer, GridBuffer,
+    opencl::TypedKernel<AeroLaunch, SceneBuffer, TexelBuffer, InstanceBuffer, GridBuffer,
                         FaceBuffer, VertexBuffer, HitBuffer, FilmBuffer, GuideBuffer>;
 
 /// Enqueues it for the hits of a tile's eye rays if the frame asks for guides.
@@ -72,7 +72,7 @@ struct LocalKernels {
   opencl::TypedKernel<AeroLaunch, SceneBuffer, NodeBuffer, TriangleBuffer, InstanceBuffer,
                       GridBuffer, FaceBuffer, VertexBuffer, HitBuffer, FoundBuffer>
       trace_ambient_rays;
-  opencl::TypedKernel<AeroLaunch, SceneBuffer, SkyTableBuffer, CloudChartBuffer, DrapeBuffer,
+  opencl::TypedKernel<AeroLaunch, SceneBuffer, SkyTableBuffer, CloudChartBuffer, TexelBuffer,
                       InstanceBuffer, GridBuffer, FaceBuffer, VertexBuffer, HitBuffer,
                       VisibleBuffer, FoundBuffer, FilmBuffer>
       shade_hits;
@@ -86,7 +86,7 @@ struct PathKernels {
                       PathBuffer, HitBuffer>
       extend_paths;
   opencl::TypedKernel<AeroLaunch, std::uint32_t, SceneBuffer, SkyTableBuffer, SkyImportanceBuffer,
-                      CloudChartBuffer, DrapeBuffer, InstanceBuffer, GridBuffer, FaceBuffer,
+                      CloudChartBuffer, TexelBuffer, InstanceBuffer, GridBuffer, FaceBuffer,
                       VertexBuffer, HitBuffer, PathBuffer>
       scatter_at_hits;
   opencl::TypedKernel<std::uint32_t, std::uint32_t, NodeBuffer, TriangleBuffer, InstanceBuffer,

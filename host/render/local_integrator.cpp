@@ -43,7 +43,7 @@ class LocalIntegrator final : public Integrator {
     events.emplace_back(
         KernelStage::shading,
         opencl::launch(context, kernels_.shade_hits, size, launch, frame.scene, frame.sky_table,
-                       frame.cloud_chart, frame.drape, geometry.instances, geometry.grid,
+                       frame.cloud_chart, frame.texels, geometry.instances, geometry.grid,
                        geometry.faces, geometry.vertices, hits_, visible_, found_,
                        frame.film.pixels));
     return events;

@@ -41,7 +41,7 @@ class PathIntegrator final : public Integrator {
       events.emplace_back(
           KernelStage::shading,
           opencl::launch(context, kernels_.scatter_at_hits, size, launch, bounce, frame.scene,
-                         frame.sky_table, frame.sky_importance, frame.cloud_chart, frame.drape,
+                         frame.sky_table, frame.sky_importance, frame.cloud_chart, frame.texels,
                          geometry.instances, geometry.grid, geometry.faces, geometry.vertices,
                          hits_, paths_));
       if (bounce > frame.bounces) break;

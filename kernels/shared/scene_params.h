@@ -141,7 +141,7 @@ typedef struct AeroBalloon {
 AERO_ASSERT_LAYOUT(AeroBalloon, 60);
 
 /* A picture over the ground, in levels of detail: squares around one point with the same number of
- * texels. Each is twice as wide as the one before. The texels are a buffer of their own, level by
+ * texels. Each is twice as wide as the one before. The texels lie in the buffer of texels, level by
  * level and row by row from the least z on. A texel is a word whose lowest byte is red, and green,
  * blue and opacity follow. A byte of colour is 255 times the square root of the albedo multiplied
  * by the opacity. */
@@ -151,12 +151,14 @@ typedef struct AeroDrape {
   aero_uint side;       /* texels along a side of a level */
   aero_uint levels;     /* 0 without a picture */
   aero_float blend;     /* share of the picture in the colour of the ground, 0 to 1 */
+  aero_uint first;      /* place of the first texel in the buffer of texels */
 } AeroDrape;
 
-AERO_ASSERT_LAYOUT(AeroDrape, 24);
+AERO_ASSERT_LAYOUT(AeroDrape, 28);
 
-/* The numbers of a scene. The table of the sky (AeroSkyCell), the chart of clouds (AeroChartWord)
- * and the texels of a drape are buffers of their own. */
+/* The numbers of a scene. The table of the sky (AeroSkyCell) and the chart of clouds
+ * (AeroChartWord) are buffers of their own. So are the texels of all pictures: one buffer of words,
+ * in which each picture says where its first word is. */
 typedef struct AeroScene {
   AeroSky sky;
   AeroGround ground;

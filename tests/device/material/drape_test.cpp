@@ -1,8 +1,11 @@
 // Tests that kernels read a picture on the ground as the host does.
 #include "land/drape.hpp"
 
+#include <array>
 #include <cmath>
+#include <cstdint>
 #include <random>
+#include <vector>
 
 #include "geo/transform.hpp"
 #include "pack/pack_scene.hpp"
@@ -14,10 +17,11 @@ namespace {
 
 constexpr const char* kUtm = "EPSG:32632";
 constexpr std::size_t kPoints = 4096;
+constexpr std::uint32_t kFirst = 1000;  // words of other pictures lie before the drape's
 
 class DrapeOnDevice : public LaneTest {
  protected:
-  DrapeOnDevice() : drape_(options(folder_)), numbers_(pack::pack_drape(drape_, 1.0)) {
+  DrapeOnDevice() : drape_(options(folder_)), numbers_(pack::pack_drape(drape_, 1.0, kFirst)) {
     std::mt19937 random(11);
     std::uniform_real_distribution<float> share(-1.0f, 1.0f), level(-3.0f, 9.0f),
         reach(5.0f, 14.5f);
@@ -46,8 +50,10 @@ class DrapeOnDevice : public LaneTest {
   std::vector<float> run(const char* kernel, std::size_t planes_count) const {
     const std::size_t count = whole_packets(kPoints);
     const auto found = output<float>(planes_count * count);
+    std::vector<std::uint32_t> texels(kFirst, 0xFF00FFFFu);
+    texels.insert(texels.end(), drape_.texels().begin(), drape_.texels().end());
     Probe{"drape.cl", GetParam()}.run(kernel, count, input(std::vector<AeroDrape>{numbers_}),
-                                      input(drape_.texels()), input(planes(places_)),
+                                      input(texels), input(planes(places_)),
                                       input(padded(footprints_)), found);
     return found.read();
   }

@@ -7,7 +7,7 @@ __kernel void probe_clear_way(__global const AeroScene* scene,
                               __global const AeroChartWord* cloud_chart,
                               __global const float* positions, __global const float* directions,
                               __global float* ways) {
-  const SceneView view = scene_view(scene, sky_table, cloud_chart);
+  const SceneView view = scene_view(scene, sky_table, cloud_chart, 0);
   const Lane3 p = load3(positions), direction = load3(directions);
   const ChartPlace place = chart_place(&view, p.x, p.z);
   const float cell = scene->sky.cumulus.chart.cell;

@@ -8,7 +8,7 @@ __kernel void probe_light(__global const AeroScene* scene, __global const AeroSk
                           __global const float* numbers, __global float* directions,
                           __global float* distances, __global float* strengths,
                           __global float* densities) {
-  const SceneView view = scene_view(scene, sky_table, cloud_chart);
+  const SceneView view = scene_view(scene, sky_table, cloud_chart, 0);
   const Lane3 chosen = load3(numbers);
   SampleNumbers at;
   at.u = chosen.x;

@@ -51,7 +51,7 @@ __kernel void probe_follow_paths(
     const uint bounce, __global PathRay* paths, __global float* radiance) {
   const uint first = (uint)get_global_id(0);
   if (first % BUNDLE != 0u) return;
-  const SceneView view = scene_view(scene, sky_table, cloud_chart);
+  const SceneView view = scene_view(scene, sky_table, cloud_chart, 0);
   const World world = make_world(nodes, triangles, instances, grid);
   const MeshArrays meshes = mesh_arrays(faces, vertices, instances);
   PathRay bundle[BUNDLE];

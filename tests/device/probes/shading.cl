@@ -8,7 +8,7 @@ __kernel void probe_phong(__global const AeroScene* scene, __global const AeroSk
                           __global const float* coefficients, __global const float* positions,
                           __global const float* normals, __global const float* viewers,
                           __global const uint* visible, __global float* radiance) {
-  const SceneView view = scene_view(scene, sky_table, cloud_chart);
+  const SceneView view = scene_view(scene, sky_table, cloud_chart, 0);
   Surface surface = surface_of(coefficients, load3(normals), load3(viewers));
   surface.point.position = load3(positions);
   const AmbientFound around = all_free();
@@ -19,7 +19,7 @@ __kernel void probe_sky(__global const AeroScene* scene, __global const AeroSkyC
                         __global const AeroChartWord* cloud_chart, __global const float* origins,
                         __global const float* directions, __global float* light,
                         __global float* radiance) {
-  const SceneView view = scene_view(scene, sky_table, cloud_chart);
+  const SceneView view = scene_view(scene, sky_table, cloud_chart, 0);
   Ray ray;
   ray.origin = load3(origins);
   ray.direction = load3(directions);
@@ -50,7 +50,7 @@ __kernel void probe_cloud_shadow(__global const AeroScene* scene,
                                  __global const AeroChartWord* cloud_chart,
                                  __global const float* positions, __global const float* footprints,
                                  __global float* share) {
-  const SceneView view = scene_view(scene, sky_table, cloud_chart);
+  const SceneView view = scene_view(scene, sky_table, cloud_chart, 0);
   STORE(cumulus_shadow(&view, load3(positions), LOAD(footprints)), share);
 }
 
@@ -58,7 +58,7 @@ __kernel void probe_clouds(__global const AeroScene* scene, __global const AeroS
                            __global const AeroChartWord* cloud_chart, __global const float* origins,
                            __global const float* directions, __global const float* distances,
                            __global float* arriving) {
-  const SceneView view = scene_view(scene, sky_table, cloud_chart);
+  const SceneView view = scene_view(scene, sky_table, cloud_chart, 0);
   Ray ray;
   ray.origin = load3(origins);
   ray.direction = load3(directions);
@@ -73,7 +73,7 @@ __kernel void probe_cloud_density(__global const AeroScene* scene,
                                   __global const AeroChartWord* cloud_chart,
                                   __global const float* positions, __global const float* footprints,
                                   __global float* density) {
-  const SceneView view = scene_view(scene, sky_table, cloud_chart);
+  const SceneView view = scene_view(scene, sky_table, cloud_chart, 0);
   const Lane3 p = load3(positions);
   STORE(cumulus_density(&view, p, p.y, LOAD(footprints)), density);
 }
@@ -85,7 +85,7 @@ __kernel void probe_clouds_finely(__global const AeroScene* scene,
                                   __global const AeroChartWord* cloud_chart,
                                   __global const float* origins, __global const float* directions,
                                   const float step, __global float* arriving) {
-  const SceneView view = scene_view(scene, sky_table, cloud_chart);
+  const SceneView view = scene_view(scene, sky_table, cloud_chart, 0);
   __global const AeroCumulus* clouds = &scene->sky.cumulus;
   Ray ray;
   ray.origin = load3(origins);
