@@ -1,0 +1,70 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "asset/gltf_buffers.hpp"
+#include "asset/json_value.hpp"
+
+namespace aerostat::asset {
+
+/// The types of stored numbers, by their names in glTF.
+enum class GltfNumber : std::uint32_t {
+  int8 = 5120,
+  uint8 = 5121,
+  int16 = 5122,
+  uint16 = 5123,
+  uint32 = 5125,
+  float32 = 5126
+};
+
+/// A list of elements that have the same number of components.
+struct GltfAccessor {
+  std::size_t count = 0;
+  std::size_t components = 1;
+  std::string type;  // such as "VEC3"
+  GltfNumber number = GltfNumber::float32;
+  bool normalized = false;       // integers stand for 0 to 1, or for -1 to 1
+  std::optional<GltfView> view;  // without one, all numbers are 0
+  std::size_t offset = 0, stride = 0;
+
+  /// Some elements that are stored by themselves.
+  struct Sparse {
+    std::size_t count = 0;
+    GltfNumber index_type = GltfNumber::uint32;
+    GltfView indices, values;
+    std::size_t index_offset = 0, value_offset = 0;
+    std::string pointer;
+  };
+  std::optional<Sparse> sparse;
+  bool is_of_float() const { return number == GltfNumber::float32; }
+};
+
+/// The accessors of a glTF file. Whoever reads one has counted its elements before.
+class GltfAccessors {
+ public:
+  /// Checks all accessors. Throws Error{bad_data} if one of them reaches out of its view.
+  GltfAccessors(const JsonValue& root, const GltfBuffers& buffers);
+
+  std::size_t size() const { return accessors_.size(); }
+  const GltfAccessor& operator[](std::size_t i) const { return accessors_[i]; }
+
+  /// Returns the accessor that an index of the document names.
+  const GltfAccessor& at(const JsonValue& index) const {
+    return accessors_[index.index(accessors_.size(), "accessors")];
+  }
+
+ private:
+  std::vector<GltfAccessor> accessors_;
+};
+
+/// Returns all numbers of an accessor, element by element. Normalized integers become fractions.
+std::vector<float> reals_of(const GltfAccessor& accessor);
+
+/// Returns all numbers of an accessor of integers.
+std::vector<std::uint32_t> integers_of(const GltfAccessor& accessor);
+
+}  // namespace aerostat::asset
