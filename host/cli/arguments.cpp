@@ -131,16 +131,18 @@ class Arguments {
   }
 
   void add_render() {
-    CLI::App* sub = add("render", "Render a scene to a PNG or EXR file", kRenderFooter,
+    CLI::App* sub = add("render", "Render a scene to a PNG, EXR or GeoTIFF file", kRenderFooter,
                         [this] { return render(render_); });
     add_scene(sub, render_.input);
     sub->add_option(
            "-o,--output", render_.output,
-           "x.png (8-bit sRGB) or x.exr (linear R G B A, Z, N, albedo, id, samples), or - for "
-           "standard output; by default the scene's name and .png, in this folder")
+           "x.png (8-bit sRGB), x.exr (linear R G B A, Z, N, albedo, id, samples), x.tif (a map "
+           "in the grid of its elevation data), or - for standard output; by default the scene's "
+           "name and .png, in this folder")
         ->type_name("FILE");
-    add_format(sub, render_.format, {"png", "exr"},
-               "File format, png or exr; by default the one that the name ends in, png for -o -");
+    add_format(
+        sub, render_.format, {"png", "exr", "tif"},
+        "File format, png, exr or tif; by default the one that the name ends in, png for -o -");
     add_image(sub);
     sub->add_flag("--denoise", render_.denoise,
                   "Take the noise out of the picture with Open Image Denoise 2, which must be "
@@ -287,10 +289,10 @@ class Arguments {
   }
 
   void add_check() {
-    CLI::App* sub = add("check", "Validate a scene, or report on a flight track", kCheckFooter,
-                        [this] { return check(check_); });
+    CLI::App* sub = add("check", "Validate a scene, or report on elevation data or a flight track",
+                        kCheckFooter, [this] { return check(check_); });
     add_scene(sub, check_.input);
-    sub->add_flag("--json", check_.json, "Print the report on a track as JSON");
+    sub->add_flag("--json", check_.json, "Print the report on elevation data or a track as JSON");
   }
 
   void add_dump() {

@@ -3,9 +3,11 @@
 #include <fmt/format.h>
 
 #include "cli/commands.hpp"
+#include "cli/land_report.hpp"
 #include "cli/scene_input.hpp"
 #include "cli/track_report.hpp"
 #include "core/error.hpp"
+#include "staging/stage.hpp"
 #include "track/read.hpp"
 
 namespace aerostat::cli {
@@ -30,14 +32,19 @@ int check_track(const CheckOptions& options) {
 
 int check(const CheckOptions& options) {
   if (is_track(options.input.scene)) return check_track(options);
-  if (options.json) {
-    throw Error(ErrorKind::usage,
-                fmt::format("--json: '{}' is no track; only tracks have a report in JSON",
-                            name_of_scene(options.input)));
-  }
+  const std::string name = name_of_scene(options.input);
   world::ReliefCache reliefs;
-  load_scene(options.input, reliefs);
-  fmt::print(stderr, "{}: ok\n", name_of_scene(options.input));
+  const staging::Staged staged = read_staged(options.input, reliefs);
+  resolve_scene(staged.source.scene(), options.input, reliefs);
+  if (staged.land != nullptr) {
+    write_stdout(options.json ? land_json(name, staged) : land_text(name, staged));
+  } else if (options.json) {
+    throw Error(ErrorKind::usage,
+                fmt::format("--json: '{}' is no track and has no elevation data; only these have a "
+                            "report in JSON",
+                            name));
+  }
+  fmt::print(stderr, "{}: ok\n", name);
   return 0;
 }
 

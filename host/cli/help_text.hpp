@@ -34,6 +34,7 @@ inline constexpr const char* kRenderFooter = R"(Examples:
   aerostat render scenes/snow.json --device all
   aerostat render davos.tif
   aerostat render davos.tif --labels peaks.csv -o davos.png
+  aerostat render davos.tif -o relief.tif
   aerostat dump snow | aerostat render - -o - --format exr > layers.exr
 
 Devices:
@@ -69,8 +70,9 @@ inline constexpr const char* kCheckFooter = R"(Examples:
   aerostat check my.json --set /image/width=800
   aerostat check flight.igc
   aerostat check flight.gpx --json
+  aerostat check davos.tif
 
-Prints to stderr that the scene is right, or a line for each of its faults. Of a track (IGC, GPX or KML, told by its content) it prints fixes, take-off, landing, heights, gaps and what was mended.)";
+Prints to stderr that the scene is right, or a line for each of its faults. Of elevation data it prints files, extent, heights, gaps, and what was guessed and chosen. Of a track (IGC, GPX or KML, told by its content) it prints fixes, take-off, landing, heights, gaps and what was mended.)";
 
 inline constexpr const char* kDumpFooter = R"(Examples:
   aerostat dump scenes/snow.json

@@ -54,7 +54,7 @@ void LabelFiles::name_world_files(const RenderOptions& options, const std::files
 }
 
 void LabelFiles::find(const scene::ResolvedScene& scene, world::ReliefCache& reliefs) {
-  if (!world_.empty()) frame_ = labels::map_frame(scene, first_, reliefs);
+  if (!world_.empty()) frame_ = map::map_frame(scene, first_, reliefs);
   if (!places_.empty()) names_ = labels::names_in_view(places_, scene, reliefs);
 }
 

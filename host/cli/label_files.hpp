@@ -9,9 +9,9 @@
 #include "cli/parse.hpp"
 #include "core/math.hpp"
 #include "image/film.hpp"
-#include "labels/map_frame.hpp"
 #include "labels/names_in_view.hpp"
 #include "labels/places.hpp"
+#include "map/map_frame.hpp"
 #include "scene/resolved_scene.hpp"
 #include "world/surface.hpp"
 
@@ -26,7 +26,7 @@ class LabelFiles {
              PictureFormat format);
 
   /// Finds the places in the picture and where it lies. Throws the errors of labels::names_in_view
-  /// and labels::map_frame.
+  /// and map::map_frame.
   void find(const scene::ResolvedScene& scene, world::ReliefCache& reliefs);
 
   /// Writes the files. `bytes` are those of the picture's file.
@@ -40,7 +40,7 @@ class LabelFiles {
   std::vector<labels::NameInView> names_;
   std::filesystem::path svg_, json_, world_, prj_;  // empty: not written
   dvec2 first_{0.0};                                // pixel of the picture's part
-  labels::MapFrame frame_;
+  map::MapFrame frame_;
 };
 
 }  // namespace aerostat::cli

@@ -28,7 +28,7 @@ struct RenderOptions {
   // The value "-" stands for standard output. An empty value stands for the scene's name and .png
   // in the current folder.
   std::filesystem::path output;
-  std::string format;   // "png" or "exr"; empty: chosen by the output's name
+  std::string format;   // "png", "exr" or "tif"; empty: chosen by the output's name
   std::string quality;  // empty: the scene's own quality
   std::optional<int> width, height, spp;
   std::optional<std::uint32_t> seed;

@@ -145,11 +145,12 @@ PictureFormat picture_format(const std::filesystem::path& path, const std::strin
   const std::string ending = ending_of(path, format, ".png");
   if (ending == ".png") return PictureFormat::png;
   if (ending == ".exr") return PictureFormat::exr;
+  if (ending == ".tif" || ending == ".tiff") return PictureFormat::geotiff;
   throw Error(
       ErrorKind::usage,
       fmt::format(
           "--output: '{}' has no ending of a known format; expected a name that ends in .png "
-          "(8-bit picture) or .exr (linear layers), or --format",
+          "(8-bit picture), .exr (linear layers) or .tif (map), or --format",
           path.string()));
 }
 

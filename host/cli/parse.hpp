@@ -30,12 +30,12 @@ inline constexpr int kMostTiles = 1000;
 /// has more than kMostTiles seeds.
 std::vector<std::uint32_t> parse_seeds(const std::string& text);
 
-enum class PictureFormat { png, exr };
+enum class PictureFormat { png, exr, geotiff };
 
-/// Returns the format that `format`, "png" or "exr", names. If `format` is empty, the extension
-/// of the file decides, in upper or lower case. Standard output, and a special file (see
-/// is_special_file) without an extension, get PNG. Throws Error{usage} for any extension but .png
-/// and .exr.
+/// Returns the format that `format`, "png", "exr" or "tif", names. If `format` is empty, the
+/// extension of the file decides, in upper or lower case. Standard output, and a special file (see
+/// is_special_file) without an extension, get PNG. Throws Error{usage} for any extension but .png,
+/// .exr, .tif and .tiff.
 PictureFormat picture_format(const std::filesystem::path& path, const std::string& format = {});
 
 enum class MeshFormat { ply, obj };

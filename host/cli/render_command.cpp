@@ -1,4 +1,5 @@
 #include <future>
+#include <optional>
 
 #include <fmt/format.h>
 #include <oneapi/tbb/parallel_for.h>
@@ -18,6 +19,8 @@
 #include "core/stopwatch.hpp"
 #include "denoise/denoise.hpp"
 #include "image/write.hpp"
+#include "map/map_view.hpp"
+#include "map/own_grid.hpp"
 #include "render/scene_cache.hpp"
 #include "render/session.hpp"
 #include "scene/scene.hpp"
@@ -28,12 +31,18 @@ namespace {
 
 namespace fs = std::filesystem;
 
+bool is_map(const RenderOptions& options, PictureFormat format) {
+  return format == PictureFormat::geotiff || options.world_file;
+}
+
 /// Returns the unresolved scene with all options applied.
-scene::Scene scene_to_render(const RenderOptions& options, world::ReliefCache& reliefs) {
+scene::Scene scene_to_render(const RenderOptions& options, PictureFormat format,
+                             world::ReliefCache& reliefs) {
   SceneOptions input = options.input;
   // Options win over --set.
   if (!options.quality.empty()) input.overrides.emplace_back("/quality=" + options.quality);
-  scene::Scene scene = read_scene(input, reliefs);
+  scene::Scene scene =
+      read_scene(input, reliefs, is_map(options, format) ? Staging::map : Staging::view);
   if (options.width) scene.image.width = *options.width;
   if (options.height) scene.image.height = *options.height;
   if (options.spp) scene.image.spp = *options.spp;
@@ -48,16 +57,38 @@ void require_encodable(const RenderOptions& options, const scene::Image& image,
   if (options.denoise) denoise::require_library();
   const int width = options.crop ? options.crop->x1 - options.crop->x0 : image.width;
   const int height = options.crop ? options.crop->y1 - options.crop->y0 : image.height;
-  if (format == PictureFormat::exr || image::png_can_hold(width, height)) return;
+  if (format != PictureFormat::png || image::png_can_hold(width, height)) return;
   throw Error(ErrorKind::usage,
               fmt::format("{} x {} pixels are too many for a PNG; write an .exr or take a --crop",
                           width, height));
 }
 
+/// Where a map lies, and the grid of its elevation data that it is written in.
+struct MapFile {
+  map::MapView view;
+  map::OwnGrid grid;
+};
+
+/// Returns where the map lies, or nothing if the file is no map.
+std::optional<MapFile> map_file(const RenderOptions& options, PictureFormat format,
+                                const scene::ResolvedScene& scene, world::ReliefCache& reliefs) {
+  if (format != PictureFormat::geotiff) return std::nullopt;
+  const render::Crop part =
+      options.crop.value_or(render::Crop{0, 0, scene->image.width, scene->image.height});
+  MapFile file;
+  file.view = map::map_view(scene, {part.x0, part.y0}, "--output");
+  file.grid =
+      map::own_grid(scene, file.view, part.x1 - part.x0, part.y1 - part.y0, "--output", reliefs);
+  return file;
+}
+
 std::vector<std::uint8_t> encode(const image::Film& film, PictureFormat format,
-                                 const scene::Image& image) {
+                                 const scene::Image& image, const std::optional<MapFile>& map) {
   if (format == PictureFormat::exr) return image::encode_exr(film);
-  return image::encode_png(develop(film, image));
+  const image::Pixels pixels = develop(film, image);
+  if (!map) return image::encode_png(pixels);
+  return map::encode_geotiff(map::in_own_grid(pixels, map->view, map->grid),
+                             map->grid.georeference);
 }
 
 struct Opened {
@@ -73,7 +104,7 @@ Opened open_session(const RenderOptions& options, PictureFormat format, scene::I
   render::Options session_options = session_options_of(options.device);
   session_options.cache = cache;
   session_options.contents =
-      format == PictureFormat::png ? render::Contents::picture : render::Contents::layers;
+      format == PictureFormat::exr ? render::Contents::layers : render::Contents::picture;
   session_options.guides = format == PictureFormat::exr || options.denoise;
   Opened opened{std::make_unique<render::Session>(session_options), session_options.devices,
                 watch.seconds()};
@@ -120,7 +151,7 @@ int render(const RenderOptions& options) {
   CommandSeconds seconds;
   Stopwatch phase;
   const auto cache = std::make_shared<render::SceneCache>();
-  const scene::Scene scene = scene_to_render(options, cache->reliefs);
+  const scene::Scene scene = scene_to_render(options, format, cache->reliefs);
   seconds.reading = phase.restart();
   require_encodable(options, scene.image, format);
   start_threads();
@@ -130,6 +161,7 @@ int render(const RenderOptions& options) {
   });
   const scene::ResolvedScene resolved = resolve_scene(scene, options.input, cache->reliefs);
   labels.find(resolved, cache->reliefs);
+  const std::optional<MapFile> map = map_file(options, format, resolved, cache->reliefs);
   seconds.placing = phase.seconds();
   Opened opened = opening.get();
   seconds.device = opened.seconds;
@@ -141,7 +173,7 @@ int render(const RenderOptions& options) {
   phase.restart();
   if (options.denoise) denoise::denoise(film, {.stop = interrupt.token()});
   seconds.denoising = phase.restart();
-  const auto bytes = encode(film, format, scene.image);
+  const auto bytes = encode(film, format, scene.image, map);
   seconds.encoding = phase.restart();
   stop_if_asked(interrupt.token());
   write_file(output, bytes);

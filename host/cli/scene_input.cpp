@@ -18,6 +18,7 @@
 #include "scene/io.hpp"
 #include "scene/scene.hpp"
 #include "scene/source.hpp"
+#include "staging/map_stage.hpp"
 #include "staging/stage.hpp"
 #include "world/resolve.hpp"
 
@@ -95,13 +96,15 @@ std::vector<scene::Override> overrides_of(const SceneOptions& options) {
   return overrides;
 }
 
-scene::Scene read_scene(const SceneOptions& options, world::ReliefCache& reliefs) {
-  const std::string text = text_of(options);
-  if (!is_land(options)) {
-    scene::Scene scene = plain_scene(options, text);
-    if (scene.terrain.kind != scene::TerrainKind::elevation) return scene;
-  }
-  const staging::Staged staged = staging::stage(source_of(options, text), reliefs);
+staging::Staged read_staged(const SceneOptions& options, world::ReliefCache& reliefs,
+                            Staging staging) {
+  const scene::SceneSource source = read_source(options);
+  return staging == Staging::map ? staging::stage_map(source, reliefs)
+                                 : staging::stage(source, reliefs);
+}
+
+scene::Scene read_scene(const SceneOptions& options, world::ReliefCache& reliefs, Staging staging) {
+  const staging::Staged staged = read_staged(options, reliefs, staging);
   for (const std::string& note : staged.notes) warn(note);
   return staged.source.scene();
 }

@@ -8,15 +8,24 @@
 #include "scene/io.hpp"
 #include "scene/resolved_scene.hpp"
 #include "scene/source.hpp"
+#include "staging/stage.hpp"
 #include "world/surface.hpp"
 
 /// These functions read the input of all commands and write data to stdout.
 namespace aerostat::cli {
 
+/// What a scene on real land without a camera becomes.
+enum class Staging { view, map };
+
 /// Reads the scene and applies the overrides. A bare file or folder of elevation data becomes a
-/// scene around it. What a scene on real land leaves open is chosen and said. Throws the errors of
+/// scene around it. What a scene on real land leaves open is chosen. Throws the errors of
 /// scene::read_file and staging::stage.
-scene::Scene read_scene(const SceneOptions& options, world::ReliefCache& reliefs);
+staging::Staged read_staged(const SceneOptions& options, world::ReliefCache& reliefs,
+                            Staging staging = Staging::view);
+
+/// Reads the scene as read_staged() does, and prints what was found and chosen.
+scene::Scene read_scene(const SceneOptions& options, world::ReliefCache& reliefs,
+                        Staging staging = Staging::view);
 
 /// Reads the scene as read_scene() does, in a form that can be edited, and chooses nothing.
 scene::SceneSource read_source(const SceneOptions& options);

@@ -12,6 +12,7 @@
 #include <nlohmann/json.hpp>
 
 #include "cli/report.hpp"
+#include "cli/report_lines.hpp"
 #include "track/read.hpp"
 #include "track/summary.hpp"
 #include "track/text.hpp"
@@ -25,19 +26,6 @@ using track::Flight;
 using track::HeightSource;
 
 constexpr std::size_t kGapsInText = 5;
-
-std::string line(const char* name, const std::string& text) {
-  return fmt::format("{:<10}{}\n", name, text);
-}
-
-std::string degrees_text(double degrees, char positive, char negative) {
-  return fmt::format("{:.5f} {}", std::abs(degrees), degrees < 0.0 ? negative : positive);
-}
-
-std::string place_text(const geo::Place& place) {
-  return degrees_text(place.latitude_deg, 'N', 'S') + ", " +
-         degrees_text(place.longitude_deg, 'E', 'W');
-}
 
 /// Returns a time of the flight, which is one of day if the file names no date.
 std::string time_text(const Flight& flight, double time) {
@@ -102,15 +90,15 @@ std::string point_text(const Flight& flight, std::size_t point) {
 
 std::string gaps_text(const Flight& flight) {
   const auto& gaps = flight.gaps();
-  if (gaps.empty()) return line("gaps", "none");
-  std::string text = line("gaps", track::counted(gaps.size(), "gap", "gaps"));
+  if (gaps.empty()) return report_line("gaps", "none");
+  std::string text = report_line("gaps", track::counted(gaps.size(), "gap", "gaps"));
   for (std::size_t i = 0; i < std::min(gaps.size(), kGapsInText); ++i) {
-    text += line(
+    text += report_line(
         "", fmt::format("{}, {}, {:.2f} km", time_text(flight, gaps[i].from_s),
                         track::duration_text(gaps[i].to_s - gaps[i].from_s), gaps[i].way_m * 1e-3));
   }
   if (gaps.size() > kGapsInText) {
-    text += line("", fmt::format("and {} more", gaps.size() - kGapsInText));
+    text += report_line("", fmt::format("and {} more", gaps.size() - kGapsInText));
   }
   return text;
 }
@@ -124,55 +112,60 @@ std::string heights_text(const Flight& flight, track::Format format) {
   }
   if (fit.smoothing_s > 0.0) text += fmt::format(", smoothed over {:.0f} s", fit.smoothing_s);
   if (fit.filled > 0) text += fmt::format(", {} filled in", grouped(fit.filled));
-  if (!fit.has_ground) return line("heights", text + "; not tested, because no ground is known");
+  if (!fit.has_ground)
+    return report_line("heights", text + "; not tested, because no ground is known");
   if (fit.shift_start_m != 0.0 || fit.shift_end_m != 0.0) {
     text += fmt::format("; shifted by {:+.0f} m at the start and {:+.0f} m at the end",
                         fit.shift_start_m, fit.shift_end_m);
   }
-  std::string all = line("heights", text);
+  std::string all = report_line("heights", text);
   const auto add = [&](const char* name, const track::EndOffsets& offsets) {
     if (!offsets.start_m || !offsets.end_m) return;
-    all += line("", fmt::format("{} {:+.0f} m over the ground at the start, {:+.0f} m at the end",
-                                name, *offsets.start_m, *offsets.end_m));
+    all += report_line(
+        "", fmt::format("{} {:+.0f} m over the ground at the start, {:+.0f} m at the end", name,
+                        *offsets.start_m, *offsets.end_m));
   };
   add(format == track::Format::igc ? "GNSS" : "they lie", fit.gnss);
   add("pressure", fit.pressure);
   if (fit.clamped > 0) {
-    all += line("", fmt::format("{} lifted above the ground, by {:.0f} m at most",
-                                track::counted(fit.clamped, "fix", "fixes"), fit.clamped_most_m));
+    all += report_line(
+        "", fmt::format("{} lifted above the ground, by {:.0f} m at most",
+                        track::counted(fit.clamped, "fix", "fixes"), fit.clamped_most_m));
   }
   return all;
 }
 
 std::string figures_text(const Flight& flight, const track::Summary& summary) {
-  std::string text = line("take-off", point_text(flight, flight.takeoff()));
-  text += line("landing", point_text(flight, flight.landing()));
+  std::string text = report_line("take-off", point_text(flight, flight.takeoff()));
+  text += report_line("landing", point_text(flight, flight.landing()));
   if (flight.clock() != track::Clock::none) {
-    text += line("duration", track::duration_text(summary.duration_s));
+    text += report_line("duration", track::duration_text(summary.duration_s));
   }
-  text += line("way", fmt::format("{:.1f} km over the ground, {:.1f} km from take-off to landing",
+  text += report_line("way",
+                      fmt::format("{:.1f} km over the ground, {:.1f} km from take-off to landing",
                                   summary.way_m * 1e-3, summary.straight_m * 1e-3));
   if (summary.highest_m) {
-    text += line("height", fmt::format("{:.0f} to {:.0f} m over the sea", *summary.lowest_m,
-                                       *summary.highest_m));
+    text += report_line("height", fmt::format("{:.0f} to {:.0f} m over the sea", *summary.lowest_m,
+                                              *summary.highest_m));
   }
   if (summary.highest_over_ground_m) {
-    text +=
-        line("", fmt::format("at most {:.0f} m over the ground", *summary.highest_over_ground_m));
+    text += report_line(
+        "", fmt::format("at most {:.0f} m over the ground", *summary.highest_over_ground_m));
   }
   if (summary.fastest_climb_mps) {
-    text += line("climb", fmt::format("at most {:.1f} m/s up and {:.1f} m/s down, over 10 s",
-                                      *summary.fastest_climb_mps, *summary.fastest_sink_mps));
+    text +=
+        report_line("climb", fmt::format("at most {:.1f} m/s up and {:.1f} m/s down, over 10 s",
+                                         *summary.fastest_climb_mps, *summary.fastest_sink_mps));
   }
   if (summary.fastest_mps) {
-    text += line("speed", fmt::format("at most {:.1f} m/s over the ground, over 10 s",
-                                      *summary.fastest_mps));
+    text += report_line("speed", fmt::format("at most {:.1f} m/s over the ground, over 10 s",
+                                             *summary.fastest_mps));
   }
   const track::Extent& extent = summary.extent;
-  text += line("extent",
-               fmt::format("{:.1f} x {:.1f} km, from {} to {}", extent.width_m * 1e-3,
-                           extent.height_m * 1e-3, place_text({extent.south_deg, extent.west_deg}),
-                           place_text({extent.north_deg, extent.east_deg})));
+  text += report_line(
+      "extent", fmt::format("{:.1f} x {:.1f} km, from {} to {}", extent.width_m * 1e-3,
+                            extent.height_m * 1e-3, place_text({extent.south_deg, extent.west_deg}),
+                            place_text({extent.north_deg, extent.east_deg})));
   return text;
 }
 
@@ -260,11 +253,11 @@ std::string track_text(const std::string& name, const track::Cleaned& cleaned,
   std::string fixes = grouped(summary.fixes);
   if (track.segments.size() > 1) fixes += fmt::format(" in {} segments", track.segments.size());
   if (summary.interval_s > 0.0) fixes += fmt::format(", one every {:.3g} s", summary.interval_s);
-  text += line("fixes", fixes);
+  text += report_line("fixes", fixes);
   text += figures_text(flight, summary);
   if (flight.clock() != track::Clock::none) text += gaps_text(flight);
   text += heights_text(flight, track.format);
-  for (const std::string& note : all_notes(cleaned, flight)) text += line("note", note);
+  for (const std::string& note : all_notes(cleaned, flight)) text += report_line("note", note);
   return text;
 }
 

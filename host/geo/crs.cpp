@@ -1,4 +1,5 @@
 #include <cstddef>
+#include <cstdlib>
 #include <map>
 #include <mutex>
 #include <string>
@@ -89,6 +90,30 @@ std::string geographic_wkt(const std::string& crs) {
     throw Error(
         ErrorKind::bad_data,
         fmt::format("the coordinate reference system \"{}\" is not geographic", shortened(crs)));
+  }
+  return wkt;
+}
+
+int epsg_code(const std::string& crs) {
+  const ProjContext context;
+  const ProjObject whole = context.crs(crs);
+  const ProjObject plane = unbound(context.get(), context.horizontal(whole, crs));
+  const char* const authority = proj_get_id_auth_name(plane.get(), 0);
+  const char* const code = proj_get_id_code(plane.get(), 0);
+  if (authority == nullptr || code == nullptr || std::string(authority) != "EPSG") return 0;
+  return std::atoi(code);
+}
+
+std::string esri_wkt(const std::string& crs) {
+  const ProjContext context;
+  const ProjObject whole = context.crs(crs);
+  const ProjObject plane = unbound(context.get(), context.horizontal(whole, crs));
+  const char* const options[] = {"MULTILINE=NO", nullptr};
+  const char* const wkt = proj_as_wkt(context.get(), plane.get(), PJ_WKT1_ESRI, options);
+  if (wkt == nullptr) {
+    throw Error(ErrorKind::bad_data,
+                fmt::format("the coordinate reference system \"{}\" has no form as ESRI's WKT",
+                            shortened(crs)));
   }
   return wkt;
 }

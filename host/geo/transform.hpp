@@ -30,6 +30,14 @@ CrsInfo crs_info(const std::string& crs);
 /// crs_info() does, or if `crs` is not geographic.
 std::string geographic_wkt(const std::string& crs);
 
+/// Returns the EPSG code of the geographic or projected system that `crs` is or contains, or 0 if
+/// it has none. Throws Error{bad_data} as crs_info() does.
+int epsg_code(const std::string& crs);
+
+/// Returns that system as WKT of ESRI's kind, which a .prj file holds. Throws Error{bad_data} as
+/// crs_info() does, or if it cannot be written so.
+std::string esri_wkt(const std::string& crs);
+
 /// Transforms coordinates between a coordinate reference system and the local frame of a scene. The
 /// local frame is a transverse Mercator projection on WGS 84 that is true to scale at `middle`:
 /// x is metres to the east and y is metres to the south. Horizontal coordinates of any system come

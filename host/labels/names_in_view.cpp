@@ -4,8 +4,8 @@
 #include <cmath>
 
 #include "geo/transform.hpp"
-#include "labels/land_place.hpp"
 #include "labels/projection.hpp"
+#include "map/land_place.hpp"
 #include "scene/scene.hpp"
 
 namespace aerostat::labels {
@@ -21,7 +21,7 @@ class Sight {
  public:
   Sight(const scene::ResolvedScene& scene, world::ReliefCache& reliefs)
       : scene_(*scene),
-        middle_(land_place(*scene, reliefs, "--labels")),
+        middle_(map::land_place(*scene, reliefs, "--labels")),
         projection_(scene),
         surface_(*scene, world::Carving::fine, reliefs) {}
 

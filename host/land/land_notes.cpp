@@ -75,10 +75,10 @@ void add_voids(const Pyramid& pyramid, std::vector<std::string>& notes) {
   const double largest =
       100.0 * static_cast<double>(found.largest_void) / static_cast<double>(found.samples);
   notes.push_back(fmt::format(
-      "{}: {} samples ({:.3g} %) have no height, the largest gap being {:.3g} % of the file{}. "
-      "They "
-      "were filled smoothly from the land around them; /terrain/voids=sea makes large gaps a sea.",
-      name_of(pyramid.raster().info()), found.voids, share, largest,
+      "{}: {} of {} samples ({:.3g} %) have no height, the largest gap being {:.3g} % of the "
+      "file{}. Gaps are filled smoothly from the land around them; /terrain/voids=sea makes large "
+      "ones a sea.",
+      name_of(pyramid.raster().info()), found.voids, found.samples, share, largest,
       found.void_at_rim ? " and reaching its rim" : ""));
 }
 

@@ -3,8 +3,7 @@
 #include <limits>
 #include <utility>
 
-#include "core/error.hpp"
-#include "geo/transform.hpp"
+#include "land/grid_place.hpp"
 #include "land/land.hpp"
 
 namespace aerostat::land {
@@ -15,21 +14,6 @@ constexpr int kFewestNodes = 33, kMostNodes = 1025;  // along a side of a lattic
 constexpr double kLatticeError = 0.02;
 /// Over so many samples from the rim of a raster, it gives way to the next one.
 constexpr double kFeather = 8.0;
-
-dvec2 place_in(const elevation::Georeference& grid, const dvec2& point) {
-  return glm::inverse(glm::dmat2(grid.per_column, grid.per_row)) * (point - grid.origin);
-}
-
-/// Turns points of the local frame into columns and rows of a raster.
-void columns_and_rows(const elevation::Georeference& grid, const LandPoint& middle,
-                      std::span<dvec2> points) {
-  if (middle.place && !grid.crs.empty()) {
-    geo::Transform(grid.crs, *middle.place).from_local(points);
-  } else {
-    for (dvec2& point : points) point = {middle.own.x + point.x, middle.own.y - point.y};
-  }
-  for (dvec2& point : points) point = place_in(grid, point);
-}
 
 }  // namespace
 
@@ -44,7 +28,7 @@ class LocalLand::Lattice {
       places_.clear();
       for (int j = 0; j < nodes_; ++j)
         for (int i = 0; i < nodes_; ++i) places_.push_back({along(i), along(j)});
-      columns_and_rows(grid, middle, places_);
+      local_to_grid(grid, middle, places_);
       hold_all();
       if (nodes_ >= kMostNodes || error(grid, middle) <= kLatticeError) break;
     }
@@ -136,7 +120,7 @@ class LocalLand::Lattice {
         exact.push_back(point);
         near.push_back(at(point.x, point.y).place);
       }
-    columns_and_rows(grid, middle, exact);
+    local_to_grid(grid, middle, exact);
     double worst = 0.0;
     for (std::size_t k = 0; k < exact.size(); ++k) {
       if (distance(near[k]) > 0.0 || !std::isfinite(exact[k].x + exact[k].y)) continue;

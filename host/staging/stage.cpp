@@ -314,7 +314,7 @@ class Stage {
   Staged finished() {
     choose_size();
     choose_biome();
-    return {source_.with(changes_), std::move(notes_)};
+    return {source_.with(changes_), std::move(notes_), std::move(changes_), land_};
   }
 
   void choose_size() {

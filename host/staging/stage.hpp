@@ -1,9 +1,12 @@
 #pragma once
 
 #include <filesystem>
+#include <memory>
 #include <string>
 #include <vector>
 
+#include "land/land.hpp"
+#include "scene/io.hpp"
 #include "scene/source.hpp"
 #include "terrain/relief_cache.hpp"
 
@@ -15,6 +18,10 @@ struct Staged {
   scene::SceneSource source;
   /// Whole sentences for the user: what was found in the files, and what was chosen.
   std::vector<std::string> notes;
+  /// The values that were chosen, in the order in which they were set.
+  std::vector<scene::Override> chosen = {};
+  /// The elevation data, or null if the scene has none.
+  std::shared_ptr<const land::Land> land = nullptr;
 };
 
 /// Returns the scene with its open values chosen, if its ground is elevation data; other scenes

@@ -54,7 +54,7 @@ _aerostat_values() {
     --device) _aerostat_devices "$program" "$word" ;;
     --quality) compgen -W 'draft standard final' -- "$word" ;;
     --lanes) compgen -W '1 4 8 16' -- "$word" ;;
-    --format) compgen -W "$([[ $command == export ]] && echo ply obj || echo png exr)" -- "$word" ;;
+    --format) compgen -W "$([[ $command == export ]] && echo ply obj || echo png exr tif)" -- "$word" ;;
     --plants) compgen -W 'none seen all' -- "$word" ;;
     --labels) _aerostat_files "$word" geojson json csv ;;
     --labels-json) _aerostat_files "$word" json ;;

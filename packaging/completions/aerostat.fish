@@ -21,7 +21,7 @@ complete -c aerostat -n __fish_use_subcommand -a contact-sheet -d 'Render many t
 complete -c aerostat -n __fish_use_subcommand -a new -d 'Write a scene around a file of elevation data'
 complete -c aerostat -n __fish_use_subcommand -a scenes -d 'List the scenes that came with aerostat'
 complete -c aerostat -n __fish_use_subcommand -a devices -d 'List OpenCL platforms and devices'
-complete -c aerostat -n __fish_use_subcommand -a check -d 'Validate a scene, or report on a flight track'
+complete -c aerostat -n __fish_use_subcommand -a check -d 'Validate a scene, or report on elevation data or a flight track'
 complete -c aerostat -n __fish_use_subcommand -a dump -d 'Print the scene with every default filled in'
 complete -c aerostat -n __fish_use_subcommand -a export -d 'Write the triangles of the world to a file'
 
@@ -39,7 +39,7 @@ complete -c aerostat -n "__fish_seen_subcommand_from $rendering" -s q -l quiet -
 set -l output 'render contact-sheet new export'
 complete -c aerostat -n "__fish_seen_subcommand_from $output" -r -F -s o -l output -d 'The file to write'
 
-complete -c aerostat -n '__fish_seen_subcommand_from render' -x -l format -a 'png exr' -d 'Format of the picture'
+complete -c aerostat -n '__fish_seen_subcommand_from render' -x -l format -a 'png exr tif' -d 'Format of the picture'
 complete -c aerostat -n '__fish_seen_subcommand_from export' -x -l format -a 'ply obj' -d 'Format of the mesh'
 complete -c aerostat -n '__fish_seen_subcommand_from render' -x -l width -d 'Pixels across'
 complete -c aerostat -n '__fish_seen_subcommand_from render' -x -l height -d 'Pixels down'
@@ -60,7 +60,7 @@ complete -c aerostat -n '__fish_seen_subcommand_from contact-sheet' -x -l tile-w
 
 complete -c aerostat -n '__fish_seen_subcommand_from scenes' -l folder -d 'Print only the folder of the scenes'
 complete -c aerostat -n '__fish_seen_subcommand_from devices' -l json -d 'Print JSON'
-complete -c aerostat -n '__fish_seen_subcommand_from check' -l json -d 'Print the report on a track as JSON'
+complete -c aerostat -n '__fish_seen_subcommand_from check' -l json -d 'Print the report on elevation data or a track as JSON'
 complete -c aerostat -n '__fish_seen_subcommand_from dump' -l view -d 'Print what another renderer needs beside triangles'
 complete -c aerostat -n '__fish_seen_subcommand_from export' -x -l plants -a 'none seen all' -d 'Plants to write'
 complete -c aerostat -n '__fish_seen_subcommand_from export' -x -l most-triangles -d 'Write nothing if there are more triangles'

@@ -76,10 +76,10 @@ TEST_F(Track, CheckRefusesTracksThatCannotBeUsed) {
   EXPECT_TRUE(contains(set.err, "--set: '"));
 }
 
-TEST_F(Track, CheckOfASceneHasNoJson) {
+TEST_F(Track, CheckOfAnInventedSceneHasNoJson) {
   const Outcome outcome = run({"check", scene_path("snow"), "--json"});
   EXPECT_EQ(outcome.code, 64);
-  EXPECT_TRUE(contains(outcome.err, "is no track; only tracks have a report in JSON"));
+  EXPECT_TRUE(contains(outcome.err, "is no track and has no elevation data"));
 }
 
 }  // namespace

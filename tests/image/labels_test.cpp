@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "core/error.hpp"
-#include "labels/map_frame.hpp"
 #include "labels/names_in_view.hpp"
+#include "map/map_frame.hpp"
 #include "real_land.hpp"
 #include "support/temporary_folder.hpp"
 
@@ -135,7 +135,7 @@ TEST(MapFrame, LeadsFromPixelsToTheLocalFrame) {
   scene.camera.up = {0.6, 0.0, -0.8};
   scene.camera.view_height_m = 4000.0;
   world::ReliefCache reliefs;
-  const labels::MapFrame frame = labels::map_frame(resolved(scene), {7.0, 3.0}, reliefs);
+  const map::MapFrame frame = map::map_frame(resolved(scene), {7.0, 3.0}, reliefs);
   std::istringstream numbers(frame.world_file);
   dvec2 right, down, corner;
   numbers >> right.x >> right.y >> down.x >> down.y >> corner.x >> corner.y;
@@ -149,7 +149,7 @@ TEST(MapFrame, LeadsFromPixelsToTheLocalFrame) {
   EXPECT_NEAR(found.y, 800.0, 0.01);
   EXPECT_NE(frame.crs.find("PROJECTION[\"Transverse_Mercator\"]"), std::string::npos);
   scene.camera.target->x += 1.0;
-  EXPECT_THROW(labels::map_frame(resolved(scene), {0.0, 0.0}, reliefs), Error);
+  EXPECT_THROW(map::map_frame(resolved(scene), {0.0, 0.0}, reliefs), Error);
 }
 
 TEST(Labels, NeedLandThatLiesOnTheEarth) {

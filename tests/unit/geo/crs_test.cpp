@@ -109,5 +109,14 @@ TEST(CrsInfo, ShortensLongTextsInMessages) {
   }
 }
 
+TEST(CrsInfo, KnowsEpsgCodesAndEsrisWkt) {
+  EXPECT_EQ(epsg_code("EPSG:32632"), 32632);
+  EXPECT_EQ(epsg_code("EPSG:32611+5703"), 32611);
+  EXPECT_EQ(epsg_code("+proj=tmerc +lat_0=40 +lon_0=11 +datum=WGS84"), 0);
+  const std::string wkt = esri_wkt("+proj=tmerc +lat_0=40 +lon_0=11 +datum=WGS84");
+  EXPECT_EQ(wkt.rfind("PROJCS[", 0), 0u) << wkt;
+  EXPECT_EQ(wkt.find('\n'), std::string::npos);
+}
+
 }  // namespace
 }  // namespace aerostat::geo

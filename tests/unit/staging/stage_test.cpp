@@ -13,6 +13,7 @@
 #include "geo/transform.hpp"
 #include "scene/scene.hpp"
 #include "scene/sun_angles.hpp"
+#include "staging/map_stage.hpp"
 #include "staging/view_choice.hpp"
 #include "staging/view_map.hpp"
 #include "terrain/real_land.hpp"
@@ -166,6 +167,43 @@ TEST_F(StageFile, AViewThatASlopeBlocksIsWorse) {
   const auto far = choose_views(map, 90.0, 1, {summit + dvec2(-5000.0, 5000.0)});
   ASSERT_TRUE(!near.empty() && !far.empty());
   EXPECT_GT(far[0].score, near[0].score);
+}
+
+TEST_F(StageFile, AMapShowsAllOfTheFileFromAbove) {
+  const Staged staged = stage_map(source(), reliefs_);
+  const scene::Scene& scene = staged.source.scene();
+  EXPECT_EQ(scene.camera.lens, scene::Lens::orthographic);
+  ASSERT_TRUE(scene.camera.position && scene.camera.target);
+  EXPECT_EQ(scene.camera.position->x, scene.camera.target->x);
+  EXPECT_EQ(scene.camera.position->z, scene.camera.target->z);
+  EXPECT_GT(scene.camera.position->y, 3500.0);
+  EXPECT_NEAR(scene.camera.view_height_m, 20200.0, 300.0);
+  const double pixel_m = scene.camera.view_height_m / scene.image.height;
+  EXPECT_NEAR(pixel_m, 160.0, 2.0);
+  EXPECT_NEAR(scene.image.width, scene.image.height, 2);
+  EXPECT_FALSE(scene.balloon.enabled);
+  EXPECT_EQ(scene.terrain.detail, 0.0);
+  EXPECT_EQ(scene.surfaces, scene::Surfaces::plain);
+  EXPECT_NEAR(scene.sun.direction.x, -0.5, 1e-6);
+}
+
+TEST_F(StageFile, AMapKeepsWhatTheSceneGives) {
+  const Staged part =
+      stage_map(source({{"/terrain/extent_m", "4000"}, {"/biome/kind", "sand"}}), reliefs_);
+  EXPECT_NEAR(part.source.scene().camera.view_height_m, 4040.0, 1.0);
+  EXPECT_EQ(part.source.scene().surfaces, scene::Surfaces::full);
+  const Staged view = stage_map(
+      source({{"/camera/position", "[0, 100, 0]"}, {"/camera/target", "[0, 100, -1]"}}), reliefs_);
+  EXPECT_EQ(view.source.scene().camera.lens, scene::Lens::pinhole);
+}
+
+TEST_F(StageFile, TooLargeAMapNamesTheSettingsThatHelp) {
+  try {
+    stage_map(source({{"/terrain/extent_m", "6000000"}}), reliefs_);
+    FAIL();
+  } catch (const Error& error) {
+    EXPECT_NE(std::string(error.what()).find("/terrain/extent_m"), std::string::npos);
+  }
 }
 
 }  // namespace

@@ -6,7 +6,7 @@
 #include "scene/resolved_scene.hpp"
 #include "world/surface.hpp"
 
-namespace aerostat::labels {
+namespace aerostat::map {
 
 /// Where a picture lies on the Earth, as programs for maps read it beside the picture.
 struct MapFrame {
@@ -20,4 +20,4 @@ struct MapFrame {
 MapFrame map_frame(const scene::ResolvedScene& scene, const dvec2& first,
                    world::ReliefCache& reliefs);
 
-}  // namespace aerostat::labels
+}  // namespace aerostat::map
