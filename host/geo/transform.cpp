@@ -8,6 +8,7 @@
 
 #include <fmt/format.h>
 
+#include "core/earth.hpp"
 #include "core/error.hpp"
 #include "geo/proj_objects.hpp"
 
@@ -193,7 +194,7 @@ Place place_of_local(const Place& middle, const dvec2& point) {
 }
 
 double curvature_drop(double distance_m) {
-  return distance_m * distance_m * (1.0 - kRefraction) / (2.0 * kEarthRadius_m);
+  return distance_m * distance_m * kEarthFall_per_m;
 }
 
 }  // namespace aerostat::geo

@@ -12,7 +12,8 @@ using rules::GroundMix;
 using rules::GroundNoise;
 
 /// Applies the rules of kernels/rules/ground.h on the host. Plants grow where these paint them, so
-/// that woods of single trees pass into painted woods. Positions are in the world in metres.
+/// that woods of single trees pass into painted woods. Positions are over the terrain in metres,
+/// and their heights are those above the sea.
 /// `slope_cos` is the y of the ground's interpolated unit normal.
 class GroundRule {
  public:
@@ -50,6 +51,10 @@ class GroundRule {
     return rules::field_at(&ground_, p.x, p.z, slope_cos, &noise);
   }
   bool has_fields() const { return ground_.field_width > 0.0f; }
+  /// Returns the height of the ground above the sea.
+  float height_above_sea(const vec3& p) const {
+    return rules::height_above_sea(&ground_, p.x, p.y, p.z);
+  }
   /// Returns the height above which no tree grows.
   float highest_tree() const;
 

@@ -18,11 +18,6 @@
 namespace aerostat::land {
 namespace {
 
-// What tells that 0 m is the level of a sea. Dry land is nowhere lower than the shore of the Dead
-// Sea, so that what lies deeper is a sea floor.
-constexpr double kSeaShare = 0.01;
-constexpr float kLowestDryLand_m = -450.0f;
-
 /// Returns the middle of a raster in its own coordinates.
 dvec2 middle_of(const elevation::RasterInfo& info) {
   const elevation::Georeference& grid = *info.georeference;
@@ -81,6 +76,7 @@ Land::Land(const LandOptions& options) {
   has_place_ = !files_[0].georeference->crs.empty();
   PyramidOptions pyramid;
   pyramid.sea_depth_m = options.sea_depth_m;
+  pyramid.inland_water = options.inland_water;
   for (RasterPointer& raster : joined(rasters)) {
     pyramids_.push_back(std::make_unique<Pyramid>(std::move(raster), pyramid));
   }
@@ -116,9 +112,11 @@ void Land::find_extent() {
       least = glm::min(least, points[k]);
       most = glm::max(most, points[k]);
     }
-    if (pyramid != pyramids_[0]) continue;
     const dvec2 a = points[5] - points[4], b = points[6] - points[4];
-    cell_m_ = std::sqrt(std::abs(a.x * b.y - a.y * b.x));
+    const double sample_m2 = std::abs(a.x * b.y - a.y * b.x);
+    add_waters(*pyramid, sample_m2);
+    if (pyramid != pyramids_[0]) continue;
+    cell_m_ = std::sqrt(sample_m2);
   }
   size_m_ = most - least;
   if (cell_m_ > 0.0 && std::isfinite(size_m_.x + size_m_.y)) return;
@@ -127,6 +125,14 @@ void Land::find_extent() {
       fmt::format("{}: the place of the samples makes no sense: the size of the area is {} x "
                   "{} m and that of a sample {} m",
                   first.path.string(), size_m_.x, size_m_.y, cell_m_));
+}
+
+void Land::add_waters(const Pyramid& pyramid, double sample_m2) {
+  for (const FlatWater& water : pyramid.flat_waters()) {
+    const double area_m2 =
+        sample_m2 * static_cast<double>(water.cells) * std::ldexp(1.0, 2 * pyramid.base_level());
+    waters_.push_back({water.level_m, area_m2});
+  }
 }
 
 void Land::find_sea() {
@@ -138,8 +144,7 @@ void Land::find_sea() {
   }
   lowest_m_ = all.lowest;
   highest_m_ = all.highest;
-  const double zero = static_cast<double>(all.at_zero) / static_cast<double>(all.known());
-  has_sea_ = (zero >= kSeaShare && all.highest > 0.0f) || all.lowest < kLowestDryLand_m;
+  has_sea_ = show_sea(all);
 }
 
 std::shared_ptr<const LocalLand> Land::around(const LandPoint& point, double reach_m) const {

@@ -21,6 +21,7 @@ struct LandOptions {
   std::vector<std::filesystem::path> sources;  // files, and folders of them
   elevation::OpenOptions open;
   float sea_depth_m = 0.0f;  // see PyramidOptions
+  bool inland_water = true;  // whether level areas are lakes and rivers
 
   bool operator==(const LandOptions&) const = default;
 };
@@ -40,6 +41,20 @@ struct LandSamples {
   std::span<float> height_m;               // over the files' zero, without curvature
   std::span<float> slope_east, slope_south;
   std::span<float> outside_m = {};  // distance from the nearest file, 0 inside; may be left out
+};
+
+/// Places in a local frame, and the water there.
+struct WaterSamples {
+  std::span<const float> east_m, south_m;  // from the middle of the frame
+  std::span<const float> spacing_m;        // distance to neighbouring samples
+  std::span<float> level_m;                // height of the nearest water, NaN if none is near
+  std::span<float> shore_m;  // distance from its shore: positive on water, negative on land
+};
+
+/// A lake or a reach of a river.
+struct InlandWater {
+  float level_m = 0.0f;
+  double area_m2 = 0.0;
 };
 
 class LocalLand;
@@ -78,18 +93,23 @@ class Land {
   /// not all of it.
   bool has_sea() const { return has_sea_; }
 
+  /// The lakes and reaches of rivers that were found.
+  const std::vector<InlandWater>& waters() const { return waters_; }
+
   /// Returns the land around a point, in a local frame that reaches `reach_m` from it. The land
   /// must live as long as the result.
   std::shared_ptr<const LocalLand> around(const LandPoint& point, double reach_m) const;
 
  private:
   void find_extent();
+  void add_waters(const Pyramid& pyramid, double sample_m2);
   void find_sea();
   void tell_what_stands_out();
 
   std::vector<std::string> notes_;
   std::vector<elevation::RasterInfo> files_;
   std::vector<std::unique_ptr<Pyramid>> pyramids_;
+  std::vector<InlandWater> waters_;
   LandPoint middle_;
   dvec2 size_m_{0.0};
   double cell_m_ = 1.0;
@@ -105,6 +125,12 @@ class LocalLand {
 
   /// Computes heights and slopes without detail that is finer than the spacing of the samples.
   void sample(const LandSamples& samples) const;
+
+  /// Returns whether there are lakes or rivers.
+  bool has_water() const;
+
+  /// Finds lakes and rivers, without detail that is finer than the spacing of the samples.
+  void find_water(const WaterSamples& samples) const;
 
   /// Returns whether a file has a height at a point of the frame.
   bool is_known(double east_m, double south_m) const;

@@ -95,6 +95,23 @@ void add_below_zero(const Land& land, std::vector<std::string>& notes) {
   }
 }
 
+/// Says how much water was found, and where it is switched off.
+void add_waters(const Land& land, std::vector<std::string>& notes) {
+  if (land.waters().empty()) return;
+  double area_m2 = 0.0;
+  const InlandWater* largest = &land.waters()[0];
+  for (const InlandWater& water : land.waters()) {
+    area_m2 += water.area_m2;
+    if (water.area_m2 > largest->area_m2) largest = &water;
+  }
+  const std::size_t count = land.waters().size();
+  notes.push_back(fmt::format(
+      "{} level area{} of {:.3g} km2 in all {} taken as lakes and rivers, the largest one with "
+      "{:.3g} km2 at {:.0f} m; /terrain/inland_water=none makes them dry.",
+      count, count == 1 ? "" : "s", 1e-6 * area_m2, count == 1 ? "is" : "are",
+      1e-6 * largest->area_m2, largest->level_m));
+}
+
 }  // namespace
 
 std::string datum_note(std::span<const elevation::RasterInfo> files) {
@@ -120,6 +137,7 @@ std::vector<std::string> notes_about(const Land& land) {
     add_voids(*pyramid, notes);
   }
   add_below_zero(land, notes);
+  add_waters(land, notes);
   if (!land.has_place()) {
     notes.push_back(
         fmt::format("{}: no coordinate reference system is named, so that its numbers are taken as "

@@ -87,6 +87,12 @@ class LocalLand::Lattice {
             static_cast<float>(columns * seen.by_south.x + rows * seen.by_south.y)};
   }
 
+  /// Returns the water of the raster, which must have some.
+  WaterPoint water(const Seen& seen, double spacing_m) const {
+    const double scale = std::sqrt(std::max(samples_per_area(seen), 1e-18));
+    return pyramid_.water()->at(seen.place.x, seen.place.y, spacing_m * scale);
+  }
+
   const Pyramid& pyramid() const { return pyramid_; }
 
  private:
@@ -180,6 +186,28 @@ void LocalLand::sample(const LandSamples& samples) const {
     // All of the land is outside if no file has a share of it.
     const bool outside = left >= 1.0 && nearest > 0.0;
     samples.outside_m[k] = outside ? fallback->metres(fallback_seen, nearest) : 0.0f;
+  }
+}
+
+bool LocalLand::has_water() const {
+  return std::any_of(lattices_.begin(), lattices_.end(),
+                     [](const auto& lattice) { return lattice->pyramid().water() != nullptr; });
+}
+
+void LocalLand::find_water(const WaterSamples& samples) const {
+  for (std::size_t k = 0; k < samples.east_m.size(); ++k) {
+    samples.level_m[k] = std::numeric_limits<float>::quiet_NaN();
+    samples.shore_m[k] = -std::numeric_limits<float>::infinity();
+    // The first raster that has a height at the place counts.
+    for (const auto& lattice : lattices_) {
+      const Lattice::Seen seen = lattice->at(samples.east_m[k], samples.south_m[k]);
+      if (!(lattice->share(seen.place) > 0.0)) continue;
+      if (lattice->pyramid().water() == nullptr) break;
+      const WaterPoint water = lattice->water(seen, samples.spacing_m[k]);
+      samples.level_m[k] = water.level_m;
+      samples.shore_m[k] = lattice->metres(seen, water.shore);
+      break;
+    }
   }
 }
 

@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
 #include <mutex>
 #include <utility>
 
@@ -73,6 +76,7 @@ void Pyramid::read_base(const PyramidOptions& options) {
   base.width = reduced.width;
   base.height = reduced.height;
   base.heights = std::move(reduced.heights);
+  if (options.inland_water) find_water(base);
   if (statistics_.voids > 0) {
     const VoidRegions voids = find_voids(base.width, base.height, base.heights);
     known_.resize(base.heights.size());
@@ -88,6 +92,20 @@ void Pyramid::read_base(const PyramidOptions& options) {
   }
   if (base_ == 0 && step_ > 0.0f) smooth_steps(base.width, base.height, step_, base.heights);
   levels_.push_back(std::move(base));
+}
+
+void Pyramid::find_water(const Patch& base) {
+  FlatWaters found =
+      find_flat_water(base.width, base.height, base.heights, {step_, show_sea(statistics_)});
+  if (found.areas.empty()) return;
+  WetCells cells{base.width, base.height, 1 << base_, {}};
+  cells.level_m.assign(base.heights.size(), std::numeric_limits<float>::quiet_NaN());
+  for (std::size_t at = 0; at < cells.level_m.size(); ++at) {
+    const std::int32_t area = found.area_of[at];
+    if (area >= 0) cells.level_m[at] = found.areas[static_cast<std::size_t>(area)].level_m;
+  }
+  water_ = std::make_unique<const WaterMap>(cells);
+  flat_waters_ = std::move(found.areas);
 }
 
 SplinePoint Pyramid::level_at(int level, double column, double row) const {

@@ -7,7 +7,9 @@
 #include <vector>
 
 #include "elevation/raster.hpp"
+#include "land/flat_water.hpp"
 #include "land/statistics.hpp"
+#include "land/water_map.hpp"
 
 /// The heights of one raster in levels of detail, ready to be sampled anywhere.
 namespace aerostat::land {
@@ -40,6 +42,8 @@ struct PyramidOptions {
   float sea_depth_m = 0.0f;
   /// Regions of at most so many samples across are always filled as land.
   int most_filled = 64;
+  /// Whether level areas are lakes and rivers.
+  bool inland_water = true;
 };
 
 /// Levels of detail. A cell of level k is the mean of 2^k x 2^k samples. Levels from a base on, of
@@ -62,12 +66,22 @@ class Pyramid {
   /// side. Beyond the raster, the land goes on and turns ever smoother.
   SplinePoint at(double column, double row, double samples) const;
 
+  /// Number of the first level in memory, whose cells tell where water is.
+  int base_level() const { return base_; }
+
+  /// The lakes and reaches of rivers that were found.
+  const std::vector<FlatWater>& flat_waters() const { return flat_waters_; }
+
+  /// Where they lie, or null if there are none.
+  const WaterMap* water() const { return water_.get(); }
+
   /// Returns whether there is a height in the file near a place, and not one that was filled in.
   bool is_known(double column, double row) const;
 
  private:
   SplinePoint level_at(int level, double column, double row) const;
   void read_base(const PyramidOptions& options);
+  void find_water(const Patch& base);
 
   std::shared_ptr<const elevation::Raster> raster_;
   RasterStatistics statistics_;
@@ -76,6 +90,8 @@ class Pyramid {
   std::vector<Patch> levels_;        // from the base on
   std::vector<std::uint8_t> known_;  // cells of the base that have a height in the file; empty: all
   std::unique_ptr<FineTiles> fine_;
+  std::vector<FlatWater> flat_waters_;
+  std::unique_ptr<const WaterMap> water_;
 };
 
 }  // namespace aerostat::land

@@ -6,6 +6,11 @@
 namespace aerostat::land {
 namespace {
 
+// What tells that 0 m is the level of a sea. Dry land is nowhere lower than the shore of the Dead
+// Sea, so that what lies deeper is a sea floor.
+constexpr double kSeaShare = 0.01;
+constexpr float kLowestDryLand_m = -450.0f;
+
 /// Takes a height that occurs `count` times into the two lowest ones (sign 1) or highest ones
 /// (sign -1).
 void take(float height, std::uint64_t count, float sign, float& end, float& next,
@@ -65,6 +70,13 @@ void RasterStatistics::add(const RasterStatistics& other) {
   if (other.next_highest != other.highest) {
     take(other.next_highest, 0, -1.0f, highest, next_highest, at_highest);
   }
+}
+
+bool show_sea(const RasterStatistics& statistics) {
+  if (statistics.known() == 0) return false;
+  const double zero =
+      static_cast<double>(statistics.at_zero) / static_cast<double>(statistics.known());
+  return (zero >= kSeaShare && statistics.highest > 0.0f) || statistics.lowest < kLowestDryLand_m;
 }
 
 }  // namespace aerostat::land

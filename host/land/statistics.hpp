@@ -26,4 +26,8 @@ struct RasterStatistics {
   void add(const RasterStatistics& other);
 };
 
+/// Returns whether a sea at 0 m is in the samples: much of their area is at 0 m, or some of it is
+/// deeper than any dry land.
+bool show_sea(const RasterStatistics& statistics);
+
 }  // namespace aerostat::land

@@ -8,6 +8,7 @@
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
 
+#include "land/grid_walk.hpp"
 #include "land/reduce.hpp"
 
 namespace aerostat::land {
@@ -82,10 +83,7 @@ VoidRegions find_voids(int width, int height, const std::vector<float>& heights)
       ++region.cells;
       west = std::min(west, i), east = std::max(east, i);
       north = std::min(north, j), south = std::max(south, j);
-      if (i > 0) enter(at - 1);
-      if (i + 1 < stride) enter(at + 1);
-      if (j > 0) enter(at - stride);
-      if (at + stride < heights.size()) enter(at + stride);
+      visit_neighbours(at, stride, heights.size(), enter);
     }
     region.width = static_cast<int>(east - west) + 1;
     region.height = static_cast<int>(south - north) + 1;

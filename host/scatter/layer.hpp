@@ -13,7 +13,7 @@ namespace aerostat::scatter {
 
 /// A place where a plant or stone may stand.
 struct Site {
-  /// The position over the terrain in metres, as all positions here.
+  /// The position over the terrain in metres, as all positions here. y is the height above the sea.
   vec3 position{0.0f};
   vec3 normal{0.0f, 1.0f, 0.0f};
   /// The height above the sea in metres. It is very large if there is no sea.

@@ -135,7 +135,8 @@ class Planter {
     Site& site = candidate.site;
     place_.surface.find(x, z, spot);
     site.position = place_.surface.place(spot);
-    const float height = site.position.y;
+    const float height = place_.rule.height_above_sea(site.position);
+    site.position.y = height;
     if (height < layer_.lowest || height > layer_.highest) return false;
     site.above_sea = height - place_.sea_level_m;
     if (!(layer_.steepest_cos > 0.0f)) return true;

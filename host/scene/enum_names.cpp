@@ -39,6 +39,12 @@ std::span<const char* const> enum_names<Voids>() {
 }
 
 template <>
+std::span<const char* const> enum_names<InlandWater>() {
+  static constexpr const char* kNames[] = {"auto", "none"};
+  return kNames;
+}
+
+template <>
 std::span<const char* const> enum_names<SampleType>() {
   static constexpr const char* kNames[] = {"auto",   "uint8", "int8",    "uint16", "int16",
                                            "uint32", "int32", "float32", "float64"};

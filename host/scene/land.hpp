@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "core/earth.hpp"
 #include "core/math.hpp"
 
 /// The land of a scene: its heights, its colours, the sea and what grows on it.
@@ -43,6 +44,8 @@ enum class HeightUnit { automatic, metre, decimetre, centimetre, foot, us_survey
 enum class TileEncoding { automatic, terrarium, terrain_rgb };
 /// What lies where the files have no heights over a large area: land like that around, or sea.
 enum class Voids { land, sea };
+/// What becomes of level areas of the heights: lakes and rivers, or dry land.
+enum class InlandWater { automatic, none };
 enum class SampleType { automatic, uint8, int8, uint16, int16, uint32, int32, float32, float64 };
 
 /// The point of the files that lies at the terrain's centre: a latitude and longitude on WGS 84, or
@@ -98,6 +101,7 @@ struct ElevationSource {
   TerrainPlace place;
   std::optional<double> extent_m;  // side of the square of the files around `place` that counts
   Voids voids = Voids::land;
+  InlandWater inland_water = InlandWater::automatic;
   bool curved = true;   // the ground falls away with the curvature of the Earth
   double detail = 1.0;  // strength of the relief that is added below the files' resolution
   Drape drape;
@@ -125,6 +129,12 @@ struct Terrain : ElevationSource {
 
   bool operator==(const Terrain&) const = default;
 };
+
+/// Returns by what number times the square of the distance from its centre, in metres, the ground
+/// falls away. It is 0 for ground that is not curved.
+inline double ground_fall(const Terrain& terrain) {
+  return terrain.kind == TerrainKind::elevation && terrain.curved ? kEarthFall_per_m : 0.0;
+}
 
 /// Returns the terrain without the picture on it, which its shape does not depend on.
 inline Terrain without_drape(Terrain terrain) {

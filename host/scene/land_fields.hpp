@@ -156,6 +156,10 @@ inline constexpr auto kTable<Terrain> = table(
         "voids", &Terrain::voids,
         word("What lies where the source has no heights over a large area. land (the default) goes "
              "on like the land around it, and sea is water.")),
+    field("inland_water", &Terrain::inland_water,
+          word("What becomes of level areas of a source. auto (the default) makes lakes and rivers "
+               "of them, and none leaves them dry.")
+              .control(EditGroup::snow_and_water, "Lakes and rivers")),
     field(
         "curved", &Terrain::curved,
         truth(

@@ -56,15 +56,39 @@ void HeightField::heights(const Points& points, Block& height) const {
   for (int i = 0; i < points.count; ++i) height[i] += base_m_;
 }
 
-double HeightField::height(double x, double z, double spacing) const {
+bool HeightField::has_water() const {
+  return relief_->has_water();
+}
+
+void HeightField::water_levels(const Points& points, Block& level) const {
+  relief_->water_levels(points, level);
+  for (int i = 0; i < points.count; ++i) level[i] += base_m_;
+}
+
+Points HeightField::point_at(double x, double z, double spacing) const {
   Points points;
   points.count = 1;
   points.x[0] = static_cast<float>(x - center_.x);
   points.z[0] = static_cast<float>(z - center_.y);
   points.spacing[0] = static_cast<float>(spacing);
+  return points;
+}
+
+double HeightField::height(double x, double z, double spacing) const {
   Block height;
-  heights(points, height);
+  heights(point_at(x, z, spacing), height);
   return height[0];
+}
+
+std::optional<double> HeightField::water_level(double x, double z, double spacing) const {
+  if (!has_water()) return std::nullopt;
+  const Points point = point_at(x, z, spacing);
+  Block ground, level;
+  heights(point, ground);
+  water_levels(point, level);
+  // A level that is not near is no number.
+  if (!(level[0] > ground[0])) return std::nullopt;
+  return level[0];
 }
 
 vec3 HeightField::normal(double x, double z, double spacing) const {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 
 #include "core/math.hpp"
 #include "scene/land.hpp"
@@ -32,7 +33,19 @@ class HeightField {
   /// below each point's spacing is left out. The same bits as one by one.
   void heights(const Points& points, Block& height) const;
 
+  /// Returns whether there are lakes or rivers.
+  bool has_water() const;
+
+  /// Heights above sea level of the surfaces of the nearest lakes and rivers, NaN where none is
+  /// near. There is water where the ground is lower.
+  void water_levels(const Points& points, Block& level) const;
+
+  /// Returns the height of the surface of a lake or river at a place, or nothing on dry land.
+  std::optional<double> water_level(double x, double z, double spacing = 0.0) const;
+
  private:
+  Points point_at(double x, double z, double spacing) const;
+
   std::shared_ptr<const Relief> relief_;
   dvec2 center_;
   float base_m_;

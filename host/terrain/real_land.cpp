@@ -28,6 +28,10 @@ constexpr int kGullyOctaves = 5, kNoiseOctaves = 9;
 // the distance over which they reach it.
 constexpr double kBeyondFeature_m = 9000.0;
 constexpr float kBeyondShare = 0.6f, kBeyondFrom_m = 9000.0f;
+// Beds and banks of lakes and rivers: the slope at the shore, and the depth that beds approach far
+// from it. Banks around the water hold it over so many widths of the mesh's cells, and then fall.
+constexpr float kBedSlope = 0.08f, kDeepest_m = 30.0f;
+constexpr float kBankCells = 1.5f, kDamSlope = 1.0f;
 constexpr float kSeaDepth_m = 25.0f;  // of large regions without heights that are sea
 
 /// The area around the terrain's square that heights may be asked for, as a share of its side.
@@ -37,7 +41,7 @@ class RealLand : public Relief {
  public:
   RealLand(const scene::Terrain& terrain, std::shared_ptr<const land::Land> files)
       : detail_(static_cast<float>(terrain.detail)),
-        curved_(terrain.curved && files->has_place()),
+        fall_(scene::ground_fall(terrain)),
         files_(std::move(files)),
         local_(files_->around(middle_point(terrain, *files_), kReach * terrain.size_m)),
         gullies_(kWidestGully * files_->cell_m(), kGullyOctaves, kGullyDepth,
@@ -62,14 +66,59 @@ class RealLand : public Relief {
                     {outside.data(), count}});
     if (beyond_m_ > 0.0f) add_hills(points, outside, ground);
     if (detail_ > 0.0f) add_detail(points, ground);
+    if (local_->has_water()) shape_shores(points, ground.height);
     for (int i = 0; i < points.count; ++i) {
-      const double x = points.x[i], z = points.z[i];
-      const double drop = curved_ ? geo::curvature_drop(std::sqrt(x * x + z * z)) : 0.0;
-      height[i] = static_cast<float>(ground.height[i] - drop);
+      height[i] = static_cast<float>(ground.height[i] - drop(points, i));
+    }
+  }
+
+  bool has_water() const override { return local_->has_water(); }
+
+  void water_levels(const Points& points, Block& level) const override {
+    Block shore;
+    find_water(points, level, shore);
+    for (int i = 0; i < points.count; ++i) {
+      level[i] = static_cast<float>(level[i] - drop(points, i));
     }
   }
 
  private:
+  double drop(const Points& points, int i) const {
+    const double x = points.x[i], z = points.z[i];
+    return fall_ * (x * x + z * z);
+  }
+
+  void find_water(const Points& points, Block& level, Block& shore) const {
+    const auto count = static_cast<std::size_t>(points.count);
+    local_->find_water({{points.x.data(), count},
+                        {points.z.data(), count},
+                        {points.spacing.data(), count},
+                        {level.data(), count},
+                        {shore.data(), count}});
+  }
+
+  /// Lays beds under lakes and rivers, which files show as level areas without a depth. Banks meet
+  /// the water at its level and hold it where the land around is lower.
+  void shape_shores(const Points& points, Block& height) const {
+    Block level, shore;
+    find_water(points, level, shore);
+    const auto cell_m = static_cast<float>(files_->cell_m());
+    for (int i = 0; i < points.count; ++i) {
+      if (std::isnan(level[i])) continue;
+      if (shore[i] > 0.0f) {
+        const float share = 1.0f - std::exp(-kBedSlope / kDeepest_m * shore[i]);
+        height[i] = level[i] - kDeepest_m * share;
+        continue;
+      }
+      const float inland = -shore[i], width = std::max(cell_m, kBankCells * points.spacing[i]);
+      const float above = height[i] - level[i];
+      const float bank = above > 0.0f ? above * smooth_step(0.0f, 1.0f, inland / cell_m) : above;
+      const float held =
+          kBedSlope * std::min(inland, cell_m) - kDamSlope * std::max(inland - width, 0.0f);
+      height[i] = level[i] + std::max(bank, held);
+    }
+  }
+
   /// Adds roughness and gullies that are finer than the samples of the files. Both follow the
   /// slope, so that plains and lakes stay flat.
   void add_detail(const Points& points, Slopes& ground) const {
@@ -99,7 +148,7 @@ class RealLand : public Relief {
   }
 
   float detail_;
-  bool curved_;
+  double fall_;  // see scene::ground_fall
   std::shared_ptr<const land::Land> files_;
   std::shared_ptr<const land::LocalLand> local_;
   Gullies gullies_;
@@ -149,6 +198,7 @@ land::LandOptions land_options(const scene::ElevationSource& source) {
   open.variable = source.variable;
   open.raw = {source.raw.width, source.raw.height, word_unless_automatic(source.raw.type),
               source.raw.big_endian, static_cast<std::uint64_t>(source.raw.header_bytes)};
+  options.inland_water = source.inland_water == scene::InlandWater::automatic;
   options.sea_depth_m = source.voids == scene::Voids::sea ? kSeaDepth_m : 0.0f;
   return options;
 }

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <algorithm>
+#include <limits>
 #include <memory>
 
 #include "points.hpp"
@@ -18,6 +20,16 @@ class Relief {
   /// Computes heights in metres, without Terrain::base_m. They are smooth enough for each point's
   /// spacing.
   virtual void heights(const Points& points, Block& height) const = 0;
+
+  /// Returns whether there are lakes or rivers.
+  virtual bool has_water() const { return false; }
+
+  /// Computes the heights of the surfaces of the nearest lakes and rivers in metres, without
+  /// Terrain::base_m. They are NaN where none is near. The ground is lower than they are where
+  /// there is water, and higher around.
+  virtual void water_levels(const Points& points, Block& level) const {
+    std::fill_n(level.begin(), points.count, std::numeric_limits<float>::quiet_NaN());
+  }
 };
 
 /// Makes an alpine relief of valleys that join and ridges with side ridges. A broad valley passes

@@ -26,11 +26,16 @@ mesh::GridMesh terrain_mesh(const scene::Terrain& terrain);
 mesh::GridMesh terrain_mesh(const scene::Terrain& terrain, const HeightField& field);
 
 /// Returns the sea over `ground`, which must be terrain_mesh(terrain). It covers every cell that
-/// has a corner at Water::level_m + 0.5 m or below, as a flat sheet at the level with normals up.
-/// colors.x is the depth of water under each vertex in metres, 0 over dry ground. colors.y and
-/// colors.z are 0. An island's sea continues beyond the terrain to 100 km from its centre, joined
-/// edge to edge. The mesh is empty if the water is disabled.
+/// has a corner at Water::level_m + 0.5 m or below, as a sheet at the level with normals up. Over
+/// curved land it is curved. colors.x is the depth of water under each vertex in metres, 0 over dry
+/// ground. colors.y and colors.z are 0. An island's sea continues beyond the terrain to 100 km from
+/// its centre, joined edge to edge. The mesh is empty if the water is disabled.
 mesh::TriangleMesh water_mesh(const scene::Terrain& terrain, const scene::Water& water,
                               const mesh::GridMesh& ground);
+
+/// Returns the lakes and rivers of `field` over `ground`, which must be terrain_mesh(terrain,
+/// field), as sheets like the sea. colors.y is 1.
+mesh::TriangleMesh inland_water_mesh(const scene::Terrain& terrain, const HeightField& field,
+                                     const mesh::GridMesh& ground);
 
 }  // namespace aerostat::terrain

@@ -1,8 +1,14 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
+#include <utility>
+#include <vector>
+
+#include <tbb/parallel_for.h>
 
 #include "core/error.hpp"
+#include "core/stop_scope.hpp"
 #include "terrain_mesh.hpp"
 
 namespace aerostat::terrain {
@@ -13,16 +19,26 @@ constexpr float kHorizonM = 100000.0f;  // distance of the sea's edge, beyond ev
 constexpr float kOceanDepth = 400.0f;
 constexpr std::uint32_t kUnused = 0xffffffffu;
 
+using LevelOf = std::function<float(std::uint32_t vertex)>;
+
 class WaterBuilder {
  public:
-  WaterBuilder(const scene::Terrain& terrain, float level, const mesh::GridMesh& ground)
+  /// `level_of` returns the level of the water over a ground vertex, NaN without water. `calm` is
+  /// 1 for inland water.
+  WaterBuilder(const scene::Terrain& terrain, const mesh::GridMesh& ground, LevelOf level_of,
+               float calm)
       : cells_(static_cast<std::uint32_t>(terrain.cells)),
         center_(terrain.center),
-        level_(level),
         ground_(ground),
-        slot_(std::size_t{cells_ + 1} * (cells_ + 1), kUnused) {}
+        level_of_(std::move(level_of)),
+        calm_(calm),
+        slot_(std::size_t{cells_ + 1} * (cells_ + 1), kUnused) {
+    if (ground.columns() != cells_ || ground.rows() != cells_)
+      throw Error(ErrorKind::internal, "a water mesh: the ground is not the mesh of this terrain");
+  }
 
-  void add_cells();
+  /// Adds the cells that have a corner less than `margin_m` above the level.
+  void add_cells(float margin_m);
   void add_ocean();
 
   mesh::TriangleMesh take() { return std::move(mesh_); }
@@ -33,18 +49,21 @@ class WaterBuilder {
     return ground_.position(vertex % (cells_ + 1), vertex / (cells_ + 1));
   }
 
-  std::uint32_t add_vertex(float x, float z, float depth) {
-    mesh_.positions.emplace_back(x, level_, z);
+  std::uint32_t add_vertex(const vec3& position, float depth) {
+    mesh_.positions.push_back(position);
     mesh_.normals.emplace_back(0.0f, 1.0f, 0.0f);
-    mesh_.colors.emplace_back(depth, 0.0f, 0.0f);
+    mesh_.colors.emplace_back(depth, calm_, 0.0f);
     return static_cast<std::uint32_t>(mesh_.positions.size() - 1);
   }
 
-  std::uint32_t over(std::uint32_t ground_vertex) {
+  /// Returns the water over a ground vertex. Where no level is known, it is that of the cell.
+  std::uint32_t over(std::uint32_t ground_vertex, float level_of_cell) {
     std::uint32_t& slot = slot_[ground_vertex];
     if (slot == kUnused) {
       const vec3 p = ground(ground_vertex);
-      slot = add_vertex(p.x, p.z, std::max(level_ - p.y, 0.0f));
+      const float own = level_of_(ground_vertex);
+      const float level = std::isnan(own) ? level_of_cell : own;
+      slot = add_vertex({p.x, level, p.z}, std::max(level - p.y, 0.0f));
     }
     return slot;
   }
@@ -53,25 +72,26 @@ class WaterBuilder {
 
   std::uint32_t cells_;
   dvec2 center_;
-  float level_;
   const mesh::GridMesh& ground_;
+  LevelOf level_of_;
+  float calm_;
   std::vector<std::uint32_t> slot_;  // water vertex over each ground vertex
   mesh::TriangleMesh mesh_;
 };
 
-void WaterBuilder::add_cells() {
+void WaterBuilder::add_cells(float margin_m) {
   const std::uint32_t side = cells_ + 1;
-  const float limit = level_ + kShoreMargin;
   for (std::uint32_t j = 0; j < cells_; ++j)
     for (std::uint32_t i = 0; i < cells_; ++i) {
       const std::uint32_t a = j * side + i;
       const std::array<std::uint32_t, 4> corners = {a, a + 1, a + side, a + side + 1};
-      if (std::none_of(corners.begin(), corners.end(),
-                       [&](std::uint32_t v) { return ground(v).y <= limit; }))
-        continue;
+      const auto wet = std::find_if(corners.begin(), corners.end(), [&](std::uint32_t v) {
+        return ground(v).y <= level_of_(v) + margin_m;
+      });
+      if (wet == corners.end()) continue;
       std::array<std::uint32_t, 4> v{};
       std::transform(corners.begin(), corners.end(), v.begin(),
-                     [this](std::uint32_t corner) { return over(corner); });
+                     [&](std::uint32_t corner) { return over(corner, level_of_(*wet)); });
       mesh_.triangles.emplace_back(v[0], v[2], v[3]);
       mesh_.triangles.emplace_back(v[0], v[3], v[1]);
     }
@@ -95,7 +115,7 @@ void WaterBuilder::add_ocean() {
   const std::vector<std::uint32_t> border = rim();
   std::vector<std::uint32_t> inner(border.size());
   std::transform(border.begin(), border.end(), inner.begin(),
-                 [this](std::uint32_t v) { return over(v); });
+                 [this](std::uint32_t v) { return over(v, level_of_(v)); });
   const vec3 middle(static_cast<float>(center_.x), 0.0f, static_cast<float>(center_.y));
   const float half = std::fabs(ground(border[0]).x - middle.x);
   for (float reach = 1.0f; reach * half < kHorizonM;) {
@@ -103,7 +123,7 @@ void WaterBuilder::add_ocean() {
     std::vector<std::uint32_t> outer(border.size());
     for (std::size_t k = 0; k < border.size(); ++k) {
       const vec3 out = (ground(border[k]) - middle) * reach + middle;
-      outer[k] = add_vertex(out.x, out.z, kOceanDepth);
+      outer[k] = add_vertex({out.x, mesh_.positions[inner[k]].y, out.z}, kOceanDepth);
     }
     for (std::size_t k = 0; k < border.size(); ++k) {
       const std::size_t next = (k + 1) % border.size();
@@ -120,12 +140,51 @@ void WaterBuilder::add_ocean() {
 mesh::TriangleMesh water_mesh(const scene::Terrain& terrain, const scene::Water& water,
                               const mesh::GridMesh& ground) {
   if (!water.enabled) return {};
-  const auto cells = static_cast<std::uint32_t>(terrain.cells);
-  if (ground.columns() != cells || ground.rows() != cells)
-    throw Error(ErrorKind::internal, "water_mesh: the ground is not the mesh of this terrain");
-  WaterBuilder builder(terrain, static_cast<float>(water.level_m), ground);
-  builder.add_cells();
+  const auto level = static_cast<float>(water.level_m);
+  const double fall = scene::ground_fall(terrain);
+  const auto level_of = [&, side = ground.columns() + 1](std::uint32_t vertex) {
+    if (!(fall > 0.0)) return level;
+    const double x = ground.x(vertex % side) - terrain.center.x;
+    const double z = ground.z(vertex / side) - terrain.center.y;
+    return static_cast<float>(level - fall * (x * x + z * z));
+  };
+  WaterBuilder builder(terrain, ground, level_of, 0.0f);
+  builder.add_cells(kShoreMargin);
   if (terrain.kind == scene::TerrainKind::island) builder.add_ocean();
+  return builder.take();
+}
+
+mesh::TriangleMesh inland_water_mesh(const scene::Terrain& terrain, const HeightField& field,
+                                     const mesh::GridMesh& ground) {
+  if (!field.has_water()) return {};
+  const std::uint32_t side = ground.columns() + 1;
+  const auto spacing = [](const auto& line, std::uint32_t at, std::uint32_t count) {
+    const std::uint32_t before = at > 0 ? at - 1 : at, after = std::min(at + 1, count);
+    return (line(after) - line(before)) / static_cast<float>(after - before);
+  };
+  const auto x = [&ground](std::uint32_t i) { return ground.x(i); };
+  const auto z = [&ground](std::uint32_t j) { return ground.z(j); };
+  std::vector<float> levels(std::size_t{side} * (ground.rows() + 1));
+  tbb::parallel_for(0u, ground.rows() + 1, [&, stop = current_stop()](std::uint32_t j) {
+    stop_if_asked(stop);
+    Points points;
+    Block block;
+    for (std::uint32_t first = 0; first < side; first += kBlockSize) {
+      points.count = static_cast<int>(std::min<std::uint32_t>(kBlockSize, side - first));
+      for (std::uint32_t k = 0; k < static_cast<std::uint32_t>(points.count); ++k) {
+        points.x[k] = static_cast<float>(ground.x(first + k) - terrain.center.x);
+        points.z[k] = static_cast<float>(ground.z(j) - terrain.center.y);
+        points.spacing[k] =
+            std::max(spacing(x, first + k, ground.columns()), spacing(z, j, ground.rows()));
+      }
+      field.water_levels(points, block);
+      std::copy_n(block.begin(), points.count,
+                  levels.begin() + static_cast<std::ptrdiff_t>(std::size_t{j} * side + first));
+    }
+  });
+  WaterBuilder builder(
+      terrain, ground, [&](std::uint32_t vertex) { return levels[vertex]; }, 1.0f);
+  builder.add_cells(0.0f);
   return builder.take();
 }
 

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/earth.hpp"
 #include "core/math.hpp"
 
 namespace aerostat::track {
@@ -29,8 +30,8 @@ double distance_m(const geo::Place& a, const geo::Place& b) {
   const dvec3 between = point_of(a) - point_of(b);
   const double chord =
       std::sqrt(between.x * between.x + between.y * between.y + between.z * between.z);
-  const double half = std::min(1.0, chord / (2.0 * geo::kEarthRadius_m));
-  return 2.0 * geo::kEarthRadius_m * std::asin(half);
+  const double half = std::min(1.0, chord / (2.0 * kEarthRadius_m));
+  return 2.0 * kEarthRadius_m * std::asin(half);
 }
 
 double unwrapped(double longitude_deg, double near_deg) {

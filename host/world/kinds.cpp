@@ -3,7 +3,7 @@
 namespace aerostat::world {
 
 GroupKinds all_kinds() {
-  return {&kLand, &kSea, &kBalloons, &kPlants};
+  return {&kLand, &kSea, &kInlandWater, &kBalloons, &kPlants};
 }
 
 }  // namespace aerostat::world

@@ -13,6 +13,8 @@ using GroupKinds = std::vector<const GroupKind*>;
 extern const GroupKind kLand;
 /// The sea.
 extern const GroupKind kSea;
+/// Lakes and rivers of real land.
+extern const GroupKind kInlandWater;
 /// All balloons of a scene, each as fine as its size in the picture asks for.
 extern const GroupKind kBalloons;
 /// Plants and stones, each in the level of detail that its size in the picture asks for.

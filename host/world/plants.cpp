@@ -8,6 +8,7 @@
 #include "scene/local_frame.hpp"
 #include "scene/scene.hpp"
 #include "terrain/drape.hpp"
+#include "terrain/height_field.hpp"
 #include "world/kinds.hpp"
 
 namespace aerostat::world {
@@ -55,11 +56,29 @@ void clear_pictures(const GroupInput& input, std::vector<scatter::Instance>& ins
   });
 }
 
+/// Plants do not stand in lakes and rivers.
+void clear_water(const GroupInput& input, std::vector<scatter::Instance>& instances) {
+  const terrain::HeightField field(input.local.terrain, input.request.carving, input.reliefs);
+  if (!field.has_water()) return;
+  std::vector<char> stands(instances.size());
+  tbb::parallel_for(std::size_t{0}, instances.size(), [&](std::size_t i) {
+    const vec3& p = instances[i].position;
+    const auto level = field.water_level(p.x, p.z);
+    stands[i] = level && static_cast<double>(p.y) < *level ? 0 : 1;
+  });
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < instances.size(); ++i) {
+    if (stands[i] != 0) instances[kept++] = instances[i];
+  }
+  instances.resize(kept);
+}
+
 Shape build(const GroupInput& input) {
   const scene::ResolvedScene& scene = input.request.scene;
   scatter::Growth growth =
       scatter::scatter(scene, *input.ground, input.request.where, input.request.obstacles);
   clear_pictures(input, growth.instances);
+  clear_water(input, growth.instances);
   choose_details(scene, growth.models, growth.instances);
   Instances plants;
   plants.places = std::move(growth.instances);

@@ -1,3 +1,5 @@
+#include "world/sea.hpp"
+
 #include <utility>
 
 #include "scene/scene.hpp"
@@ -9,13 +11,7 @@ namespace {
 
 Shape build(const GroupInput& input) {
   const scene::Scene& local = input.local;
-  Objects objects;
-  mesh::TriangleMesh water = terrain::water_mesh(local.terrain, local.biome.water, *input.ground);
-  // The colours of the sea's vertices are depths, which a plain sea does not show.
-  if (local.surfaces == scene::Surfaces::plain) water.colors.clear();
-  if (!water.empty())
-    objects.push_back({scene::ObjectId::water, scene::MaterialId::water, std::move(water)});
-  return objects;
+  return water_objects(local, terrain::water_mesh(local.terrain, local.biome.water, *input.ground));
 }
 
 bool same(const GroupRequest& now, const GroupRequest& before) {
@@ -25,6 +21,15 @@ bool same(const GroupRequest& now, const GroupRequest& before) {
 }
 
 }  // namespace
+
+Objects water_objects(const scene::Scene& scene, mesh::TriangleMesh water) {
+  Objects objects;
+  // The colours of the vertices of water are depths, which plain water does not show.
+  if (scene.surfaces == scene::Surfaces::plain) water.colors.clear();
+  if (!water.empty())
+    objects.push_back({scene::ObjectId::water, scene::MaterialId::water, std::move(water)});
+  return objects;
+}
 
 const GroupKind kSea{.name = "sea", .footing = Footing::on_ground, .build = build, .same = same};
 

@@ -14,8 +14,8 @@ namespace aerostat::world {
 using terrain::Carving;
 using terrain::ReliefCache;
 
-/// The heights on which one stands: the ground, or the sea where it is higher. Copies share their
-/// data. It may be used from any thread.
+/// The heights on which one stands: the ground, or the sea, a lake or a river where it is higher.
+/// Copies share their data. It may be used from any thread.
 class Surface {
  public:
   /// Prepares the relief, which takes some tenths of a second. The scene need not be resolved.

@@ -24,6 +24,12 @@ typedef struct GroundNoise {
   } inside;
 } GroundNoise;
 
+/* Returns the height above the sea of a point of the ground. The sea is curved as the ground is. */
+AERO_RULE lane_float height_above_sea(AERO_GLOBAL const AeroGround* ground, lane_float x,
+                                      lane_float y, lane_float z) {
+  return lane_fma(lane_fma(x, x, z * z), (lane_float)ground->fall, y);
+}
+
 /* The share of each kind of ground, from 0 to 1. */
 typedef struct GroundMix {
   lane_float rock, beach, snow, forest;

@@ -103,13 +103,16 @@ typedef struct AeroGround {
   aero_float wind[2]; /* unit vector of the wind, x and z */
   aero_float strata;  /* thickness of the largest beds of rock, or 0 without beds */
   aero_uint seed;
+  /* The ground lies lower by this number times the square of the distance from the terrain's centre
+   * because the Earth is round, or 0. */
+  aero_float fall;
 #define AERO_NUMBER(member, source) aero_float member;
   AERO_GROUND_NUMBERS(AERO_NUMBER)
 #undef AERO_NUMBER
 } AeroGround;
 
 #define AERO_BYTES(member, source) +4
-AERO_ASSERT_LAYOUT(AeroGround, 136 AERO_GROUND_NUMBERS(AERO_BYTES));
+AERO_ASSERT_LAYOUT(AeroGround, 140 AERO_GROUND_NUMBERS(AERO_BYTES));
 #undef AERO_BYTES
 
 /* How tests follow paths. AERO_PATHS_WITHOUT_LIGHT_RAYS traces no rays to the sun's disc and to the

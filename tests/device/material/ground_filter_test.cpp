@@ -1,7 +1,12 @@
 // Tests that the ground over a footprint is the mean of what it is at the points of the footprint.
+#include <array>
 #include <cmath>
+#include <cstddef>
 #include <random>
+#include <utility>
+#include <vector>
 
+#include "core/earth.hpp"
 #include "ground/ground_numbers.hpp"
 #include "probe.hpp"
 #include "rules/ground.h"
@@ -60,9 +65,9 @@ class GroundFilter : public LaneTest {
     return {error(over[0], middles[0], each[0]), error(over[1], middles[1], each[1])};
   }
 
- private:
   using Values = std::array<std::vector<float>, 2>;
 
+  /// Returns the albedos of points and the light on them.
   Values values(const std::vector<vec3>& points, const std::vector<float>& slope,
                 float footprint) const {
     const auto albedos = output<float>(points.size()), lit = output<float>(points.size());
@@ -71,6 +76,9 @@ class GroundFilter : public LaneTest {
     return {albedos.read(), lit.read()};
   }
 
+  AeroGround ground_{};
+
+ private:
   static Error error(const std::vector<float>& over, const std::vector<float>& middles,
                      const std::vector<float>& each) {
     Error error;
@@ -90,7 +98,6 @@ class GroundFilter : public LaneTest {
   }
 
   const Probe probe_{"ground.cl", GetParam()};
-  AeroGround ground_{};
 };
 
 // Snow and rock differ by 0.7 in albedo. The bias, 0.003 and 0.008, is held to a hundredth or two
@@ -104,6 +111,34 @@ TEST_P(GroundFilter, IsTheMeanOfThePointsInsideAFootprint) {
     EXPECT_LT(albedo.filtered, 0.85 * albedo.one_point) << slope_deg;
     EXPECT_LT(lit.filtered, 0.85 * lit.one_point) << slope_deg;
   }
+}
+
+// 45 km away, curved land lies 138 m lower. Snow lies there as on level land of the same height
+// above the sea.
+TEST_P(GroundFilter, GoesByHeightsAboveTheCurvedSea) {
+  ground_.snow_line = 1000.0f;
+  ground_.snow_fuzz = 100.0f;
+  std::mt19937 random(17);
+  std::uniform_real_distribution<float> across(40000.0f, 50000.0f), height(800.0f, 1200.0f);
+  std::vector<vec3> level, curved;
+  for (std::size_t i = 0; i < kFootprints; ++i) {
+    const vec3 p(across(random), height(random), -1000.0f);
+    level.push_back(p);
+    const double fall = kEarthFall_per_m * (double{p.x} * p.x + 1e6);
+    curved.emplace_back(p.x, static_cast<float>(p.y - fall), p.z);
+  }
+  const std::vector<float> up{0.0f, 1.0f, 0.0f, 0.0f, 1.0f, 0.0f};
+  const std::vector<float> expected = values(level, up, kFootprint)[0];
+  const std::vector<float> lower = values(curved, up, kFootprint)[0];
+  ground_.fall = static_cast<float>(kEarthFall_per_m);
+  const std::vector<float> found = values(curved, up, kFootprint)[0];
+  double off = 0.0, off_without = 0.0;
+  for (std::size_t i = 0; i < kFootprints; ++i) {
+    off += std::fabs(found[i] - expected[i]) / kFootprints;
+    off_without += std::fabs(lower[i] - expected[i]) / kFootprints;
+  }
+  EXPECT_LT(off, 2e-3);
+  EXPECT_GT(off_without, 0.1);
 }
 
 AEROSTAT_AT_EVERY_WIDTH(GroundFilter);

@@ -203,7 +203,7 @@ TEST_P(Water, WavesFlattenWithDistanceAndTheirSlopeTurnsToRoughness) {
   }
   const auto normals = output<float>(3 * count), roughness = output<float>(count);
   probe.run("probe_waves", count, uploaded(scene()), input(planes(positions)), input(footprints),
-            normals, roughness);
+            0.0f, normals, roughness);
   const auto n = normals.read(), rough = roughness.read();
   float steepest = 0.0f;
   for (std::size_t i = 0; i < count; ++i) {
@@ -217,6 +217,23 @@ TEST_P(Water, WavesFlattenWithDistanceAndTheirSlopeTurnsToRoughness) {
   }
   EXPECT_GT(steepest, 0.02f);
   EXPECT_LT(rough[0], rough[count - 1]);
+}
+
+// Three of the eight octaves are missing inland, 0.3 of the variance of slope, and 0.16 of the rest
+// is left. Gusts are the same.
+TEST_P(Water, LakesHaveSmallerWavesThanTheSea) {
+  constexpr std::size_t kPoints = 256;
+  const auto positions = input(planes(anywhere(kPoints)));
+  const auto roughness_at = [&](float footprint, float inland) {
+    const auto normals = output<float>(3 * kPoints), roughness = output<float>(kPoints);
+    probe.run("probe_waves", kPoints, uploaded(scene()), positions,
+              input(std::vector<float>(kPoints, footprint)), inland, normals, roughness);
+    return roughness.read();
+  };
+  const auto sea = roughness_at(100.0f, 0.0f), lake = roughness_at(100.0f, 1.0f);
+  for (std::size_t i = 0; i < kPoints; ++i) {
+    ASSERT_NEAR(lake[i], 0.16f * 0.7f * sea[i], 1e-3f * sea[i]);
+  }
 }
 
 AEROSTAT_AT_EVERY_WIDTH(Water);

@@ -9,17 +9,18 @@ __kernel void probe_water(__global const AeroScene* scene, __global const float*
                           __global const float* cosines, __global const float* light,
                           __global float* radiance) {
   const Lane3 bed = lane3_from(scene->water.bed);
-  const Lane3 albedo = water_albedo(&scene->water, bed, LOAD(depths), LOAD(cosines));
+  const Lane3 albedo =
+      water_albedo(&scene->water, bed, LOAD(depths), (lane_float)0.0f, LOAD(cosines));
   store3_planes(mul3(albedo, load3(light)), radiance);
 }
 
 __kernel void probe_waves(__global const AeroScene* scene, __global const float* positions,
-                          __global const float* footprints, __global float* normals,
-                          __global float* roughness) {
+                          __global const float* footprints, const float inland,
+                          __global float* normals, __global float* roughness) {
   lane_float rough;
-  store3_planes(
-      wave_normal(&scene->water, scene->ground.wind, load3(positions), LOAD(footprints), &rough),
-      normals);
+  store3_planes(wave_normal(&scene->water, scene->ground.wind, load3(positions), LOAD(footprints),
+                            (lane_float)inland, &rough),
+                normals);
   STORE(rough, roughness);
 }
 
@@ -31,7 +32,8 @@ __kernel void probe_rough_fresnel(__global const float* cosines, const float var
 __kernel void probe_bed(__global const AeroScene* scene, __global const float* positions,
                         __global const float* depths, const float footprint,
                         __global float* albedo) {
-  store3_planes(bed_albedo(&scene->water, load3(positions), LOAD(depths), (lane_float)footprint),
+  store3_planes(bed_albedo(&scene->water, load3(positions), LOAD(depths), (lane_float)0.0f,
+                           (lane_float)footprint),
                 albedo);
 }
 
