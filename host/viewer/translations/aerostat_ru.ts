@@ -699,6 +699,10 @@
         <source>Picture on the ground</source>
         <translation>Снимок на земле</translation>
     </message>
+    <message>
+        <source>Lakes and rivers</source>
+        <translation>Озёра и реки</translation>
+    </message>
 </context>
 <context>
     <name>NumberBox</name>
@@ -1655,6 +1659,10 @@
     <message>
         <source>Outer corner of the last pixel of the last row, [latitude, longitude] in degrees on WGS 84.</source>
         <translation>Внешний угол последнего пикселя последней строки, [широта, долгота] в градусах WGS 84.</translation>
+    </message>
+    <message>
+        <source>What becomes of level areas of a source. auto (the default) makes lakes and rivers of them, and none leaves them dry.</source>
+        <translation>Чем становятся ровные участки источника. auto (по умолчанию) делает из них озёра и реки, none оставляет их сухими.</translation>
     </message>
 </context>
 <context>

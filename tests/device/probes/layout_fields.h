@@ -210,6 +210,7 @@ FIELD(AeroGround, ripple)
 FIELD(AeroGround, wind)
 FIELD(AeroGround, strata)
 FIELD(AeroGround, seed)
+FIELD(AeroGround, fall)
 #define AERO_NUMBER(member, source) FIELD(AeroGround, member)
 AERO_GROUND_NUMBERS(AERO_NUMBER)
 #undef AERO_NUMBER
