@@ -15,6 +15,8 @@ namespace {
 
 using Triangle = std::array<std::uint32_t, 3>;
 
+constexpr std::size_t kMostNotes = 50;
+
 /// What was mended, of all meshes together.
 struct Mended {
   std::size_t not_finite = 0, folded = 0;       // triangles
@@ -126,6 +128,14 @@ void note_mended(Model& model, const Mended& mended) {
        "texture coordinates");
 }
 
+/// Damaged files can give rise to any number of notes.
+void cut_notes(Model& model) {
+  if (model.notes.size() <= kMostNotes) return;
+  const std::size_t more = model.notes.size() - kMostNotes;
+  model.notes.resize(kMostNotes);
+  model.notes.push_back(fmt::format("There are {} more notes.", more));
+}
+
 /// Leaves out meshes without triangles and placements of them.
 void drop_empty_meshes(Model& model) {
   std::vector<std::optional<std::size_t>> places;
@@ -155,6 +165,7 @@ void finish(Model& model) {
   }
   drop_empty_meshes(model);
   note_mended(model, mended);
+  cut_notes(model);
   if (model.placements.empty()) refuse("found no triangle that can be drawn");
   if (model.materials.empty()) model.materials.emplace_back();
 }

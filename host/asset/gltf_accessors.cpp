@@ -178,20 +178,10 @@ float real_at(std::string_view bytes, std::size_t at, GltfNumber number, bool no
   return little_at<float>(bytes, at);
 }
 
-/// Reads all elements. `take` returns the number at a byte.
-template <class Number, class Take>
-std::vector<Number> numbers_of(const GltfAccessor& accessor, const Take& take) {
-  const std::size_t size = bytes_of(accessor.number), n = accessor.components;
-  std::vector<Number> numbers(accessor.count * n, Number{});
-  if (accessor.view) {
-    for (std::size_t i = 0; i < accessor.count; ++i) {
-      const std::size_t at = accessor.offset + i * accessor.stride;
-      for (std::size_t k = 0; k < n; ++k) {
-        numbers[i * n + k] = take(accessor.view->bytes, at + k * size);
-      }
-    }
-  }
-  if (!accessor.sparse) return numbers;
+/// Calls `take` with each element that is stored by itself and with the first byte of its numbers.
+template <class Take>
+void each_sparse(const GltfAccessor& accessor, const Take& take) {
+  if (!accessor.sparse) return;
   const GltfAccessor::Sparse& sparse = *accessor.sparse;
   std::int64_t last = -1;
   for (std::size_t i = 0; i < sparse.count; ++i) {
@@ -202,12 +192,61 @@ std::vector<Number> numbers_of(const GltfAccessor& accessor, const Take& take) {
                          sparse.pointer, index, accessor.count));
     }
     last = index;
-    const std::size_t at = sparse.value_offset + i * n * size;
-    for (std::size_t k = 0; k < n; ++k) {
-      numbers[index * n + k] = take(sparse.values.bytes, at + k * size);
-    }
+    take(index, sparse.value_offset + i * accessor.components * bytes_of(accessor.number));
   }
+}
+
+/// Reads the numbers of `count` elements. `element` returns the i-th of them, `places` the places
+/// at which an element is wanted, and `read` the number at a byte.
+template <class Number, class Element, class Places, class Read>
+std::vector<Number> numbers_of(const GltfAccessor& accessor, std::size_t count,
+                               const Element& element, const Places& places, const Read& read) {
+  const std::size_t size = bytes_of(accessor.number), n = accessor.components;
+  std::vector<Number> numbers(count * n, Number{});
+  const auto fill = [&](std::size_t i, std::string_view bytes, std::size_t at) {
+    for (std::size_t k = 0; k < n; ++k) numbers[i * n + k] = read(bytes, at + k * size);
+  };
+  for (std::size_t i = 0; accessor.view && i < count; ++i) {
+    fill(i, accessor.view->bytes, accessor.offset + element(i) * accessor.stride);
+  }
+  each_sparse(accessor, [&](std::uint32_t index, std::size_t at) {
+    for (const std::size_t i : places(index)) fill(i, accessor.sparse->values.bytes, at);
+  });
   return numbers;
+}
+
+/// Reads all elements.
+template <class Number, class Read>
+std::vector<Number> all_of(const GltfAccessor& accessor, const Read& read) {
+  return numbers_of<Number>(
+      accessor, accessor.count, [](std::size_t i) { return i; },
+      [](std::uint32_t index) { return std::array<std::size_t, 1>{index}; }, read);
+}
+
+/// Reads the named elements, which rise.
+template <class Number, class Read>
+std::vector<Number> some_of(const GltfAccessor& accessor, std::span<const std::uint32_t> elements,
+                            const Read& read) {
+  const auto places = [&](std::uint32_t index) {
+    const auto found = std::lower_bound(elements.begin(), elements.end(), index);
+    const bool is_wanted = found != elements.end() && *found == index;
+    const auto place = static_cast<std::size_t>(found - elements.begin());
+    return is_wanted ? std::vector<std::size_t>{place} : std::vector<std::size_t>();
+  };
+  return numbers_of<Number>(
+      accessor, elements.size(), [&](std::size_t i) { return elements[i]; }, places, read);
+}
+
+auto reading_reals(const GltfAccessor& accessor) {
+  return [&accessor](std::string_view bytes, std::size_t at) {
+    return real_at(bytes, at, accessor.number, accessor.normalized);
+  };
+}
+
+auto reading_integers(const GltfAccessor& accessor) {
+  return [&accessor](std::string_view bytes, std::size_t at) {
+    return integer_at(bytes, at, accessor.number);
+  };
 }
 
 }  // namespace
@@ -221,15 +260,20 @@ GltfAccessors::GltfAccessors(const JsonValue& root, const GltfBuffers& buffers) 
 }
 
 std::vector<float> reals_of(const GltfAccessor& accessor) {
-  return numbers_of<float>(accessor, [&](std::string_view bytes, std::size_t at) {
-    return real_at(bytes, at, accessor.number, accessor.normalized);
-  });
+  return all_of<float>(accessor, reading_reals(accessor));
 }
 
 std::vector<std::uint32_t> integers_of(const GltfAccessor& accessor) {
-  return numbers_of<std::uint32_t>(accessor, [&](std::string_view bytes, std::size_t at) {
-    return integer_at(bytes, at, accessor.number);
-  });
+  return all_of<std::uint32_t>(accessor, reading_integers(accessor));
+}
+
+std::vector<float> reals_of(const GltfAccessor& accessor, std::span<const std::uint32_t> elements) {
+  return some_of<float>(accessor, elements, reading_reals(accessor));
+}
+
+std::vector<std::uint32_t> integers_of(const GltfAccessor& accessor,
+                                       std::span<const std::uint32_t> elements) {
+  return some_of<std::uint32_t>(accessor, elements, reading_integers(accessor));
 }
 
 }  // namespace aerostat::asset

@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -66,5 +67,11 @@ std::vector<float> reals_of(const GltfAccessor& accessor);
 
 /// Returns all numbers of an accessor of integers.
 std::vector<std::uint32_t> integers_of(const GltfAccessor& accessor);
+
+/// Return the numbers of some elements of an accessor, in the order of `elements`, which must rise
+/// and all exist.
+std::vector<float> reals_of(const GltfAccessor& accessor, std::span<const std::uint32_t> elements);
+std::vector<std::uint32_t> integers_of(const GltfAccessor& accessor,
+                                       std::span<const std::uint32_t> elements);
 
 }  // namespace aerostat::asset

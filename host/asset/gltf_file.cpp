@@ -4,12 +4,14 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <string>
 
 #include <fmt/format.h>
 
 #include "asset/bytes.hpp"
 #include "asset/words.hpp"
+#include "track/text.hpp"
 
 namespace aerostat::asset {
 namespace {
@@ -19,20 +21,26 @@ constexpr std::size_t kChunkHeaderBytes = 8;
 constexpr std::uint32_t kJsonChunk = 0x4e4f534a;
 constexpr std::uint32_t kBinaryChunk = 0x004e4942;
 
+// Parsing takes some four times the bytes of the text, and more for many small values.
+constexpr std::size_t kMostJsonBytes = std::size_t{256} << 20;
+
 // A value takes some 100 bytes of memory, so that these limits keep the JSON below half a GiB.
 constexpr scene::detail::JsonRules kRules{
     .most_depth = 64, .most_values = 4'000'000, .with_comments = false};
 
-constexpr std::array<std::string_view, 10> kRead = {"EXT_mesh_gpu_instancing",
-                                                    "KHR_lights_punctual",
-                                                    "KHR_materials_emissive_strength",
-                                                    "KHR_materials_ior",
-                                                    "KHR_materials_pbrSpecularGlossiness",
-                                                    "KHR_materials_transmission",
-                                                    "KHR_materials_unlit",
-                                                    "KHR_mesh_quantization",
-                                                    "KHR_texture_transform",
-                                                    "KHR_xmp_json_ld"};
+constexpr std::array<std::string_view, 9> kRead = {"EXT_mesh_gpu_instancing",
+                                                   "KHR_materials_emissive_strength",
+                                                   "KHR_materials_ior",
+                                                   "KHR_materials_pbrSpecularGlossiness",
+                                                   "KHR_materials_transmission",
+                                                   "KHR_materials_unlit",
+                                                   "KHR_mesh_quantization",
+                                                   "KHR_texture_transform",
+                                                   "KHR_xmp_json_ld"};
+
+/// A file may require these extensions as well, because a model is whole without them.
+constexpr std::array<std::string_view, 2> kDispensable = {"KHR_lights_punctual",
+                                                          "KHR_materials_variants"};
 
 /// The lists that a file may have.
 constexpr std::array<const char*, 13> kLists = {
@@ -50,8 +58,8 @@ constexpr std::array<Meaning, 5> kMeanings = {
      {"KHR_texture_basisu", "textures in KTX2"},
      {"EXT_texture_webp", "textures in WebP"}}};
 
-bool is_read(std::string_view extension) {
-  return std::find(kRead.begin(), kRead.end(), extension) != kRead.end();
+bool is_among(std::span<const std::string_view> names, std::string_view extension) {
+  return std::find(names.begin(), names.end(), extension) != names.end();
 }
 
 std::string in_words(std::string_view extension) {
@@ -62,6 +70,12 @@ std::string in_words(std::string_view extension) {
 }
 
 Json parse(std::string_view text) {
+  if (text.size() > kMostJsonBytes) {
+    refuse(
+        fmt::format("found {} bytes of JSON, expected at most {}: larger buffers belong into a "
+                    ".bin or a .glb",
+                    text.size(), kMostJsonBytes));
+  }
   constexpr std::string_view kMark = "\xEF\xBB\xBF";
   if (text.starts_with(kMark)) text.remove_prefix(kMark.size());
   return scene::detail::parse_json(text, "JSON", kRules);
@@ -123,7 +137,7 @@ std::vector<std::string> check_gltf(const JsonValue& root) {
   const JsonValue required = root["extensionsRequired"];
   for (std::size_t i = 0; i < required.size(); ++i) {
     const std::string extension = required.at(i).text();
-    if (is_read(extension)) continue;
+    if (is_among(kRead, extension) || is_among(kDispensable, extension)) continue;
     required.at(i).fail(
         in_quotes(extension) + in_words(extension),
         fmt::format("only these extensions to be required: {}", fmt::join(kRead, ", ")));
@@ -132,7 +146,9 @@ std::vector<std::string> check_gltf(const JsonValue& root) {
   const JsonValue used = root["extensionsUsed"];
   for (std::size_t i = 0; i < used.size(); ++i) {
     const std::string extension = used.at(i).text();
-    if (!is_read(extension)) left_out.push_back(extension + in_words(extension));
+    if (!is_among(kRead, extension)) {
+      left_out.push_back(track::clean_text(extension) + in_words(extension));
+    }
   }
   return left_out;
 }

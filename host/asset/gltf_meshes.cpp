@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <initializer_list>
 #include <optional>
+#include <span>
 #include <string>
 #include <utility>
 
@@ -32,6 +33,34 @@ bool is_allowed(const GltfAccessor& accessor, const Allowed& allowed) {
   if (!is_type || accessor.number == GltfNumber::uint32) return false;
   if (accessor.is_of_float()) return allowed.floats;
   return accessor.normalized ? allowed.fractions : allowed.integers;
+}
+
+/// Numbers the vertices that triangles use anew, from 0, and returns their old numbers, which rise.
+/// Many primitives may share a long list of vertices, so that time goes by the triangles.
+std::vector<std::uint32_t> keep_used(std::vector<Triangle>& triangles, std::size_t vertices) {
+  std::vector<std::uint32_t> used;
+  if (vertices / 4 <= triangles.size()) {
+    std::vector<std::uint8_t> is_used(vertices, 0);
+    for (const Triangle& triangle : triangles) {
+      for (const std::uint32_t corner : triangle) is_used[corner] = 1;
+    }
+    for (std::uint32_t i = 0; i < vertices; ++i) {
+      if (is_used[i] != 0) used.push_back(i);
+    }
+    if (used.size() == vertices) return used;
+  } else {
+    for (const Triangle& triangle : triangles)
+      used.insert(used.end(), triangle.begin(), triangle.end());
+    std::sort(used.begin(), used.end());
+    used.erase(std::unique(used.begin(), used.end()), used.end());
+  }
+  for (Triangle& triangle : triangles) {
+    for (std::uint32_t& corner : triangle) {
+      const auto found = std::lower_bound(used.begin(), used.end(), corner);
+      corner = static_cast<std::uint32_t>(found - used.begin());
+    }
+  }
+  return used;
 }
 
 class MeshReader {
@@ -91,18 +120,23 @@ class MeshReader {
     }
     Primitive result;
     const GltfAccessor& points = accessors_.at(position);
-    reading_.budget.take_vertices(points.count);
+    const JsonValue draco = primitive["extensions"]["KHR_draco_mesh_compression"];
+    if (draco.exists() && !points.view && !points.sparse) {
+      draco.fail("a mesh that is only there as compressed by Draco", "one that is not compressed");
+    }
     result.triangles = triangles(primitive, points.count, form);
-    const std::vector<float> numbers = reals_of(points);
-    result.positions.reserve(points.count);
+    const std::vector<std::uint32_t> used = keep_used(result.triangles, points.count);
+    reading_.budget.take_vertices(used.size());
+    const std::vector<float> numbers = reals_of(points, used);
+    result.positions.reserve(used.size());
     for (std::size_t i = 0; i < numbers.size(); i += 3) {
       result.positions.emplace_back(numbers[i], numbers[i + 1], numbers[i + 2]);
     }
     const JsonValue material = primitive["material"];
     result.material =
         material.exists() ? material.index(materials_.size(), "materials") : standard_material();
-    read_attributes(attributes, result);
-    mesh.influences.push_back(influences(attributes));
+    read_attributes(attributes, used, result);
+    mesh.influences.push_back(influences(attributes, used));
     mesh.mesh.primitives.push_back(std::move(result));
   }
 
@@ -147,17 +181,18 @@ class MeshReader {
     return true;
   }
 
-  void read_attributes(const JsonValue& attributes, Primitive& result) {
+  void read_attributes(const JsonValue& attributes, std::span<const std::uint32_t> used,
+                       Primitive& result) {
     const JsonValue normal = attributes["NORMAL"], color = attributes["COLOR_0"];
     if (normal.exists()) {
-      const std::vector<float> numbers = reals_of(accessors_.at(normal));
+      const std::vector<float> numbers = reals_of(accessors_.at(normal), used);
       for (std::size_t i = 0; i < numbers.size(); i += 3) {
         result.normals.emplace_back(numbers[i], numbers[i + 1], numbers[i + 2]);
       }
     }
     if (color.exists()) {
       const GltfAccessor& accessor = accessors_.at(color);
-      const std::vector<float> numbers = reals_of(accessor);
+      const std::vector<float> numbers = reals_of(accessor, used);
       const bool has_alpha = accessor.components == 4;
       for (std::size_t i = 0; i < numbers.size(); i += accessor.components) {
         result.colors.emplace_back(numbers[i], numbers[i + 1], numbers[i + 2],
@@ -169,21 +204,24 @@ class MeshReader {
     const JsonValue coordinates = attributes[fmt::format("TEXCOORD_{}", uv ? uv->set : 0)];
     without_uv_ += uv && !coordinates.exists() ? 1 : 0;
     if (!uv || !coordinates.exists()) return;
-    const std::vector<float> numbers = reals_of(accessors_.at(coordinates));
+    const std::vector<float> numbers = reals_of(accessors_.at(coordinates), used);
     for (std::size_t i = 0; i < numbers.size(); i += 2) {
       result.uv.emplace_back(uv->matrix * dvec3(numbers[i], numbers[i + 1], 1.0));
     }
   }
 
-  GltfInfluences influences(const JsonValue& attributes) const {
+  GltfInfluences influences(const JsonValue& attributes,
+                            std::span<const std::uint32_t> used) const {
     GltfInfluences result;
     for (; attributes[fmt::format("JOINTS_{}", result.sets)].exists(); ++result.sets) {
       const JsonValue weights = attributes[fmt::format("WEIGHTS_{}", result.sets)];
       if (!weights.exists()) weights.fail("weights for the joints");
     }
     for (std::size_t set = 0; set < result.sets; ++set) {
-      const auto joints = integers_of(accessors_.at(attributes[fmt::format("JOINTS_{}", set)]));
-      const auto weights = reals_of(accessors_.at(attributes[fmt::format("WEIGHTS_{}", set)]));
+      const auto joints =
+          integers_of(accessors_.at(attributes[fmt::format("JOINTS_{}", set)]), used);
+      const auto weights =
+          reals_of(accessors_.at(attributes[fmt::format("WEIGHTS_{}", set)]), used);
       result.of_vertices.resize(joints.size() / 4 * result.sets);
       for (std::size_t i = 0; i + 3 < joints.size(); i += 4) {
         result.of_vertices[i / 4 * result.sets + set] = {

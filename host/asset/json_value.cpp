@@ -1,5 +1,7 @@
 #include "asset/json_value.hpp"
 
+#include <algorithm>
+#include <cctype>
 #include <cmath>
 
 #include <fmt/format.h>
@@ -15,7 +17,9 @@ JsonValue JsonValue::operator[](const std::string& key) const {
     const auto member = json_->find(key);
     if (member != json_->end()) found = &*member;
   }
-  return {found, pointer_ + "/" + key};
+  const bool is_plain = std::all_of(
+      key.begin(), key.end(), [](unsigned char c) { return std::isalnum(c) != 0 || c == '_'; });
+  return {found, pointer_ + (is_plain ? "/" + key : scene::detail::to_string({key}))};
 }
 
 std::size_t JsonValue::size() const {

@@ -51,7 +51,8 @@ struct Pending {
 
 class MtlReader {
  public:
-  MtlReader(std::string_view text, std::vector<std::string>& notes) : lines_(text), notes_(notes) {}
+  MtlReader(std::string_view text, std::size_t most, std::vector<std::string>& notes)
+      : lines_(text), most_(most), notes_(notes) {}
 
   std::vector<MtlMaterial> read() {
     std::string_view line;
@@ -61,6 +62,10 @@ class MtlReader {
       if (key.empty() || key[0] == '#') continue;
       if (key == "newmtl") {
         settle();
+        if (materials_.size() == most_) {
+          refuse(fmt::format("line {}: found one more material, and at most {} are read",
+                             lines_.number(), most_));
+        }
         materials_.push_back({plain_material(), {}, {}, {}, {}});
         materials_.back().material.name = words.rest();
         pending_ = Pending();
@@ -69,6 +74,7 @@ class MtlReader {
       }
     }
     settle();
+    if (!are_finite_) notes_.emplace_back("Numbers of materials that are not finite became 0.");
     for (const std::string& key : left_out_) {
       notes_.push_back(fmt::format("Textures of the kind {} are left out.", in_quotes(key)));
     }
@@ -77,8 +83,15 @@ class MtlReader {
 
  private:
   Material& material() { return materials_.back().material; }
-  double number(Words& words) const { return real_at(words.next(), lines_.number()); }
-  float small(Words& words) const { return static_cast<float>(number(words)); }
+  double number(Words& words) { return number(words.next()); }
+  float small(Words& words) { return static_cast<float>(number(words)); }
+
+  double number(std::string_view word) {
+    const double value = real_at(word, lines_.number());
+    if (std::isfinite(value)) return value;
+    are_finite_ = false;
+    return 0.0;
+  }
 
   /// Reads a colour in sRGB. One number stands for a grey.
   std::optional<glm::vec3> color(Words& words) {
@@ -87,16 +100,16 @@ class MtlReader {
       left_out_.emplace(first);
       return std::nullopt;
     }
-    glm::dvec3 encoded(real_at(first, lines_.number()));
+    glm::dvec3 encoded(number(first));
     const std::string_view second = words.next();
     if (!second.empty()) {
-      encoded.y = real_at(second, lines_.number());
+      encoded.y = number(second);
       encoded.z = number(words);
     }
     glm::vec3 linear(0.0f);
     for (int i = 0; i < 3; ++i) {
-      const double known = std::isfinite(encoded[i]) ? encoded[i] : 0.0;
-      linear[i] = linear_of_srgb(static_cast<float>(std::max(known, 0.0)));
+      // No light is so bright, and the powers of such numbers stay finite.
+      linear[i] = linear_of_srgb(static_cast<float>(std::clamp(encoded[i], 0.0, 1e6)));
     }
     return linear;
   }
@@ -125,7 +138,7 @@ class MtlReader {
       if (ior >= 1.0f && ior < 10.0f) material().ior = ior;
     } else if (key == "d") {
       const std::string_view first = words.next();
-      pending_.d = first == "-halo" ? number(words) : real_at(first, lines_.number());
+      pending_.d = first == "-halo" ? number(words) : number(first);
     } else if (key == "tr") {
       pending_.tr = number(words);
     } else {
@@ -162,7 +175,7 @@ class MtlReader {
       } else {
         const std::string_view value = ahead.next();
         if (option == "-clamp") map.clamp = lower_case(value) == "on";
-        if (option == "-bm") map.strength = static_cast<float>(real_at(value, lines_.number()));
+        if (option == "-bm") map.strength = static_cast<float>(number(value));
         if (known->values == 2) ahead.next();
       }
     }
@@ -219,16 +232,19 @@ class MtlReader {
   }
 
   Lines lines_;
+  std::size_t most_;  // of the materials
   std::vector<std::string>& notes_;
   std::vector<MtlMaterial> materials_;
   Pending pending_;
+  bool are_finite_ = true;          // the numbers so far
   std::set<std::string> left_out_;  // kinds of maps
 };
 
 }  // namespace
 
-std::vector<MtlMaterial> read_mtl(std::string_view text, std::vector<std::string>& notes) {
-  return MtlReader(text, notes).read();
+std::vector<MtlMaterial> read_mtl(std::string_view text, std::size_t most,
+                                  std::vector<std::string>& notes) {
+  return MtlReader(text, most, notes).read();
 }
 
 }  // namespace aerostat::asset

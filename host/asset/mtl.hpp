@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -27,7 +28,8 @@ struct MtlMaterial {
 
 /// Reads the materials of an MTL file. Colours are taken as sRGB. Lines that mean nothing here are
 /// passed over, and maps that are not used are told in `notes`. Throws Error{bad_data} with the
-/// line.
-std::vector<MtlMaterial> read_mtl(std::string_view text, std::vector<std::string>& notes);
+/// line, also if there are more than `most` materials.
+std::vector<MtlMaterial> read_mtl(std::string_view text, std::size_t most,
+                                  std::vector<std::string>& notes);
 
 }  // namespace aerostat::asset

@@ -21,6 +21,10 @@ using glm::vec2;
 using glm::vec3;
 using glm::vec4;
 
+/// Faces of one material may have texture coordinates, normals, both or neither, and be smooth or
+/// not.
+constexpr std::size_t kGroupsOfMaterial = 8;
+
 /// Reads the lines of an OBJ file.
 class ObjReader {
  public:
@@ -72,6 +76,9 @@ class ObjReader {
     } else if (key == "o" || key == "g") {
       if (name_.empty()) name_ = track::clean_text(words.rest());
     } else if (key == "mtllib") {
+      if (libraries_.size() == kMostLibraries) {
+        fail("one more mtllib", fmt::format("at most {}", kMostLibraries));
+      }
       libraries_.emplace_back(words.rest());
     } else if (key == "l" || key == "p") {
       ++lines_and_points_;
@@ -154,6 +161,9 @@ class ObjReader {
   ObjFaces& group_of(const ObjKey& key) {
     const auto known = places_.find(key);
     if (known != places_.end()) return groups_[known->second].second;
+    const std::size_t most = kGroupsOfMaterial * reading_.budget.limits().materials;
+    if (groups_.size() == most)
+      fail("faces of yet another material", fmt::format("at most {}", most));
     places_.emplace(key, groups_.size());
     groups_.emplace_back(key, ObjFaces());
     return groups_.back().second;

@@ -38,7 +38,10 @@ void ObjMaterials::read_library(const std::string& names) {
   // The whole line may be one name with spaces.
   if (const auto path = find(names, false)) return read_file(*path);
   Words words(names);
+  std::size_t count = 0;
   for (std::string_view name = words.next(); !name.empty(); name = words.next()) {
+    if (++count > kMostLibraries)
+      refuse(fmt::format("found an mtllib of more than {} names", kMostLibraries));
     if (const auto path = find(name, true)) read_file(*path);
   }
 }
@@ -56,7 +59,8 @@ void ObjMaterials::read_file(const std::filesystem::path& path) {
   if (!read_.insert(path).second) return;
   try {
     const std::string text = reading_.files.read(path);
-    for (MtlMaterial& material : read_mtl(text, reading_.model.notes)) {
+    for (MtlMaterial& material :
+         read_mtl(text, reading_.budget.limits().materials, reading_.model.notes)) {
       std::string name = material.material.name;
       library_.try_emplace(std::move(name), std::move(material));
     }

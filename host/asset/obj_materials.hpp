@@ -16,6 +16,9 @@
 
 namespace aerostat::asset {
 
+/// The most lines "mtllib" of a file, and the most names in one of them.
+inline constexpr std::size_t kMostLibraries = 100;
+
 /// A material of the model, and how it changes texture coordinates.
 struct ObjMaterial {
   std::size_t place = 0;  // in Model::materials

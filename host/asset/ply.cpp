@@ -132,7 +132,7 @@ class PlyReader {
       } else if (element.name == "tristrips") {
         read_strips(element);
       } else {
-        for (std::uint64_t i = 0; i < element.count; ++i) pass_over(element);
+        pass_over(element);
       }
     }
     if (sizes_.empty()) {
@@ -172,9 +172,12 @@ class PlyReader {
   }
 
   void pass_over(const PlyElement& element) {
-    read_row(element, Columns(element), [this](const PlyProperty& property, std::size_t length) {
-      pass_over_list(property, length);
-    });
+    const Columns columns(element);
+    for (std::uint64_t i = 0; i < element.count; ++i) {
+      read_row(element, columns, [this](const PlyProperty& property, std::size_t length) {
+        pass_over_list(property, length);
+      });
+    }
   }
 
   void read_vertices(const PlyElement& element) {
@@ -247,8 +250,8 @@ class PlyReader {
 
   /// Reads strips of triangles. Every other triangle is turned over, and -1 begins a new strip.
   void read_strips(const PlyElement& element) {
+    const Columns columns(element);
     for (std::uint64_t i = 0; i < element.count; ++i) {
-      const Columns columns(element);
       read_row(element, columns, [this](const PlyProperty& property, std::size_t length) {
         std::vector<std::uint32_t> strip;
         for (std::size_t k = 0; k < length; ++k) {

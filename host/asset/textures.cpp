@@ -19,6 +19,9 @@ constexpr float kMissingTextureGrey = 0.4f;
 /// The grey of what has no material, chosen by eye.
 constexpr float kPlainGrey = 0.5f;
 
+/// The most bytes of an encoded picture. The decoder counts them in an int.
+constexpr std::size_t kMostPictureBytes = 0x7fffffff;
+
 /// How the files of a format begin.
 struct Signature {
   std::string_view format;
@@ -54,6 +57,10 @@ std::size_t add_texture(Reading& reading, std::string_view bytes, const std::str
   if (format != "PNG" && format != "JPEG") {
     const std::string found = format.empty() ? "a picture of unknown format" : "a " + format;
     refuse(fmt::format("{}: found {}, expected a PNG or JPEG", name, found));
+  }
+  if (bytes.size() > kMostPictureBytes) {
+    refuse(fmt::format("{}: found {} bytes, expected at most {} of a picture", name, bytes.size(),
+                       kMostPictureBytes));
   }
   const std::span<const std::uint8_t> content(reinterpret_cast<const std::uint8_t*>(bytes.data()),
                                               bytes.size());

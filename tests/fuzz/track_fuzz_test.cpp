@@ -1,36 +1,18 @@
 // Tests that the readers of tracks take any bytes. scripts/fuzz-tracks tests longer and with
 // coverage.
 
-#include <algorithm>
 #include <cstdio>
-#include <filesystem>
-#include <fstream>
-#include <iterator>
 
 #include <gtest/gtest.h>
 
 #include "mutate.hpp"
+#include "seeds.hpp"
 #include "take_track.hpp"
 
 namespace aerostat::test {
 namespace {
 
 constexpr int kTexts = 3000;
-
-std::vector<std::string> seeds_of(const std::string& format) {
-  std::vector<std::filesystem::path> paths;
-  const std::string folder = AEROSTAT_SOURCE_DIR "/tests/fuzz/seeds/" + format;
-  for (const auto& entry : std::filesystem::directory_iterator(folder)) {
-    paths.push_back(entry.path());
-  }
-  std::sort(paths.begin(), paths.end());
-  std::vector<std::string> texts;
-  for (const auto& path : paths) {
-    std::ifstream file(path, std::ios::binary);
-    texts.emplace_back(std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>());
-  }
-  return texts;
-}
 
 class TrackFuzz : public testing::TestWithParam<const char*> {};
 

@@ -162,6 +162,37 @@ TEST(AssetGltf, StridesOfViewsSkipOtherAttributes) {
             (std::vector<glm::vec3>{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}));
 }
 
+TEST(AssetGltf, PrimitivesTakeOnlyTheVerticesThatTheyUse) {
+  GltfBuilder builder;
+  builder.floats("VEC3", 6, {9, 9, 9, 0, 0, 0, 1, 0, 0, 9, 9, 9, 0, 1, 0, 0, 0, 1})
+      .add<std::uint8_t>(5121, "SCALAR", 3, {4, 1, 2})
+      .add<std::uint8_t>(5121, "SCALAR", 3, {1, 2, 5});
+  const std::string begin = R"({"attributes":{"POSITION":0},"indices":)";
+  const std::string text =
+      builder.text(R"("meshes":[{"primitives":[)" + begin + "1}," + begin + "2}]}]");
+  ReadOptions options;
+  options.limits.vertices = 6;
+  const Model model = read_gltf_text(text, options);
+  EXPECT_EQ(first_of(model).positions, (std::vector<glm::vec3>{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}));
+  EXPECT_EQ(first_of(model).triangles, (Corners{{2, 0, 1}}));
+  options.limits.vertices = 5;
+  EXPECT_TRUE(holds(gltf_message(text, options),
+                    "found 3 vertices and then 3 more, and at most 5 are read of a model"));
+
+  GltfBuilder sparse;
+  const float values[] = {5, 0, 0, 0, 6, 0};
+  sparse.view(std::string("\x01\0\x07\0", 4))
+      .view(std::string(reinterpret_cast<const char*>(values), sizeof(values)))
+      .accessor(R"({"componentType":5126,"type":"VEC3","count":1000000,"sparse":{"count":2,)"
+                R"("indices":{"bufferView":0,"componentType":5123},"values":{"bufferView":1}}})")
+      .view(std::string("\0\1\7", 3))
+      .accessor(R"({"bufferView":2,"componentType":5121,"type":"SCALAR","count":3})");
+  EXPECT_EQ(
+      first_of(read_gltf_text(sparse.text(one_mesh(R"("attributes":{"POSITION":0},"indices":1)"))))
+          .positions,
+      (std::vector<glm::vec3>{{0, 0, 0}, {5, 0, 0}, {0, 6, 0}}));
+}
+
 TEST(AssetGltf, AccessorsStayInTheirViews) {
   struct Case {
     const char *accessor, *part;
@@ -176,7 +207,7 @@ TEST(AssetGltf, AccessorsStayInTheirViews) {
         Case{R"({"bufferView":0,"componentType":5126,"type":"VEC3","count":1,"byteOffset":2})",
              "a multiple of their 4 bytes"},
         Case{R"({"componentType":5126,"type":"VEC3","count":9007199254740991})",
-             "found 9007199254740991 vertices, and at most 20000000 are read"},
+             "found 3002399751580330 triangles, and at most 20000000 are read"},
         Case{R"({"bufferView":0,"componentType":5124,"type":"VEC3","count":1})",
              "/accessors/0/componentType: found 5124, expected 5120"},
         Case{R"({"bufferView":0,"componentType":5126,"type":"VEC3","count":1,"normalized":true})",

@@ -67,6 +67,13 @@ TEST(AssetMtl, TexturesAreReadWithTheirOptions) {
   EXPECT_TRUE(holds(all_notes(model), "Textures of the kind \"map_ns\" are left out."));
 }
 
+TEST(AssetMtl, NumbersThatAreNotFiniteBecomeZero) {
+  const Model model = read_with("Kd nan 1 1\nNs inf\nKs 1 1 1\nmap_Kd -bm nan none.png\n");
+  EXPECT_FLOAT_EQ(model.materials.at(0).base_color.r, 0.0f);
+  EXPECT_FLOAT_EQ(model.materials.at(0).roughness, 1.0f);
+  EXPECT_TRUE(holds(all_notes(model), "Numbers of materials that are not finite became 0."));
+}
+
 TEST(AssetMtl, ABlackColourDoesNotHideATexture) {
   const Folder folder;
   folder.write("t.png", png_2x1());
@@ -138,6 +145,20 @@ TEST(AssetMtl, OtherPicturesAreToldByName) {
   const auto file =
       folder.write("model.obj", std::string(kTriangle) + "mtllib m.mtl\nusemtl m\n" + kFace);
   EXPECT_TRUE(holds(all_notes(read(file, options)), "2 x 1 pixels, and at most 1 a side"));
+}
+
+TEST(AssetMtl, LimitsAreTold) {
+  const Folder folder;
+  folder.write("m.mtl", "newmtl m\nnewmtl n\n");
+  const auto file =
+      folder.write("model.obj", std::string(kTriangle) + "mtllib m.mtl\nusemtl m\n" + kFace);
+  ReadOptions options;
+  options.limits.materials = 1;
+  EXPECT_TRUE(holds(test::error_of([&] { read(file, options); }).what(),
+                    "m.mtl: line 2: found one more material, and at most 1 are read"));
+  options.limits.file_bytes = 20;
+  EXPECT_TRUE(
+      holds(test::error_of([&] { read(file, options); }).what(), "bytes, and at most 20 are read"));
 }
 
 TEST(AssetMtl, FaultsNameTheFileAndTheLine) {

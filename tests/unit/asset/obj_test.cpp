@@ -64,6 +64,16 @@ TEST(AssetObj, ConcavePolygonsAreCutInside) {
   EXPECT_DOUBLE_EQ(area_of(hole), 8.0);
 }
 
+TEST(AssetObj, PolygonsThatCrossThemselvesTakeNoEndlessTime) {
+  std::string star, face = "f";
+  for (int i = 0; i < 4000; ++i) {
+    const double angle = i * 2.0;  // the outline turns around the middle many times
+    star += "v " + std::to_string(std::cos(angle)) + " " + std::to_string(std::sin(angle)) + " 0\n";
+    face += " " + std::to_string(i + 1);
+  }
+  EXPECT_EQ(triangle_count(read_obj_text(star + face)), 3998u);
+}
+
 TEST(AssetObj, WindingStaysAsItIs) {
   for (const char* face : {"f 1 2 3 4", "f 4 3 2 1"}) {
     const Model model =
@@ -172,6 +182,14 @@ TEST(AssetObj, LimitsAreToldBeforeTheyArePassed) {
   options.limits.triangles = 1;
   EXPECT_TRUE(holds(message_of(std::string(kSquare) + "f 1 2 3 4", Format::obj, options),
                     "found 2 triangles, and at most 1 are read of a model"));
+  options = {};
+  options.limits.materials = 0;
+  EXPECT_TRUE(holds(message_of(std::string(kSquare) + "f 1 2 3", Format::obj, options),
+                    "faces of yet another material, expected at most 0"));
+  std::string libraries;
+  for (int i = 0; i < 101; ++i) libraries += "mtllib a\n";
+  EXPECT_TRUE(
+      holds(obj_message(libraries), "line 101: found one more mtllib, expected at most 100"));
   std::string round(kSquare);
   round += "f";
   for (int i = 0; i < 5000; ++i) round += " 1";
