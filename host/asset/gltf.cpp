@@ -1,7 +1,13 @@
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <map>
+#include <numeric>
+#include <optional>
+#include <string>
+#include <string_view>
 #include <utility>
+#include <vector>
 
 #include <fmt/format.h>
 
@@ -138,19 +144,21 @@ class Assembler {
     const JsonValue inverse = skin["inverseBindMatrices"];
     if (!inverse.exists()) return;
     const GltfAccessor& accessor = accessors_.at(inverse);
-    const bool is_good = accessor.type == "MAT4" && accessor.is_of_float() &&
-                         accessor.count >= joints.size() &&
-                         accessor.count <= reading_.budget.limits().nodes;
+    const bool is_good =
+        accessor.type == "MAT4" && accessor.is_of_float() && accessor.count >= joints.size();
     if (!is_good) inverse.fail("a MAT4 of floats for each joint");
   }
 
-  /// Adds a mesh as its skin holds it in the pose of the nodes.
-  std::size_t baked(std::size_t mesh, const JsonValue& index) {
+  /// Returns, for each joint of a skin, the matrix from the mesh to the scene.
+  const std::vector<dmat4>& joints_of(const JsonValue& index) {
     const JsonValue skin = skin_at(index), joints = skin["joints"];
+    std::vector<dmat4>& matrices = joints_[static_cast<std::size_t>(index.whole())];
+    if (!matrices.empty()) return matrices;
     const JsonValue inverse = skin["inverseBindMatrices"];
+    std::vector<std::uint32_t> all(joints.size());
+    std::iota(all.begin(), all.end(), std::uint32_t{0});
     const std::vector<float> numbers =
-        inverse.exists() ? reals_of(accessors_.at(inverse)) : std::vector<float>();
-    std::vector<dmat4> matrices;
+        inverse.exists() ? reals_of(accessors_.at(inverse), all) : std::vector<float>();
     for (std::size_t i = 0; i < joints.size(); ++i) {
       dmat4 bind(1.0);
       for (std::size_t k = 0; k < 16 && !numbers.empty(); ++k) {
@@ -159,11 +167,17 @@ class Assembler {
       }
       matrices.push_back(nodes_[joints.at(i).index(nodes_.size(), "nodes")].global * bind);
     }
+    return matrices;
+  }
+
+  /// Adds a mesh as its skin holds it in the pose of the nodes.
+  std::size_t baked(std::size_t mesh, const JsonValue& index) {
+    const std::vector<dmat4>& matrices = joints_of(index);
     for (const Primitive& primitive : meshes_[mesh].mesh.primitives) {
       reading_.budget.take_vertices(primitive.positions.size());
       reading_.budget.take_triangles(primitive.triangles.size());
     }
-    reading_.model.meshes.push_back(skinned(meshes_[mesh], matrices, skin));
+    reading_.model.meshes.push_back(skinned(meshes_[mesh], matrices, skin_at(index)));
     return reading_.model.meshes.size() - 1;
   }
 
@@ -190,8 +204,9 @@ class Assembler {
   std::vector<GltfMesh> meshes_;
   std::vector<GltfNode> nodes_;
   Reading& reading_;
-  std::vector<std::optional<std::size_t>> places_;  // of the meshes in the model
-  std::size_t hidden_ = 0;
+  std::vector<std::optional<std::size_t>> places_;    // of the meshes in the model
+  std::map<std::size_t, std::vector<dmat4>> joints_;  // of the skins that are needed
+  std::size_t hidden_ = 0;                            // placements without size
 };
 
 }  // namespace

@@ -13,6 +13,10 @@
 namespace aerostat::asset {
 namespace {
 
+// These are far beyond what anything in a picture needs, and keep products finite.
+constexpr double kStrongest = 1e12;  // emission: the sun has some 1e9 candelas a square metre
+constexpr double kSteepest = 1e6;    // a normal map
+constexpr double kDensest = 1e6;     // an index of refraction
 constexpr double kEndless = std::numeric_limits<double>::infinity();
 
 float fraction(const JsonValue& value, double otherwise) {
@@ -99,7 +103,7 @@ void GltfMaterials::read_material(const JsonValue& material) {
   }
   const JsonValue normal = material["normalTexture"];
   result.normal_texture = use(normal);
-  result.normal_scale = static_cast<float>(normal["scale"].number(1.0));
+  result.normal_scale = static_cast<float>(normal["scale"].number(1.0, -kSteepest, kSteepest));
   const JsonValue occlusion = material["occlusionTexture"]["index"];
   if (occlusion.exists()) occlusion.index(root_["textures"].size(), "textures");
   read_emission(material, result);
@@ -141,7 +145,7 @@ void GltfMaterials::read_emission(const JsonValue& material, Material& result) {
   if (factor.exists()) result.emission = glm::vec3(color<3>(factor));
   const JsonValue strength =
       material["extensions"]["KHR_materials_emissive_strength"]["emissiveStrength"];
-  result.emission *= static_cast<float>(strength.number(1.0, 0.0, kEndless));
+  result.emission *= static_cast<float>(strength.number(1.0, 0.0, kStrongest));
   result.emission_texture = use(material["emissiveTexture"]);
 }
 
@@ -166,7 +170,7 @@ void GltfMaterials::read_extensions(const JsonValue& extensions, Material& resul
                               in_quotes(result.name)));
   }
   const JsonValue ior = extensions["KHR_materials_ior"]["ior"];
-  const double index = ior.number(1.5);
+  const double index = ior.number(1.5, 0.0, kDensest);
   if (index != 0.0 && !(index >= 1.0)) ior.fail("0 or a number of at least 1");
   result.ior = static_cast<float>(index);
   if (!extensions["KHR_materials_unlit"].exists()) return;

@@ -236,7 +236,7 @@ class PlyReader {
     }
     for (std::size_t i = 0; i + 1 < length; i += 2) {
       const double u = values_.next(property.type), v = values_.next(property.type);
-      corner_uv_.emplace_back(static_cast<float>(u), static_cast<float>(1.0 - v));
+      face_uv_.emplace_back(static_cast<float>(u), static_cast<float>(1.0 - v));
     }
     if (length % 2 == 1) values_.next(property.type);
   }
@@ -244,8 +244,12 @@ class PlyReader {
   /// Ends the polygon whose corners begin at `first`.
   void end_polygon(std::size_t first) {
     sizes_.push_back(static_cast<std::uint32_t>(corners_.size() - first));
-    // A face without texture coordinates gets some, so that each corner has its own.
-    if (!corner_uv_.empty()) corner_uv_.resize(corners_.size(), vec2(0.0f));
+    if (face_uv_.empty() && corner_uv_.empty()) return;
+    // If one face has texture coordinates, all get some, so that each corner has its own.
+    corner_uv_.resize(first, vec2(0.0f));
+    corner_uv_.insert(corner_uv_.end(), face_uv_.begin(), face_uv_.end());
+    corner_uv_.resize(corners_.size(), vec2(0.0f));
+    face_uv_.clear();
   }
 
   /// Reads strips of triangles. Every other triangle is turned over, and -1 begins a new strip.
@@ -368,6 +372,7 @@ class PlyReader {
   Primitive vertices_;                  // the other attributes of the vertices
   std::vector<std::uint32_t> corners_;  // of all polygons, one behind the other
   std::vector<std::uint32_t> sizes_;    // of the polygons
+  std::vector<vec2> face_uv_;           // of the corners of the face that is being read
   std::vector<vec2> corner_uv_;         // empty, or one for each corner
   std::vector<vec4> corner_colors_;     // empty, or one for each corner
 };

@@ -31,8 +31,8 @@ enum class Format { gltf, obj, ply, stl };
 struct ReadOptions {
   /// The axis of the file that points up. glTF says y; files of the other formats do not say it.
   Axis up = Axis::y;
-  /// The folder that a file and all that it refers to must lie in, after symbolic links are
-  /// followed. By default it is the folder of the file.
+  /// The folder that all files which a model refers to must lie in, after symbolic links are
+  /// followed. By default it is the folder of the model.
   std::optional<std::filesystem::path> folder;
   /// Files may refer to others anywhere.
   bool allow_external = false;

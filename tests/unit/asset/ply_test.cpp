@@ -96,6 +96,17 @@ TEST(AssetPly, FacesMayHaveTextureCoordinatesAndColoursOfTheirOwn) {
   EXPECT_EQ(first_of(model).colors.at(5), glm::vec4(0.0f, 1.0f, 0.0f, 1.0f));
 }
 
+TEST(AssetPly, SomeFacesMayHaveNoTextureCoordinates) {
+  const Model model = read_ply_text(header("ascii",
+                                           "element face 3\nproperty list uchar float texcoord\n"
+                                           "property list uchar int vertex_indices\nend_header\n") +
+                                    kSquare + "0 3 0 1 2\n6 0 0 1 0 1 1 3 0 1 2\n0 3 0 2 3\n");
+  ASSERT_EQ(first_of(model).uv.size(), 9u);
+  EXPECT_EQ(first_of(model).uv[2], glm::vec2(0.0f));
+  EXPECT_EQ(first_of(model).uv[4], glm::vec2(1.0f, 1.0f));
+  EXPECT_EQ(first_of(model).uv[8], glm::vec2(0.0f));
+}
+
 TEST(AssetPly, StripsTurnEveryOtherTriangle) {
   const Model model = read_ply_text(
       header("ascii", "element tristrips 1\nproperty list int int vertex_indices\nend_header\n") +
