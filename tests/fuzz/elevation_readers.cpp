@@ -27,21 +27,17 @@
 #include "elevation/usgs_dem.hpp"
 #include "elevation/web_tile.hpp"
 #include "elevation/zip.hpp"
+#include "fuzz_file.hpp"
 #include "geotiff_readers.hpp"
+#include "land_readers.hpp"
 
 namespace aerostat::test {
 namespace {
 
 using Bytes = std::span<const std::uint8_t>;
 
-const std::filesystem::path kPath = "11/385/803.fuzz";
 // A file of this many bytes is not unpacked any more.
 constexpr std::uint64_t kMostUnpacked = std::uint64_t{1} << 20;
-
-/// A fault that a reader would hide from its caller.
-[[noreturn]] void complain(const char* what) {
-  throw Error(ErrorKind::internal, what);
-}
 
 /// Reads the first and the last samples of a raster.
 void read_some(const elevation::Raster& raster) {
@@ -162,6 +158,8 @@ constexpr std::array kReaders{
     ElevationReader{"geokeys", read_geokeys, 60},
     ElevationReader{"geotiff", read_geotiff, 20},
     ElevationReader{"packed", read_packed},
+    ElevationReader{"picture", read_picture, 20},
+    ElevationReader{"places", read_places},
     ElevationReader{"png", read_png},
     ElevationReader{"raw", read_raw},
     ElevationReader{"side_files", read_side_files},

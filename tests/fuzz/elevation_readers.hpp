@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-/// The readers of files of heights, as fuzzing calls them.
+/// The readers of files of heights and of what lies on real land, as fuzzing calls them.
 namespace aerostat::test {
 
 struct ElevationReader {

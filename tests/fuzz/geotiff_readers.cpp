@@ -9,46 +9,20 @@
 #include <string>
 #include <vector>
 
-#include <sys/mman.h>
-#include <unistd.h>
-
 #include "core/error.hpp"
 #include "elevation/geokeys.hpp"
 #include "elevation/geotiff.hpp"
+#include "fuzz_file.hpp"
 #include "geo/transform.hpp"
 
 namespace aerostat::test {
 namespace {
-
-/// The name that fault_of() expects in messages.
-const std::filesystem::path kPath = "11/385/803.fuzz";
-
-[[noreturn]] void complain(const std::string& what) {
-  throw Error(ErrorKind::internal, what);
-}
 
 void require_sentences(const std::vector<std::string>& notes) {
   for (const std::string& note : notes) {
     if (note.empty() || note.back() != '.') complain("a note is no sentence: " + note);
   }
 }
-
-/// A file that exists only in memory.
-class MemoryFile {
- public:
-  explicit MemoryFile(std::span<const std::uint8_t> bytes) : descriptor_(memfd_create("fuzz", 0)) {
-    const ssize_t written = ::write(descriptor_, bytes.data(), bytes.size());
-    if (written != static_cast<ssize_t>(bytes.size())) complain("the file cannot be written");
-  }
-  ~MemoryFile() { ::close(descriptor_); }
-  MemoryFile(const MemoryFile&) = delete;
-  MemoryFile& operator=(const MemoryFile&) = delete;
-
-  std::string path() const { return "/proc/self/fd/" + std::to_string(descriptor_); }
-
- private:
-  int descriptor_;
-};
 
 /// Reads the first and the last samples of the raster and of its overviews.
 void read_some(const elevation::Raster& raster) {
@@ -72,18 +46,6 @@ void read_some(const elevation::Raster& raster) {
     const auto [width, height] = raster.overview_size(level);
     if (!(raster.overview_factors()[i] > 1.0)) complain("an overview is not coarser");
     read(level, width, height);
-  }
-}
-
-/// Runs an action, and puts the name of a file before the message of its error, as readers of whole
-/// files do.
-template <typename Action>
-void naming_the_file(Action action) {
-  try {
-    action();
-  } catch (const Error& error) {
-    if (error.kind() != ErrorKind::bad_data) throw;
-    throw Error(ErrorKind::bad_data, kPath.string() + ": " + error.what());
   }
 }
 
