@@ -31,7 +31,7 @@ int check_track(const CheckOptions& options) {
 }  // namespace
 
 int check(const CheckOptions& options) {
-  if (is_track(options.input.scene)) return check_track(options);
+  if (track::is_track(options.input.scene)) return check_track(options);
   const std::string name = name_of_scene(options.input);
   world::ReliefCache reliefs;
   const staging::Staged staged = read_staged(options.input, reliefs);

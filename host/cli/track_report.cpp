@@ -2,10 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
 #include <optional>
 #include <string_view>
-#include <system_error>
 #include <vector>
 
 #include <fmt/format.h>
@@ -233,16 +231,6 @@ std::vector<std::string> all_notes(const track::Cleaned& cleaned, const Flight& 
 }
 
 }  // namespace
-
-bool is_track(const std::filesystem::path& path) {
-  std::error_code error;
-  if (!std::filesystem::is_regular_file(path, error)) return false;
-  std::ifstream file(path, std::ios::binary);
-  std::string beginning(track::kBytesForFormat, '\0');
-  file.read(beginning.data(), static_cast<std::streamsize>(beginning.size()));
-  beginning.resize(static_cast<std::size_t>(file.gcount()));
-  return track::format_of(beginning).has_value();
-}
 
 std::string track_text(const std::string& name, const track::Cleaned& cleaned,
                        const Flight& flight) {

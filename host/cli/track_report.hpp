@@ -1,6 +1,5 @@
 #pragma once
 
-#include <filesystem>
 #include <string>
 
 #include "track/clean.hpp"
@@ -8,9 +7,6 @@
 
 /// These functions describe a track in words and in JSON.
 namespace aerostat::cli {
-
-/// Returns whether `path` is a file whose content is a track. Pipes are not opened.
-bool is_track(const std::filesystem::path& path);
 
 /// Returns the lines of a report, each with a line end. `name` is the file's name.
 std::string track_text(const std::string& name, const track::Cleaned& cleaned,

@@ -22,7 +22,7 @@ inline constexpr auto kTable<FlightTrack> = table(
     "Flight that a logger recorded. The balloon is where it was at a moment, and the sun as well, "
     "unless the scene gives another. It wins over position.",
     field("file", &FlightTrack::file,
-          text("Name of an IGC, GPX or KML file, relative to the folder of the scene file.")
+          text("Name of an IGC, GPX, KML or KMZ file, relative to the folder of the scene file.")
               .required()),
     field("at", &FlightTrack::at,
           text("Time of the flight, such as 2023-10-02T07:45:10Z. It wins over share.")),

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cerrno>
 #include <cmath>
+#include <cstdint>
 #include <fstream>
 #include <system_error>
 #include <utility>
@@ -10,6 +11,8 @@
 #include <fmt/format.h>
 
 #include "core/error.hpp"
+#include "elevation/reading.hpp"
+#include "elevation/zip.hpp"
 #include "track/distance.hpp"
 #include "track/mend.hpp"
 #include "track/raw.hpp"
@@ -115,8 +118,8 @@ Track read_any(std::string_view bytes, const ReadOptions& options) {
   const auto format = format_of(bytes.substr(0, kBytesForFormat));
   if (!format) {
     throw Error(ErrorKind::bad_data,
-                "this is no track; expected the content of a GPX, IGC or KML "
-                "file");
+                "this is no track; expected the content of a GPX, IGC, KML or "
+                "KMZ file");
   }
   RawFile file = read_raw(*format, bytes);
   RawTrack raw = chosen_track(file, options);
@@ -128,6 +131,10 @@ Track read_any(std::string_view bytes, const ReadOptions& options) {
   drop_absurd_heights(track);
   drop_zero_heights(track);
   return track;
+}
+
+bool is_zip(std::string_view bytes) {
+  return bytes.starts_with("PK\x03\x04");
 }
 
 std::string text_of(const std::filesystem::path& path) {
@@ -202,7 +209,24 @@ std::optional<Format> format_of(std::string_view beginning) {
   return std::nullopt;
 }
 
+bool is_track(const std::filesystem::path& path) {
+  std::error_code error;
+  if (!std::filesystem::is_regular_file(path, error)) return false;
+  std::ifstream file(path, std::ios::binary);
+  std::string beginning(kBytesForFormat, '\0');
+  file.read(beginning.data(), static_cast<std::streamsize>(beginning.size()));
+  beginning.resize(static_cast<std::size_t>(file.gcount()));
+  if (is_zip(beginning)) return elevation::ending_of(path) == ".kmz";
+  return format_of(beginning).has_value();
+}
+
 Track read_bytes(std::string_view bytes, const std::string& name, const ReadOptions& options) {
+  if (is_zip(bytes)) {
+    const auto* first = reinterpret_cast<const std::uint8_t*>(bytes.data());
+    const auto kml = elevation::unpack_zip({first, bytes.size()}, name, ".kml", kMostTrackBytes);
+    return read_bytes({reinterpret_cast<const char*>(kml.bytes.data()), kml.bytes.size()}, name,
+                      options);
+  }
   try {
     return read_any(bytes, options);
   } catch (const Error& error) {

@@ -28,9 +28,13 @@ inline constexpr std::size_t kBytesForFormat = std::size_t{64} << 10;
 /// the whole file or at least its first kBytesForFormat bytes.
 std::optional<Format> format_of(std::string_view beginning);
 
-/// Reads a track. `name` is the file's name for messages. Throws Error{bad_data} that says what was
-/// found and what was expected if the bytes are no track, hold no fix, or pass a limit, and
-/// Error{usage} if the options do not fit the file.
+/// Returns whether a file is one of tracks, by its content, or by its name if it is a zip file: KMZ
+/// is KML in a zip file. Pipes are not opened.
+bool is_track(const std::filesystem::path& path);
+
+/// Reads a track, also from KMZ. `name` is the file's name for messages. Throws Error{bad_data}
+/// that says what was found and what was expected if the bytes are no track, hold no fix, or pass a
+/// limit, and Error{usage} if the options do not fit the file.
 Track read_bytes(std::string_view bytes, const std::string& name, const ReadOptions& options = {});
 
 /// Reads a track from a file. Throws what read_bytes throws, and Error{io} if the file cannot be

@@ -1609,8 +1609,8 @@
         <translation>Полёт, записанный прибором. Шар и солнце находятся там, где были в этот момент, если сцена не задаёт другого солнца. Он важнее position.</translation>
     </message>
     <message>
-        <source>Name of an IGC, GPX or KML file, relative to the folder of the scene file.</source>
-        <translation>Имя файла IGC, GPX или KML относительно папки файла сцены.</translation>
+        <source>Name of an IGC, GPX, KML or KMZ file, relative to the folder of the scene file.</source>
+        <translation>Имя файла IGC, GPX, KML или KMZ относительно папки файла сцены.</translation>
     </message>
     <message>
         <source>Time of the flight, such as 2023-10-02T07:45:10Z. It wins over share.</source>

@@ -219,9 +219,9 @@ TEST(Gpx, RefusesInWords) {
   const std::string thief = "<!DOCTYPE gpx [<!ENTITY f SYSTEM \"file:///etc/passwd\">]><gpx>" +
                             segment(kTwo + "&f;") + "</gpx>";
   const Fault rows[] = {
-      {"", "expected the content of a GPX, IGC or KML file"},
-      {"<html><gpx/></html>", "expected the content of a GPX, IGC or KML file"},
-      {"{\"version\": 1}", "expected the content of a GPX, IGC or KML file"},
+      {"", "expected the content of a GPX, IGC, KML or KMZ file"},
+      {"<html><gpx/></html>", "expected the content of a GPX, IGC, KML or KMZ file"},
+      {"{\"version\": 1}", "expected the content of a GPX, IGC, KML or KMZ file"},
       {gpx(""), "no fix with a usable place"},
       {gpx("<wpt lat=\"1\" lon=\"2\"/>"), "only waypoints"},
       {gpx(segment(point(0, 0, "") + point(91, 5, ""))), "no fix with a usable place"},

@@ -242,7 +242,8 @@ TEST(Igc, RefusesFilesWithoutFixes) {
       says(complaint(kHead + "B1000000000000N00000000EV0000000000\r\n"), "no fix with a usable"));
   EXPECT_TRUE(
       says(complaint(kHead + "B1000009900000N00900000EA0000000000\r\n"), "no fix with a usable"));
-  EXPECT_TRUE(says(complaint("A letter to nobody\n"), "expected the content of a GPX, IGC or KML"));
+  EXPECT_TRUE(
+      says(complaint("A letter to nobody\n"), "expected the content of a GPX, IGC, KML or KMZ"));
 }
 
 }  // namespace

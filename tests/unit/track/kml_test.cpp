@@ -1,7 +1,12 @@
+#include <fstream>
+#include <string>
+
 #include <gtest/gtest.h>
 
 #include "support.hpp"
+#include "support/temporary_folder.hpp"
 #include "track/read.hpp"
+#include "unit/elevation/packed.hpp"
 
 namespace aerostat::track {
 namespace {
@@ -169,6 +174,21 @@ TEST(Kml, RefusesFilesWithoutTracks) {
   EXPECT_TRUE(says(complaint(kml(dot)), "no fix with a usable place"));
   const std::string broken = "<LineString><coordinates>a,b c,d ,,, </coordinates></LineString>";
   EXPECT_TRUE(says(complaint(kml(placemark(broken))), "no fix with a usable place"));
+}
+
+TEST(Kml, IsReadFromAZipFile) {
+  const std::string text = kml(placemark(gx_track(mode("absolute") + kWhens + kCoords)));
+  const std::string kmz = elevation::zip({{"files/icon.png", "png"}, {"doc.kml", text}});
+  EXPECT_EQ(read_bytes(kmz, "x").fix_count(), 2u);
+  EXPECT_TRUE(says(complaint(elevation::zip({{"readme.txt", "text"}})), "x: "));
+  EXPECT_TRUE(says(complaint(kmz.substr(0, kmz.size() / 2)), "x: the zip file is cut short"));
+  const test::TemporaryFolder folder;
+  for (const char* name : {"flight.KMZ", "flight.zip"}) {
+    std::ofstream(folder.path() / name, std::ios::binary) << kmz;
+  }
+  EXPECT_TRUE(is_track(folder.path() / "flight.KMZ"));
+  EXPECT_FALSE(is_track(folder.path() / "flight.zip"));
+  EXPECT_EQ(read_file(folder.path() / "flight.KMZ").format, Format::kml);
 }
 
 }  // namespace
