@@ -6,7 +6,8 @@
 namespace aerostat::asset {
 namespace {
 
-/// Adds `more` to `taken`. `what` names both in the plural.
+/// Adds `more` to `taken`, or throws Error{bad_data} if the sum is greater than `most`. `what` is
+/// the plural of what is counted, for the message.
 void take(std::uint64_t& taken, std::uint64_t more, std::uint64_t most, const char* what) {
   if (more <= most && taken <= most - more) {
     taken += more;

@@ -8,8 +8,8 @@
 
 namespace aerostat::asset {
 
-/// Returns the number that is stored at a byte, which must lie in `bytes` as a whole. `order` is
-/// how the file orders the bytes of a number.
+/// Returns the number whose bytes begin at `at` in `bytes`. All of them must lie in `bytes`.
+/// `order` is the order in which the file stores the bytes of a number.
 template <class Number>
 Number number_at(std::string_view bytes, std::size_t at, std::endian order) {
   std::array<char, sizeof(Number)> stored{};

@@ -22,7 +22,7 @@ bool is_letter(char c) {
   return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
 }
 
-/// Returns the whole path without links, or an empty one if the system cannot find it out.
+/// Returns the absolute path without symbolic links, or an empty path if the system cannot tell it.
 fs::path whole(const fs::path& path) {
   std::error_code failed;
   const fs::path result = fs::weakly_canonical(path, failed);
@@ -35,8 +35,8 @@ bool is_within(const fs::path& path, const fs::path& folder) {
   return !path.empty() && !folder.empty() && end_of_folder == folder.end();
 }
 
-/// Returns the entry of a folder whose name is `name`, whatever the capital letters. Of several, it
-/// is the first by name.
+/// Returns the entry of a folder whose name is `name` if capital letters are ignored. If there are
+/// several, it returns the first in alphabetical order.
 std::optional<fs::path> entry_like(const fs::path& folder, const std::string& name) {
   std::error_code failed;
   std::optional<fs::path> found;
@@ -50,7 +50,8 @@ std::optional<fs::path> entry_like(const fs::path& folder, const std::string& na
   return found;
 }
 
-/// Returns the file at `relative` in `folder`, whose names may have other capital letters.
+/// Returns the path of the file at `relative` in `folder`. Capital letters are ignored where no
+/// name matches exactly.
 fs::path file_like(const fs::path& folder, const fs::path& relative) {
   std::error_code failed;
   fs::path path = folder;

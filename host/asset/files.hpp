@@ -16,7 +16,7 @@ std::string bytes_of(const std::filesystem::path& file, std::uint64_t most);
 /// The files that a model refers to.
 class Files {
  public:
-  /// `file` is the model's. Its folder is where references begin.
+  /// `file` is the file of the model. References are relative to its folder.
   Files(std::filesystem::path file, const ReadOptions& options);
 
   /// Returns the path that a reference leads to. Slashes and backslashes separate folders. If no

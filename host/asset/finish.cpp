@@ -17,13 +17,13 @@ using Triangle = std::array<std::uint32_t, 3>;
 
 constexpr std::size_t kMostNotes = 50;
 
-/// What was mended, of all meshes together.
+/// How many elements of all meshes were mended.
 struct Mended {
-  std::size_t not_finite = 0, folded = 0;       // triangles
+  std::size_t not_finite = 0, folded = 0;       // triangles; folded: two corners at one place
   std::size_t normals = 0, colors = 0, uv = 0;  // vertices
 };
 
-/// Leaves out triangles that nothing could draw.
+/// Removes triangles that have no area or a position that is not finite.
 void drop_triangles(Primitive& primitive, Mended& mended) {
   const auto is_finite_corner = [&](std::uint32_t i) { return is_finite(primitive.positions[i]); };
   std::erase_if(primitive.triangles, [&](const Triangle& triangle) {
@@ -39,7 +39,7 @@ void drop_triangles(Primitive& primitive, Mended& mended) {
   });
 }
 
-/// Takes the elements of `values` that `kept` names, in its order.
+/// Keeps only the elements of `values` whose indices are in `kept`.
 template <class Value>
 void keep(std::vector<Value>& values, const std::vector<std::uint32_t>& kept) {
   if (values.empty()) return;
@@ -49,7 +49,7 @@ void keep(std::vector<Value>& values, const std::vector<std::uint32_t>& kept) {
   values = std::move(result);
 }
 
-/// Leaves out the vertices that no triangle uses.
+/// Removes the vertices that no triangle uses.
 void drop_vertices(Primitive& primitive) {
   constexpr std::uint32_t kUnused = std::numeric_limits<std::uint32_t>::max();
   std::vector<std::uint32_t> places(primitive.positions.size(), kUnused), kept;
@@ -128,7 +128,7 @@ void note_mended(Model& model, const Mended& mended) {
        "texture coordinates");
 }
 
-/// Damaged files can give rise to any number of notes.
+/// Keeps the first kMostNotes notes, because a damaged file may cause any number of them.
 void cut_notes(Model& model) {
   if (model.notes.size() <= kMostNotes) return;
   const std::size_t more = model.notes.size() - kMostNotes;
@@ -136,7 +136,7 @@ void cut_notes(Model& model) {
   model.notes.push_back(fmt::format("There are {} more notes.", more));
 }
 
-/// Leaves out meshes without triangles and placements of them.
+/// Removes meshes without triangles and the placements of such meshes.
 void drop_empty_meshes(Model& model) {
   std::vector<std::optional<std::size_t>> places;
   std::vector<Mesh> meshes;

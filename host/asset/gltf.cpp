@@ -31,13 +31,14 @@ using glm::dvec4;
 
 constexpr const char* kInstancing = "EXT_mesh_gpu_instancing";
 
+/// Returns whether a transform is finite and does not flatten what it is applied to.
 bool has_size(const dmat4& transform) {
   double sum = 0.0;
   for (int i = 0; i < 16; ++i) sum += transform[i / 4][i % 4];
   return std::isfinite(sum) && glm::determinant(glm::dmat3(transform)) != 0.0;
 }
 
-/// Puts the parts of a file together.
+/// Makes the meshes and placements of the model from the parts of a file.
 class Assembler {
  public:
   Assembler(const JsonValue& root, const GltfAccessors& accessors, std::vector<GltfMesh> meshes,
@@ -72,7 +73,8 @@ class Assembler {
   void place_mesh(const JsonValue& node, const GltfNode& at, std::size_t mesh) {
     const JsonValue skin = node["skin"], instances = node["extensions"][kInstancing];
     if (skin.exists()) {
-      // A skin alone says where its mesh is: the transform of the node does not count.
+      // The joints of the skin place the mesh. By the specification, the transform of the node that
+      // has the mesh is ignored.
       place(baked(mesh, skin), dmat4(1.0));
     } else if (instances.exists()) {
       place_instances(instances["attributes"], at.global, mesh);
@@ -90,7 +92,7 @@ class Assembler {
     }
   }
 
-  /// Returns the place of a mesh in the model, in which it is stored when it is needed first.
+  /// Returns the index of a mesh in the model. The mesh is added to the model at the first call.
   std::size_t stored(std::size_t mesh) {
     if (!places_[mesh]) {
       places_[mesh] = reading_.model.meshes.size();
@@ -170,7 +172,8 @@ class Assembler {
     return matrices;
   }
 
-  /// Adds a mesh as its skin holds it in the pose of the nodes.
+  /// Adds a copy of a mesh whose vertices are moved by its skin, and returns its index in the
+  /// model.
   std::size_t baked(std::size_t mesh, const JsonValue& index) {
     const std::vector<dmat4>& matrices = joints_of(index);
     for (const Primitive& primitive : meshes_[mesh].mesh.primitives) {
@@ -204,7 +207,7 @@ class Assembler {
   std::vector<GltfMesh> meshes_;
   std::vector<GltfNode> nodes_;
   Reading& reading_;
-  std::vector<std::optional<std::size_t>> places_;    // of the meshes in the model
+  std::vector<std::optional<std::size_t>> places_;    // indices of the meshes in the model
   std::map<std::size_t, std::vector<dmat4>> joints_;  // of the skins that are needed
   std::size_t hidden_ = 0;                            // placements without size
 };

@@ -178,7 +178,8 @@ float real_at(std::string_view bytes, std::size_t at, GltfNumber number, bool no
   return little_at<float>(bytes, at);
 }
 
-/// Calls `take` with each element that is stored by itself and with the first byte of its numbers.
+/// Calls `take` for each sparse element, with the index of the element and the offset of its first
+/// byte in the view of the values.
 template <class Take>
 void each_sparse(const GltfAccessor& accessor, const Take& take) {
   if (!accessor.sparse) return;
@@ -196,8 +197,9 @@ void each_sparse(const GltfAccessor& accessor, const Take& take) {
   }
 }
 
-/// Reads the numbers of `count` elements. `element` returns the i-th of them, `places` the places
-/// at which an element is wanted, and `read` the number at a byte.
+/// Reads the numbers of `count` elements. `element(i)` returns the index of the i-th wanted
+/// element. `places(index)` returns the values of i that have this index. `read` returns the number
+/// at an offset.
 template <class Number, class Element, class Places, class Read>
 std::vector<Number> numbers_of(const GltfAccessor& accessor, std::size_t count,
                                const Element& element, const Places& places, const Read& read) {
@@ -223,7 +225,7 @@ std::vector<Number> all_of(const GltfAccessor& accessor, const Read& read) {
       [](std::uint32_t index) { return std::array<std::size_t, 1>{index}; }, read);
 }
 
-/// Reads the named elements, which rise.
+/// Reads the elements with these indices, which are in ascending order.
 template <class Number, class Read>
 std::vector<Number> some_of(const GltfAccessor& accessor, std::span<const std::uint32_t> elements,
                             const Read& read) {

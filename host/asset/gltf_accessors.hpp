@@ -12,7 +12,7 @@
 
 namespace aerostat::asset {
 
-/// The types of stored numbers, by their names in glTF.
+/// The types of stored numbers. The values are the codes that glTF uses.
 enum class GltfNumber : std::uint32_t {
   int8 = 5120,
   uint8 = 5121,
@@ -32,7 +32,7 @@ struct GltfAccessor {
   std::optional<GltfView> view;  // without one, all numbers are 0
   std::size_t offset = 0, stride = 0;
 
-  /// Some elements that are stored by themselves.
+  /// Elements that replace those of the view: glTF calls this a sparse accessor.
   struct Sparse {
     std::size_t count = 0;
     GltfNumber index_type = GltfNumber::uint32;
@@ -44,7 +44,8 @@ struct GltfAccessor {
   bool is_of_float() const { return number == GltfNumber::float32; }
 };
 
-/// The accessors of a glTF file. Whoever reads one has counted its elements before.
+/// The accessors of a glTF file. Their counts come from the file, so a caller checks the count
+/// against its limits before it reads an accessor.
 class GltfAccessors {
  public:
   /// Checks all accessors. Throws Error{bad_data} if one of them reaches out of its view.
@@ -68,8 +69,8 @@ std::vector<float> reals_of(const GltfAccessor& accessor);
 /// Returns all numbers of an accessor of integers.
 std::vector<std::uint32_t> integers_of(const GltfAccessor& accessor);
 
-/// Return the numbers of some elements of an accessor, in the order of `elements`, which must rise
-/// and all exist.
+/// Returns the numbers of the elements with these indices. The indices must be in ascending order
+/// and less than the count of the accessor.
 std::vector<float> reals_of(const GltfAccessor& accessor, std::span<const std::uint32_t> elements);
 std::vector<std::uint32_t> integers_of(const GltfAccessor& accessor,
                                        std::span<const std::uint32_t> elements);

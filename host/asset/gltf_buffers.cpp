@@ -102,7 +102,7 @@ std::string_view GltfBuffers::read_buffer(const JsonValue& buffer, std::size_t i
   } else if (i == 0 && binary) {
     bytes = *binary;
   } else {
-    // Compressed buffers may say that they have no bytes of their own.
+    // A buffer without a URI may stand for one that an extension compresses.
     const std::vector<std::string> extensions = buffer["extensions"].keys();
     uri.fail(extensions.empty() ? "the name of a file or a data URI"
                                 : fmt::format("a buffer that is not compressed by {}",

@@ -38,16 +38,17 @@ constexpr std::array<std::string_view, 9> kRead = {"EXT_mesh_gpu_instancing",
                                                    "KHR_texture_transform",
                                                    "KHR_xmp_json_ld"};
 
-/// A file may require these extensions as well, because a model is whole without them.
+/// Extensions that a file may require although they are ignored: the shape and the materials do not
+/// depend on them.
 constexpr std::array<std::string_view, 2> kDispensable = {"KHR_lights_punctual",
                                                           "KHR_materials_variants"};
 
-/// The lists that a file may have.
+/// The members of a document that must be arrays.
 constexpr std::array<const char*, 13> kLists = {
     "accessors", "animations", "bufferViews", "buffers", "cameras", "images",  "materials",
     "meshes",    "nodes",      "samplers",    "scenes",  "skins",   "textures"};
 
-/// What some extensions are called in words.
+/// Explanations of extensions, for messages.
 struct Meaning {
   std::string_view extension, words;
 };

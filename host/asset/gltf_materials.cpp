@@ -13,7 +13,7 @@
 namespace aerostat::asset {
 namespace {
 
-// These are far beyond what anything in a picture needs, and keep products finite.
+// These limits are far beyond all sensible values. They keep products in the range of float.
 constexpr double kStrongest = 1e12;  // emission: the sun has some 1e9 candelas a square metre
 constexpr double kSteepest = 1e6;    // a normal map
 constexpr double kDensest = 1e6;     // an index of refraction
@@ -129,8 +129,7 @@ void GltfMaterials::read_metallic_roughness(const JsonValue& numbers, Material& 
   result.metallic_roughness_texture = use(numbers["metallicRoughnessTexture"]);
 }
 
-/// Reads the older description of a material: its gloss is kept, and the colour of its gloss is
-/// not.
+/// Reads the older description of a material. The colour of its reflections is not kept.
 void GltfMaterials::read_specular_glossiness(const JsonValue& numbers, Material& result) {
   result.base_color = color<4>(numbers["diffuseFactor"]);
   const JsonValue texture = numbers["diffuseTexture"];
@@ -174,8 +173,8 @@ void GltfMaterials::read_extensions(const JsonValue& extensions, Material& resul
   if (index != 0.0 && !(index >= 1.0)) ior.fail("0 or a number of at least 1");
   result.ior = static_cast<float>(index);
   if (!extensions["KHR_materials_unlit"].exists()) return;
-  // Colours that are meant to be shown without light get the light of the scene: a landscape has
-  // no brightness of its own by which they could shine.
+  // Unlit materials are lit as matt surfaces. The file gives no luminance with which they could
+  // shine.
   result.metallic = 0.0f;
   result.roughness = 1.0f;
   result.metallic_roughness_texture.reset();

@@ -35,8 +35,9 @@ bool is_allowed(const GltfAccessor& accessor, const Allowed& allowed) {
   return accessor.normalized ? allowed.fractions : allowed.integers;
 }
 
-/// Numbers the vertices that triangles use anew, from 0, and returns their old numbers, which rise.
-/// Many primitives may share a long list of vertices, so that time goes by the triangles.
+/// Gives the vertices that the triangles use new indices without gaps. Returns the old index of
+/// each of them, in ascending order. Many primitives may share one long list of vertices, so the
+/// time that this takes depends on the number of triangles and not on the length of the list.
 std::vector<std::uint32_t> keep_used(std::vector<Triangle>& triangles, std::size_t vertices) {
   std::vector<std::uint32_t> used;
   if (vertices / 4 <= triangles.size()) {
@@ -253,7 +254,7 @@ class MeshReader {
       const Triangle triangle = {corner(first), corner(is_turned ? i : i - 1),
                                  corner(is_turned ? i - 1 : i)};
       const auto [a, b, c] = triangle;
-      // Strips name a corner twice to go on elsewhere.
+      // Strips repeat corners to continue at another place.
       if (a != b && b != c && c != a) result.push_back(triangle);
     }
     return result;
@@ -282,7 +283,7 @@ class MeshReader {
     return indices;
   }
 
-  /// Returns the material of what has none: white, as glTF says.
+  /// Returns the index of the default material of glTF, which is added at the first call.
   std::size_t standard_material() {
     if (!standard_material_) {
       reading_.budget.take_materials(1);

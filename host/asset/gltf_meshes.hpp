@@ -33,13 +33,13 @@ struct GltfMesh {
 };
 
 /// Reads the meshes of a glTF file. Throws Error{bad_data} for an attribute that cannot be
-/// understood or an index that is out of range. What are no triangles is left out and noted.
+/// understood or an index that is out of range. Points and lines are left out, and a note says so.
 std::vector<GltfMesh> read_gltf_meshes(const JsonValue& root, const GltfAccessors& accessors,
                                        const GltfMaterials& materials, Reading& reading);
 
-/// Returns a mesh whose vertices are moved. `joints` has, for each joint of the skin, the matrix
-/// from the mesh to the scene. Throws Error{bad_data} if a vertex names another joint; `skin` is
-/// where the skin stands.
+/// Returns a copy of a mesh whose vertices are moved by the joints of a skin. `joints` has, for
+/// each joint of the skin, the matrix from the mesh to the scene. Throws Error{bad_data} if a
+/// vertex names another joint; `skin` is where the skin stands.
 Mesh skinned(const GltfMesh& mesh, const std::vector<glm::dmat4>& joints, const JsonValue& skin);
 
 }  // namespace aerostat::asset

@@ -36,8 +36,7 @@ dmat4 local_of(const JsonValue& node) {
   return local;
 }
 
-/// Composes the nodes from their roots on, so that each has its parent's transform when its turn
-/// comes.
+/// Computes the transforms of all nodes. Parents come before their children.
 class Composer {
  public:
   Composer(const JsonValue& nodes, const Limits& limits, std::vector<GltfNode>& result)

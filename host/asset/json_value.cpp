@@ -69,7 +69,7 @@ std::string JsonValue::text() const {
 
 std::uint64_t JsonValue::whole(std::uint64_t otherwise) const {
   if (!exists()) return otherwise;
-  constexpr double kMost = 9007199254740992.0;  // 2^53: doubles name all integers below
+  constexpr double kMost = 9007199254740992.0;  // 2^53: all integers below are exact in double
   const double value = json_->is_number() ? json_->get<double>() : -1.0;
   if (!(value >= 0.0 && value < kMost) || value != std::floor(value)) {
     fail("an integer that is not negative");

@@ -5,7 +5,8 @@
 namespace aerostat::asset {
 namespace {
 
-/// From this number of corners on that are placed, boxes are placed instead. A second's work.
+/// If more corners than this are placed, the boxes of the meshes are transformed and not the
+/// corners. Transforming so many corners takes about a second.
 constexpr double kMostCorners = 50e6;
 
 Bounds box_of(const Mesh& mesh) {

@@ -59,8 +59,8 @@ struct Material {
 struct Primitive {
   std::vector<glm::vec3> positions;
   std::vector<glm::vec3> normals;  // of length 1; empty: each triangle is flat
-  std::vector<glm::vec2> uv;      // u to the right, v down from the top row; empty: no texture fits
-  std::vector<glm::vec4> colors;  // linear, multiply base_color; empty: white
+  std::vector<glm::vec2> uv;       // u to the right, v down from the top row; empty: no textures
+  std::vector<glm::vec4> colors;   // linear, multiply base_color; empty: white
   std::vector<std::array<std::uint32_t, 3>> triangles;
   std::size_t material = 0;  // in Model::materials
 };
@@ -89,7 +89,7 @@ struct Model {
   /// those in UTM, keep their precision. It is zero unless the middle of the model is more than
   /// kFarFromOrigin away from zero along an axis.
   glm::dvec3 origin{0.0};
-  /// What a user should know: what was left out, guessed or is missing. Whole sentences.
+  /// Sentences for the user about what is missing and what was left out or guessed.
   std::vector<std::string> notes;
 };
 

@@ -12,7 +12,8 @@
 
 namespace aerostat::asset {
 
-/// A texture as an MTL file names it. It shows what lies at `uv * scale + offset`.
+/// A texture as an MTL file names it. At texture coordinates uv, it shows the
+/// texel at `uv * scale + offset`.
 struct MtlMap {
   std::string file;
   glm::vec2 scale{1.0f}, offset{0.0f};

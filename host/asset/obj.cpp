@@ -21,8 +21,8 @@ using glm::vec2;
 using glm::vec3;
 using glm::vec4;
 
-/// Faces of one material may have texture coordinates, normals, both or neither, and be smooth or
-/// not.
+/// Faces of one material are kept apart by three properties: whether they have texture coordinates,
+/// whether they have normals, and whether they are smooth.
 constexpr std::size_t kGroupsOfMaterial = 8;
 
 /// Reads the lines of an OBJ file.
@@ -50,7 +50,7 @@ class ObjReader {
   }
 
  private:
-  /// Returns a line that a backslash continues in the next ones.
+  /// Returns a line that ends in a backslash, joined with the lines that continue it.
   std::string_view join(std::string_view line, std::string& joined) {
     joined = line;
     while (!joined.empty() && joined.back() == '\\') {

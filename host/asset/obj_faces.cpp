@@ -79,7 +79,7 @@ class Builder {
     return next;
   }
 
-  /// Gives each vertex the mean of the normals of the triangles around its point, by their areas.
+  /// Gives each vertex the mean of the normals of the triangles around its point, weighted by area.
   void smooth() {
     std::unordered_map<std::uint32_t, dvec3> sums;
     for (const auto& [a, b, c] : primitive_.triangles) {

@@ -12,11 +12,12 @@
 namespace aerostat::asset {
 namespace {
 
-/// A texture with a pixel below this opacity cuts holes, chosen by eye.
+/// A texture that has a pixel with less opacity than this is used as a mask. Chosen by eye.
 constexpr std::uint8_t kSeeThrough = 128;
 
-/// Returns the path that a name of an OBJ or MTL file leads to. Programs write names of folders
-/// that only their own computer has, and then the file is looked for beside the model.
+/// Returns the path of a file that an OBJ or MTL file names. Many programs write absolute paths of
+/// the computer that they ran on. If there is no such file here, a file of the same name beside the
+/// model is taken.
 std::filesystem::path find_by_name(const Files& files, std::string_view name) {
   try {
     return files.find(name);
@@ -26,7 +27,7 @@ std::filesystem::path find_by_name(const Files& files, std::string_view name) {
     try {
       return files.find(name.substr(folder + 1));
     } catch (const Error&) {
-      // The name as the file has it says more.
+      // The error about the whole name is more helpful than the one about its last part.
     }
     throw;
   }
@@ -133,7 +134,7 @@ std::optional<std::size_t> ObjMaterials::texture(const std::string& file) {
   return place;
 }
 
-/// Lets the opacity of the texture of colours count if it cuts holes or if the file says so.
+/// Uses the opacity of the base colour's texture as a mask if it has holes or if `is_wanted`.
 void ObjMaterials::show_opacity(Material& material, bool is_wanted) const {
   if (!material.base_color_texture || material.alpha != AlphaMode::opaque) return;
   const Texture& texture = reading_.model.textures[material.base_color_texture->texture];

@@ -198,8 +198,8 @@ class PlyReader {
     }
   }
 
-  /// Takes the next index of a vertex. Vertices may stand behind the faces, so that it is looked up
-  /// later.
+  /// Reads the next index of a vertex. It is compared with the number of vertices later, because
+  /// the faces may come first in the file.
   std::uint32_t next_index(PlyType type) {
     const double index = values_.next(type);
     if (!(index >= 0.0) || index != std::floor(index) ||

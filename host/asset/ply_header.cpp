@@ -71,8 +71,8 @@ class HeaderReader {
     if (!has_format_) fail("the end of the header", "a line \"format\" before it");
     const auto end = static_cast<std::size_t>(line.data() - bytes_.data()) + line.size();
     const std::string_view ending = bytes_.substr(end, 2);
-    // A lone carriage return ends the line only if the lines before end so too, because in a binary
-    // file the next byte may be a line feed by chance.
+    // If the header ends its lines with carriage returns alone, a line feed behind the last one is
+    // the first byte of the body.
     const bool is_pair = ending == "\r\n" && bytes_.substr(0, end).find('\n') != std::string::npos;
     header_.bytes = std::min(bytes_.size(), end + (is_pair ? 2 : 1));
     header_.last_line = lines_.number();

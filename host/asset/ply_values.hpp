@@ -34,7 +34,7 @@ class PlyValues {
   std::string_view bytes_;
   const PlyHeader& header_;
   std::size_t at_ = 0;    // the next byte
-  std::size_t line_ = 0;  // the line that it is in, of a text
+  std::size_t line_ = 0;  // of a text: the line of the next byte
 };
 
 }  // namespace aerostat::asset

@@ -25,7 +25,7 @@ void read_format(Reading& reading, Format format) {
   }
 }
 
-/// Turns a model whose z axis points up, so that +y does. North, which was +y, becomes -z.
+/// Rotates a model whose z axis points up so that its y axis does. +y becomes -z, which is north.
 void turn_up(Model& model) {
   const glm::dmat4 turn({1.0, 0.0, 0.0, 0.0}, {0.0, 0.0, -1.0, 0.0}, {0.0, 1.0, 0.0, 0.0},
                         {0.0, 0.0, 0.0, 1.0});

@@ -10,8 +10,8 @@
 
 namespace aerostat::asset {
 
-/// The most that is read of a model. All of it is checked before memory is taken. The defaults were
-/// chosen so that the largest model takes a few GiB.
+/// The most that is read of a model. All of it is checked before memory is taken. With these
+/// defaults, the largest model takes a few GiB of memory.
 struct Limits {
   std::uint64_t file_bytes = std::uint64_t{1} << 30;     // of each file, also of those referred to
   std::size_t vertices = 20'000'000;                     // in all meshes
@@ -19,7 +19,7 @@ struct Limits {
   std::uint64_t texture_side = 16'384;                   // pixels along an edge
   std::uint64_t texture_bytes = std::uint64_t{1} << 30;  // of all textures, 4 bytes a pixel
   std::size_t nodes = 200'000;
-  std::size_t node_depth = 256;  // nodes in each other
+  std::size_t node_depth = 256;  // levels of nodes
   std::size_t placements = 1'000'000;
   std::size_t materials = 10'000;
 };

@@ -60,26 +60,25 @@ void read_gltf(Reading& reading);
 /// decoded, with the name of its format if that is known. `name` stands for it in messages.
 std::size_t add_texture(Reading& reading, std::string_view bytes, const std::string& name);
 
-/// Returns what a surface is made of whose file does not say it: grey, and seen from both sides.
+/// Returns the material of surfaces for which the file gives none: grey and double-sided.
 Material plain_material();
 
-/// Makes a material show that its texture of colours is missing: what the texture would have
-/// coloured is grey.
+/// Multiplies the base colour of a material by a grey, in place of a texture that is missing.
 void show_missing_texture(Material& material);
 
-/// Makes sure that all that is left of a model can be drawn, and notes what had to be mended.
+/// Removes from a model what cannot be drawn, mends the rest, and adds notes about both.
 /// Triangles with positions that are not finite or with a corner twice are left out, and so is what
 /// nothing uses. Throws Error{bad_data} if no triangle is left.
 void finish(Model& model);
 
-/// Returns whole units that should be taken off all positions of a model in this box: nothing for
-/// a model around zero.
+/// Returns the middle of the box in whole units if it is farther than kFarFromOrigin from zero
+/// along an axis, and otherwise zero.
 glm::dvec3 far_origin(const Bounds& box);
 
-/// Sets the origin of a model whose positions are these, and returns them around it.
+/// Sets the origin of a model with these positions, and returns the positions minus the origin.
 std::vector<glm::vec3> around_origin(std::span<const glm::dvec3> points, Model& model);
 
-/// Adds a mesh that stands as the file says.
+/// Adds a mesh and places it once, without a transform.
 void add_mesh(Model& model, std::string name, std::vector<Primitive> primitives);
 
 /// Returns whether no component is NaN or infinite.

@@ -45,7 +45,7 @@ void read_binary(Reading& reading, std::uint32_t count) {
   add_triangles(reading, points, {});
 }
 
-/// Reads the text form: of every line only its "vertex" counts, and three of them are a triangle.
+/// Reads the text form. The normals of facets are ignored, because the triangles are flat.
 class TextReader {
  public:
   explicit TextReader(Reading& reading) : reading_(reading), lines_(reading.bytes) {}

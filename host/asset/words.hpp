@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-/// Words and numbers in files of models, and errors about them.
+/// Lines, words and numbers of texts, and errors about them.
 namespace aerostat::asset {
 
 /// Throws Error{bad_data}. `what` says what was found and what was expected, without the name of
