@@ -18,11 +18,20 @@
 namespace aerostat::image {
 namespace {
 
-/// Refuses an image with stb's reason. `what` is what could not be done.
+/// Returns stb's reason for the last failure. Bytes of the file that stand in it and are no
+/// printable ASCII become question marks.
+std::string reason() {
+  const char* const words = stbi_failure_reason();
+  std::string text = words == nullptr ? "no reason is known" : words;
+  for (char& c : text) {
+    if (c < ' ' || c > '~') c = '?';
+  }
+  return text;
+}
+
+/// Refuses an image. `what` is what could not be done.
 [[noreturn]] void refuse_image(const std::string& what, const std::filesystem::path& path) {
-  const char* reason = stbi_failure_reason();
-  throw Error(ErrorKind::bad_data, fmt::format("{}: {}: {}", path.string(), what,
-                                               reason == nullptr ? "no reason is known" : reason));
+  throw Error(ErrorKind::bad_data, fmt::format("{}: {}: {}", path.string(), what, reason()));
 }
 
 int length_of(std::span<const std::uint8_t> bytes) {

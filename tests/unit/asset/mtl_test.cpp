@@ -136,6 +136,10 @@ TEST(AssetMtl, OtherPicturesAreToldByName) {
   folder.write("t.webp", std::string("RIFF\0\0\0\0WEBPVP8 ", 16));
   EXPECT_TRUE(holds(all_notes(read_with("map_Kd t.webp\n", folder)),
                     "t.webp: found a WebP, expected a PNG or JPEG"));
+  std::string odd = png_2x1();
+  odd.replace(odd.find("IDAT"), 4, "I\xff\x01T");
+  folder.write("t.png", odd);
+  EXPECT_TRUE(holds(all_notes(read_with("map_Kd t.png\n", folder)), "I??T"));
   folder.write("t.png", png_2x1().substr(0, 50));
   EXPECT_TRUE(holds(all_notes(read_with("map_Kd t.png\n", folder)), "cannot be decoded"));
   folder.write("t.png", png_2x1());
