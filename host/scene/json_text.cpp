@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <set>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -15,15 +16,20 @@ namespace aerostat::scene::detail {
 namespace {
 
 constexpr std::size_t kShownLength = 60;
+constexpr std::size_t kLongestComplaint = 200;
 
 std::string quoted(const std::string& text) {
   return Json(text).dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 
-/// Returns at most kShownLength bytes of `text`, cut between characters.
-std::string shortened(std::string text) {
-  if (text.size() <= kShownLength) return text;
-  std::size_t end = kShownLength;
+bool is_printable(std::string_view text) {
+  return std::all_of(text.begin(), text.end(), [](char c) { return c >= ' ' && c <= '~'; });
+}
+
+/// Returns at most `length` bytes of `text`, cut between characters.
+std::string shortened(std::string text, std::size_t length) {
+  if (text.size() <= length) return text;
+  std::size_t end = length;
   while (end > 0 && (static_cast<unsigned char>(text[end]) & 0xC0) == 0x80) --end;
   return text.substr(0, end) + "...";
 }
@@ -110,12 +116,14 @@ std::string syntax_complaint(const std::string& what) {
   std::string complaint = start == std::string::npos ? what : what.substr(start);
   const std::size_t token = complaint.find("; last read: '");
   if (token != std::string::npos) {
-    const std::size_t expected = complaint.rfind("'; expected ");
-    const bool says = expected != std::string::npos && expected > token;
-    complaint = complaint.substr(0, token) + (says ? complaint.substr(expected + 1) : "");
+    const std::size_t quote = complaint.rfind("'; expected ");
+    const bool says = quote != std::string::npos && quote > token;
+    // The text may itself contain what the parser writes behind it, so only short ASCII is kept.
+    const std::string expected = says ? complaint.substr(quote + 1) : "";
+    complaint.resize(token);
+    if (expected.size() <= kShownLength && is_printable(expected)) complaint += expected;
   }
-  if (complaint.size() > 200) complaint = complaint.substr(0, 200) + "...";
-  return complaint;
+  return shortened(std::move(complaint), kLongestComplaint);
 }
 
 }  // namespace
@@ -153,7 +161,7 @@ std::string describe(const Json& value) {
     return plain ? value.dump() : fmt::format("an array of {}", value.size());
   }
   if (value.is_string()) {
-    const std::string text = shortened(value.get_ref<const std::string&>());
+    const std::string text = shortened(value.get_ref<const std::string&>(), kShownLength);
     return quoted(text);
   }
   return value.dump();

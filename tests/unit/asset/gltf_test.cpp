@@ -3,6 +3,7 @@
 
 #include "gltf_builder.hpp"
 #include "support.hpp"
+#include "track/text.hpp"
 
 namespace aerostat::asset {
 namespace {
@@ -295,6 +296,11 @@ TEST(AssetGltf, JsonIsStrictAndHasLimits) {
   EXPECT_TRUE(holds(gltf_message(R"({"asset":{"version":"2.0"},"nodes":{}})"),
                     "/nodes: found an object, expected an array"));
   EXPECT_TRUE(holds(gltf_message("[]"), "expected an object"));
+  // The parser repeats what it has read, and that may look like its own words.
+  std::string odd = R"({"a" "'; expected ")";
+  for (int i = 0; i < 200; ++i) odd += "\xC3\xA4";
+  EXPECT_TRUE(track::is_utf8(gltf_message(odd + "\"}")));
+  EXPECT_TRUE(track::is_utf8(gltf_message("{\"a\" \"'; expected \xff\"}")));
 }
 
 }  // namespace
