@@ -151,6 +151,30 @@ void drop_empty_meshes(Model& model) {
   for (Placement& placement : model.placements) placement.mesh = *places[placement.mesh];
 }
 
+/// Returns the uses of textures of a material.
+std::array<std::optional<TextureUse>*, 4> uses_of(Material& material) {
+  return {&material.base_color_texture, &material.metallic_roughness_texture,
+          &material.normal_texture, &material.emission_texture};
+}
+
+/// Removes the textures that no material uses.
+void drop_textures(Model& model) {
+  std::vector<std::optional<std::size_t>> places(model.textures.size());
+  std::vector<Texture> kept;
+  for (Material& material : model.materials) {
+    for (std::optional<TextureUse>* use : uses_of(material)) {
+      if (!*use) continue;
+      std::optional<std::size_t>& place = places[(*use)->texture];
+      if (!place) {
+        place = kept.size();
+        kept.push_back(std::move(model.textures[(*use)->texture]));
+      }
+      (*use)->texture = *place;
+    }
+  }
+  model.textures = std::move(kept);
+}
+
 }  // namespace
 
 void finish(Model& model) {
@@ -164,6 +188,7 @@ void finish(Model& model) {
     }
   }
   drop_empty_meshes(model);
+  drop_textures(model);
   note_mended(model, mended);
   cut_notes(model);
   if (model.placements.empty()) refuse("found no triangle that can be drawn");

@@ -96,14 +96,11 @@ ObjMaterial ObjMaterials::add(MtlMaterial read) {
   if (read.color) {
     material.base_color_texture = use(*read.color);
     if (!material.base_color_texture) show_missing_texture(material);
-    show_opacity(material, read.opacity && read.opacity->file == read.color->file);
   }
   if (read.opacity && (!read.color || read.opacity->file != read.color->file)) {
-    reading_.note(
-        fmt::format("The texture {} of opacity is left out: only the opacity of the "
-                    "texture of colours is read.",
-                    in_quotes(read.opacity->file)));
+    add_opacity(material, *read.opacity);
   }
+  show_opacity(material, read.opacity.has_value());
   if (read.emission) material.emission_texture = use(*read.emission);
   if (read.normal) {
     material.normal_texture = use(*read.normal);
@@ -134,15 +131,35 @@ std::optional<std::size_t> ObjMaterials::texture(const std::string& file) {
   return place;
 }
 
-/// Uses the opacity of the base colour's texture as a mask if it has holes or if `is_wanted`.
-void ObjMaterials::show_opacity(Material& material, bool is_wanted) const {
-  if (!material.base_color_texture || material.alpha != AlphaMode::opaque) return;
-  const Texture& texture = reading_.model.textures[material.base_color_texture->texture];
-  bool has_holes = false;
-  for (std::size_t i = 3; i < texture.rgba.size(); i += 4) {
-    has_holes = has_holes || texture.rgba[i] < kSeeThrough;
+/// Gives the base colour of a material the opacity of a texture of its own.
+void ObjMaterials::add_opacity(Material& material, const MtlMap& map) {
+  const std::optional<TextureUse> opacity = use(map);
+  if (!opacity) return;
+  std::optional<TextureUse>& color = material.base_color_texture;
+  const auto key =
+      std::pair(color ? std::optional(color->texture) : std::nullopt, opacity->texture);
+  const auto known = joined_.find(key);
+  if (!color) color = opacity;
+  if (known != joined_.end()) {
+    color->texture = known->second;
+    return;
   }
-  if (has_holes || is_wanted) material.alpha = AlphaMode::mask;
+  std::vector<Texture>& textures = reading_.model.textures;
+  const Texture& from = textures[opacity->texture];
+  Texture joined = key.first ? textures[*key.first] : white_texture(from.width, from.height);
+  reading_.budget.take_texture(joined.width, joined.height);
+  set_opacity(joined, from);
+  joined_[key] = color->texture = textures.size();
+  textures.push_back(std::move(joined));
+}
+
+/// Uses the opacity of the base colour's texture as a mask if it has holes or if `is_wanted`.
+void ObjMaterials::show_opacity(Material& material, bool is_wanted) {
+  if (!material.base_color_texture || material.alpha != AlphaMode::opaque) return;
+  const std::size_t place = material.base_color_texture->texture;
+  const auto [known, is_new] = have_holes_.try_emplace(place, false);
+  if (is_new) known->second = least_opacity(reading_.model.textures[place]) < kSeeThrough;
+  if (known->second || is_wanted) material.alpha = AlphaMode::mask;
 }
 
 }  // namespace aerostat::asset

@@ -7,6 +7,7 @@
 #include <set>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include <glm/glm.hpp>
@@ -44,13 +45,17 @@ class ObjMaterials {
   ObjMaterial add(MtlMaterial read);
   std::optional<TextureUse> use(const MtlMap& map);
   std::optional<std::size_t> texture(const std::string& file);
-  void show_opacity(Material& material, bool is_wanted) const;
+  void add_opacity(Material& material, const MtlMap& map);
+  void show_opacity(Material& material, bool is_wanted);
 
   Reading& reading_;
   std::set<std::filesystem::path> read_;
   std::map<std::string, MtlMaterial> library_;
   std::map<std::string, ObjMaterial> known_;
   std::map<std::string, std::optional<std::size_t>> textures_;  // by the names in MTL files
+  /// The textures that were made of the colours of one, or of white, and the opacity of another.
+  std::map<std::pair<std::optional<std::size_t>, std::size_t>, std::size_t> joined_;
+  std::map<std::size_t, bool> have_holes_;  // of the textures that are known
 };
 
 }  // namespace aerostat::asset

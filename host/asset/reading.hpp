@@ -60,6 +60,15 @@ void read_gltf(Reading& reading);
 /// decoded, with the name of its format if that is known. `name` stands for it in messages.
 std::size_t add_texture(Reading& reading, std::string_view bytes, const std::string& name);
 
+Texture white_texture(std::uint32_t width, std::uint32_t height);
+
+/// Returns the least opacity of a pixel of a texture.
+std::uint8_t least_opacity(const Texture& texture);
+
+/// Replaces the opacity of a texture. It comes from the opacity of `from` or, if all of `from` is
+/// opaque, from its red channel, because pictures of opacity are often grey.
+void set_opacity(Texture& texture, const Texture& from);
+
 /// Returns the material of surfaces for which the file gives none: grey and double-sided.
 Material plain_material();
 

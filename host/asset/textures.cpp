@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <span>
@@ -76,6 +77,28 @@ std::size_t add_texture(Reading& reading, std::string_view bytes, const std::str
   texture.rgba.assign(first, first + std::size_t{4} * texture.width * texture.height);
   reading.model.textures.push_back(std::move(texture));
   return reading.model.textures.size() - 1;
+}
+
+Texture white_texture(std::uint32_t width, std::uint32_t height) {
+  return {"white", width, height,
+          std::vector<std::uint8_t>(std::size_t{4} * width * height, std::uint8_t{255})};
+}
+
+std::uint8_t least_opacity(const Texture& texture) {
+  std::uint8_t least = 255;
+  for (std::size_t i = 3; i < texture.rgba.size(); i += 4) least = std::min(least, texture.rgba[i]);
+  return least;
+}
+
+void set_opacity(Texture& texture, const Texture& from) {
+  const std::size_t channel = least_opacity(from) < 255 ? 3 : 0;
+  for (std::size_t y = 0; y < texture.height; ++y) {
+    const std::size_t from_row = y * from.height / texture.height * from.width;
+    for (std::size_t x = 0; x < texture.width; ++x) {
+      const std::size_t from_pixel = from_row + x * from.width / texture.width;
+      texture.rgba[4 * (y * texture.width + x) + 3] = from.rgba[4 * from_pixel + channel];
+    }
+  }
 }
 
 Material plain_material() {

@@ -1,4 +1,6 @@
+#include <cstdint>
 #include <string>
+#include <vector>
 
 #include "support.hpp"
 
@@ -6,6 +8,12 @@ namespace aerostat::asset {
 namespace {
 
 constexpr const char* kTriangle = "v 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0.25 0.5\n";
+/// A PNG of one pixel, a grey of 100.
+const std::string kGreyPng(
+    "\211\120\116\107\015\012\032\012\000\000\000\015\111\110\104\122\000\000\000\001\000\000\000"
+    "\001\010\000\000\000\000\072\176\233\125\000\000\000\012\111\104\101\124\170\234\143\110\001"
+    "\000\000\146\000\145\172\240\306\222\000\000\000\000\111\105\116\104\256\102\140\202",
+    67);
 constexpr const char* kFace = "f 1/1 2/1 3/1\n";
 
 /// Returns the model of a triangle whose material is "m" of the given text.
@@ -72,6 +80,22 @@ TEST(AssetMtl, NumbersThatAreNotFiniteBecomeZero) {
   EXPECT_FLOAT_EQ(model.materials.at(0).base_color.r, 0.0f);
   EXPECT_FLOAT_EQ(model.materials.at(0).roughness, 1.0f);
   EXPECT_TRUE(holds(all_notes(model), "Numbers of materials that are not finite became 0."));
+}
+
+TEST(AssetMtl, OpacityMayHaveATextureOfItsOwn) {
+  const Folder folder;
+  folder.write("holes.png", png_2x1());
+  folder.write("grey.png", kGreyPng);
+  const Model holes = read_with("map_d holes.png\n", folder);
+  ASSERT_EQ(holes.textures.size(), 1u);
+  EXPECT_EQ(holes.textures[0].rgba, (std::vector<std::uint8_t>{255, 255, 255, 255,  //
+                                                               255, 255, 255, 0}));
+  EXPECT_EQ(holes.materials.at(0).alpha, AlphaMode::mask);
+  const Model colored = read_with("map_Kd holes.png\nmap_d grey.png\n", folder);
+  ASSERT_EQ(colored.textures.size(), 1u);
+  EXPECT_EQ(colored.textures[0].rgba, (std::vector<std::uint8_t>{255, 0, 0, 100,  //
+                                                                 0, 255, 0, 100}));
+  EXPECT_TRUE(holds(all_notes(read_with("map_d none.png\n")), "there is no file \"none.png\""));
 }
 
 TEST(AssetMtl, ABlackColourDoesNotHideATexture) {
