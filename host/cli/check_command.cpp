@@ -9,6 +9,7 @@
 #include "core/error.hpp"
 #include "staging/stage.hpp"
 #include "track/read.hpp"
+#include "world/scene_models.hpp"
 
 namespace aerostat::cli {
 
@@ -35,7 +36,9 @@ int check(const CheckOptions& options) {
   const std::string name = name_of_scene(options.input);
   world::ReliefCache reliefs;
   const staging::Staged staged = read_staged(options.input, reliefs);
-  resolve_scene(staged.source.scene(), options.input, reliefs);
+  const scene::ResolvedScene scene =
+      resolve_scene(staged.source.scene(), options.input, reliefs);
+  world::ModelCache().models_of(*scene);
   if (staged.land != nullptr) {
     write_stdout(options.json ? land_json(name, staged) : land_text(name, staged));
   } else if (options.json) {

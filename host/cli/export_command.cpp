@@ -1,4 +1,6 @@
+#include <memory>
 #include <span>
+#include <vector>
 
 #include <fmt/format.h>
 
@@ -15,9 +17,15 @@
 namespace aerostat::cli {
 namespace {
 
+/// The triangles of a world, and the models that some of them are of.
+struct WorldTriangles {
+  world::Objects objects;
+  std::shared_ptr<const world::SceneModels> models;
+};
+
 /// Returns the triangles of the world that pictures of the scene show. Throws Error{exhausted} if
 /// there are more than the options allow.
-world::Objects triangles_of(const scene::ResolvedScene& scene, const ExportOptions& options,
+WorldTriangles triangles_of(const scene::ResolvedScene& scene, const ExportOptions& options,
                             world::ReliefCache& reliefs) {
   const auto where =
       options.plants == "all" ? scatter::Where::everywhere : scatter::Where::in_sight;
@@ -30,7 +38,7 @@ world::Objects triangles_of(const scene::ResolvedScene& scene, const ExportOptio
                             "--most-triangles allows more, and --plants none leaves out plants",
                             count, options.most_triangles));
   }
-  return world::as_triangles(world, placed);
+  return {world::as_triangles(world, placed), world.models};
 }
 
 void write_obj(const std::filesystem::path& output, const ExportOptions& options,
@@ -54,8 +62,9 @@ int export_world(const ExportOptions& options) {
   world::ReliefCache reliefs;
   const scene::ResolvedScene loaded = load_scene(options.input, reliefs);
   const scene::ResolvedScene scene = loaded.counted_from(scene::origin_for_export(loaded));
-  world::Objects triangles = triangles_of(scene, options, reliefs);
-  const std::vector<mesh::ExportObject> objects = world::exported_objects(triangles, *scene);
+  WorldTriangles triangles = triangles_of(scene, options, reliefs);
+  const std::vector<mesh::ExportObject> objects =
+      world::exported_objects(triangles.objects, *scene, *triangles.models);
   if (format == MeshFormat::ply) {
     write_file(output, mesh::ply_bytes(objects, scene.origin()));
   } else {

@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 #include <sys/resource.h>
 
+#include "core/grouped.hpp"
+
 namespace aerostat::cli {
 
 namespace {
@@ -67,16 +69,6 @@ std::string built(int count) {
 }
 
 }  // namespace
-
-std::string grouped(std::uint64_t number) {
-  const std::string digits = std::to_string(number);
-  std::string text;
-  for (std::size_t i = 0; i < digits.size(); ++i) {
-    if (i > 0 && (digits.size() - i) % 3 == 0) text += ',';
-    text += digits[i];
-  }
-  return text;
-}
 
 std::uint64_t peak_memory_bytes() {
   rusage usage{};

@@ -9,9 +9,6 @@
 /// These functions describe the work of a render in words.
 namespace aerostat::cli {
 
-/// Returns a number with groups of digits, such as "1,234,567".
-std::string grouped(std::uint64_t number);
-
 /// Returns the largest memory that the process has used so far, in bytes, as the system counts
 /// it.
 std::uint64_t peak_memory_bytes();

@@ -9,8 +9,8 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "cli/report.hpp"
 #include "cli/report_lines.hpp"
+#include "core/grouped.hpp"
 #include "track/read.hpp"
 #include "track/summary.hpp"
 #include "track/text.hpp"

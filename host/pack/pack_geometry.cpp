@@ -9,6 +9,7 @@
 #include "bvh/grid.hpp"
 #include "core/copy.hpp"
 #include "core/error.hpp"
+#include "material.h"
 #include "pack/pack_instances.hpp"
 
 namespace aerostat::pack {
@@ -19,10 +20,12 @@ struct Owner {
   std::uint32_t object, material;
 };
 
-Owner owner_of(const world::Object& object) {
+Owner owner_of(const world::Object& object, std::uint32_t first_file_material) {
   const auto balloon = static_cast<std::uint32_t>(object.balloon);
-  return {static_cast<std::uint32_t>(object.id),
-          static_cast<std::uint32_t>(object.material) | balloon << AERO_FACE_BALLOON_SHIFT};
+  const std::uint32_t material =
+      object.file_material ? AERO_FIXED_MATERIALS + first_file_material + *object.file_material
+                           : static_cast<std::uint32_t>(object.material);
+  return {static_cast<std::uint32_t>(object.id), material | balloon << AERO_FACE_BALLOON_SHIFT};
 }
 
 /// Several meshes as one, with the owner of each triangle.
@@ -32,14 +35,14 @@ struct Soup {
   std::vector<Owner> owners;
 };
 
-Soup merge(const world::Objects& objects) {
+Soup merge(const world::Objects& objects, std::uint32_t first_file_material) {
   Soup soup;
   for (const world::Object& object : objects) {
     const auto& mesh = object.mesh;
     const auto base = static_cast<std::uint32_t>(soup.positions.size());
     soup.positions.insert(soup.positions.end(), mesh.positions.begin(), mesh.positions.end());
     for (const auto& triangle : mesh.triangles) soup.triangles.push_back(triangle + base);
-    soup.owners.resize(soup.triangles.size(), owner_of(object));
+    soup.owners.resize(soup.triangles.size(), owner_of(object, first_file_material));
   }
   return soup;
 }
@@ -86,24 +89,7 @@ Room room_of(const world::Objects& objects) {
 struct ShapePacker {
   const Room& more;
 
-  Packed operator()(const world::Objects& objects) const {
-    Packed packed;
-    if (objects.empty()) return packed;
-    Room room = more;
-    room += room_of(objects);
-    reserve(packed.arrays, room);
-    for (const world::Object& object : objects) {
-      mesh::check(object.mesh, scene::object_name(object.id).c_str());
-      add_vertices(object.mesh, packed.arrays.vertices);
-    }
-    const Soup soup = merge(objects);
-    bvh::Bvh tree = bvh::build(soup.positions, soup.triangles);
-    add_triangles(soup, tree.order, packed.arrays);
-    tree.order = {};
-    packed.group.trees.push_back(std::move(tree));
-    packed.group.room = room_of(packed.arrays);
-    return packed;
-  }
+  Packed operator()(const world::Objects& objects) const { return pack_objects(objects, more); }
 
   Packed operator()(const world::HeightGrid& grid) const {
     Packed packed;
@@ -118,6 +104,26 @@ struct ShapePacker {
 };
 
 }  // namespace
+
+Packed pack_objects(const world::Objects& objects, const Room& more,
+                    std::uint32_t first_file_material) {
+  Packed packed;
+  if (objects.empty()) return packed;
+  Room room = more;
+  room += room_of(objects);
+  reserve(packed.arrays, room);
+  for (const world::Object& object : objects) {
+    mesh::check(object.mesh, scene::object_name(object.id).c_str());
+    add_vertices(object.mesh, packed.arrays.vertices);
+  }
+  const Soup soup = merge(objects, first_file_material);
+  bvh::Bvh tree = bvh::build(soup.positions, soup.triangles);
+  add_triangles(soup, tree.order, packed.arrays);
+  tree.order = {};
+  packed.group.trees.push_back(std::move(tree));
+  packed.group.room = room_of(packed.arrays);
+  return packed;
+}
 
 Room room_of(const PackedArrays& arrays) {
   return {arrays.triangles.size(), arrays.vertices.size()};

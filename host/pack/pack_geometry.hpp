@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <memory>
 #include <vector>
 
@@ -59,6 +60,11 @@ struct Packed {
 /// Builds the trees of a group and sorts its triangles. The arrays get room for `more` elements
 /// that are to be appended. Runs on all cores.
 Packed pack_shape(const world::Shape& shape, const Room& more = {});
+
+/// Packs objects in the same way. The materials of files that they name are counted from
+/// `first_file_material` among those of all models.
+Packed pack_objects(const world::Objects& objects, const Room& more,
+                    std::uint32_t first_file_material = 0);
 
 /// Appends `part` to `whole`.
 void append(PackedArrays& whole, const PackedArrays& part);

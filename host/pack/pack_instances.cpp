@@ -8,7 +8,8 @@
 namespace aerostat::pack {
 namespace {
 
-AeroInstance pack_instance(const scatter::Instance& instance, const scatter::Axes& axes) {
+AeroInstance pack_instance(const scatter::Instance& instance, const scatter::Axes& axes,
+                           bool is_plant) {
   AeroInstance packed{};
   copy(packed.axes[0], axes.x);
   copy(packed.axes[1], axes.y);
@@ -17,6 +18,7 @@ AeroInstance pack_instance(const scatter::Instance& instance, const scatter::Axe
   packed.scale = instance.scale;
   copy(packed.tint, instance.tint);
   packed.root = instance.model;
+  packed.is_plant = is_plant ? 1u : 0u;
   return packed;
 }
 
@@ -33,10 +35,12 @@ bvh::Bounds placed(const bvh::Bounds& model, const scatter::Instance& instance,
 }
 
 /// Packs each model by itself and puts their arrays one behind the other.
-void pack_models(const world::Objects& models, const Room& more, Packed& packed) {
+void pack_models(const std::vector<world::InstanceModel>& models, const Room& more,
+                 Packed& packed) {
   std::vector<Packed> parts(models.size());
-  tbb::parallel_for(std::size_t{0}, parts.size(),
-                    [&](std::size_t i) { parts[i] = pack_shape(world::Objects{models[i]}); });
+  tbb::parallel_for(std::size_t{0}, parts.size(), [&](std::size_t i) {
+    parts[i] = pack_objects(*models[i].parts, {}, models[i].first_file_material);
+  });
   Room room = more;
   for (const Packed& part : parts) room += part.group.room;
   reserve(packed.arrays, room);
@@ -60,7 +64,7 @@ Packed pack_instances(const world::Instances& instances, const Room& more) {
   tbb::parallel_for(std::size_t{0}, count, [&](std::size_t i) {
     const scatter::Instance& instance = instances.places[i];
     const scatter::Axes axes = scatter::axes_of(instance);
-    group.instances[i] = pack_instance(instance, axes);
+    group.instances[i] = pack_instance(instance, axes, instances.are_plants);
     bounds[i] = placed(group.models[instance.model].bounds, instance, axes);
     copy(group.instances[i].lo, bounds[i].lo);
     copy(group.instances[i].hi, bounds[i].hi);

@@ -11,7 +11,7 @@ using scene::MaterialId;
 using scene::MaterialKind;
 using scene::ObjectId;
 
-static_assert(scene::kMaterialCount <= AERO_MAX_MATERIALS);
+static_assert(scene::kMaterialCount <= AERO_FIXED_MATERIALS);
 static_assert(static_cast<std::uint32_t>(MaterialId::terrain) == AERO_GRID_MATERIAL);
 static_assert(static_cast<std::uint32_t>(ObjectId::sky) == AERO_OBJECT_SKY);
 static_assert(static_cast<std::uint32_t>(ObjectId::terrain) == AERO_OBJECT_TERRAIN);

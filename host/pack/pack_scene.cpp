@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <iterator>
 
 #include <fmt/format.h>
 
@@ -116,6 +117,36 @@ void pack_balloons(const scene::ResolvedScene& scene, AeroScene& numbers) {
   numbers.balloon_count = static_cast<std::uint32_t>(balloons.size());
 }
 
+/// Returns a material of one colour that reflects light evenly.
+AeroMaterial plain_model(const AeroMaterial& from) {
+  AeroMaterial material = from;
+  material.kind = AERO_MATERIAL_PLAIN;
+  material.specular = material.translucency = 0.0f;
+  std::fill(std::begin(material.emission), std::end(material.emission), 0.0f);
+  material.see_through = AERO_OPAQUE;
+  return material;
+}
+
+/// Appends the materials of the scene's models and their textures.
+void pack_models(const scene::Scene& scene, world::ModelCache& models, PackedModelCache& cache,
+                 PackedScene& packed) {
+  const auto placed = models.models_of(scene);
+  if (placed->models.empty()) return;
+  const auto found = cache.get(placed, [&] { return pack::pack_models(*placed); });
+  AeroScene& numbers = packed.numbers;
+  const std::uint32_t first = packed.texels.add(found, found->texels);
+  numbers.white_texture = first;
+  for (std::size_t i = 0; i < found->materials.size(); ++i) {
+    AeroMaterial material = found->materials[i];
+    for (aero_uint* texture : {&material.color_texture, &material.metal_texture,
+                               &material.normal_texture, &material.emission_texture}) {
+      *texture += first;
+    }
+    if (scene.surfaces == scene::Surfaces::plain) material = plain_model(material);
+    numbers.materials[AERO_FIXED_MATERIALS + i] = material;
+  }
+}
+
 std::uint32_t shading_of(scene::Shading shading) {
   switch (shading) {
     case scene::Shading::flat:
@@ -145,11 +176,12 @@ AeroDrape pack_drape(const land::Drape& from, double blend, std::uint32_t first)
 PackedScene pack_scene(const scene::ResolvedScene& scene) {
   PackCache cache;
   terrain::ReliefCache reliefs;
-  return pack_scene(scene, cache, reliefs);
+  world::ModelCache models;
+  return pack_scene(scene, cache, reliefs, models);
 }
 
 PackedScene pack_scene(const scene::ResolvedScene& scene, PackCache& cache,
-                       terrain::ReliefCache& reliefs) {
+                       terrain::ReliefCache& reliefs, world::ModelCache& models) {
   if (scene->lights.size() > AERO_MAX_POINT_LIGHTS) {
     throw Error(ErrorKind::bad_data, fmt::format("/lights: found {} lights, expected at most {}",
                                                  scene->lights.size(), AERO_MAX_POINT_LIGHTS));
@@ -182,6 +214,7 @@ PackedScene pack_scene(const scene::ResolvedScene& scene, PackCache& cache,
     const std::uint32_t first = packed.texels.add(drape, drape->texels());
     numbers.drape = pack_drape(*drape, scene->terrain.drape.blend, first);
   }
+  pack_models(*scene, models, cache.models, packed);
   return packed;
 }
 

@@ -10,10 +10,12 @@
 #include "camera.h"
 #include "land/drape.hpp"
 #include "pack/cloud_chart.hpp"
+#include "pack/pack_models.hpp"
 #include "pack/texels.hpp"
 #include "scene/resolved_scene.hpp"
 #include "scene_params.h"
 #include "terrain/relief_cache.hpp"
+#include "world/scene_models.hpp"
 
 namespace aerostat::pack {
 
@@ -38,12 +40,14 @@ PackedScene pack_scene(const scene::ResolvedScene& scene);
 struct PackCache {
   air::ScatteringCache air;
   CloudChartCache clouds;
+  PackedModelCache models;
 };
 
-/// Packs a scene with what caches have of the air, the clouds and the picture on the ground, and
-/// leaves its own there.
+/// Packs a scene with what caches have of the air, the clouds, the picture on the ground and the
+/// models, and leaves its own there. Throws the errors of ModelCache::models_of() and
+/// pack_models(), too.
 PackedScene pack_scene(const scene::ResolvedScene& scene, PackCache& cache,
-                       terrain::ReliefCache& reliefs);
+                       terrain::ReliefCache& reliefs, world::ModelCache& models);
 
 /// Packs a picture on the ground, whose texels begin at `first` in the buffer of texels.
 AeroDrape pack_drape(const land::Drape& drape, double blend, std::uint32_t first = 0);

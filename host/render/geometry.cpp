@@ -121,6 +121,7 @@ BuiltGeometry build_geometry(const scene::ResolvedScene& scene, const HostGeomet
   build.carving = options.carving;
   build.kinds = options.kinds;
   build.reliefs = options.reliefs;
+  build.models = options.models;
   build.previous = previous != nullptr ? &previous->world : nullptr;
   const Stopwatch watch;
   world::World world = world::build(seen, build);

@@ -51,6 +51,8 @@ struct GeometryOptions {
   world::GroupKinds kinds = world::all_kinds();
   /// The cache of reliefs. Null means that the land is carved for this geometry alone.
   world::ReliefCache* reliefs = nullptr;
+  /// The cache of models from files. Null means that they are read for this geometry alone.
+  world::ModelCache* models = nullptr;
 };
 
 /// Builds the geometry of a scene. Groups that `previous` (may be null) has already are

@@ -143,6 +143,7 @@ void Session::State::build(const scene::ResolvedScene& scene, Plants plants) {
   BuiltGeometry built = background.run(
       [scene, old, how, cache = options.cache]() mutable {
         how.reliefs = &cache->reliefs;
+        how.models = &cache->models;
         return build_geometry(scene, old.get(), how);
       },
       stop, [this] { report(Stage::world, 0.0); });
@@ -189,7 +190,8 @@ void Session::State::prepare(const scene::ResolvedScene& scene, const scene::Res
   // work that runs beside.
   const auto when = is_single_picture() ? std::launch::async : std::launch::deferred;
   auto packing = std::async(when, [this, &shown] {
-    return pack::pack_scene(shown, options.cache->packing, options.cache->reliefs);
+    return pack::pack_scene(shown, options.cache->packing, options.cache->reliefs,
+                            options.cache->models);
   });
   build(scene, plants);
   await_programs();

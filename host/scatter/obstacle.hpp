@@ -9,6 +9,7 @@ namespace aerostat::scatter {
 struct Obstacle {
   dvec3 position{0.0};  // its foot, in world coordinates
   double width_m = 0.0;
+  bool above_ground = false;  // y counts from the ground below the object
 
   bool operator==(const Obstacle&) const = default;
 };

@@ -29,13 +29,14 @@ std::vector<plant::ModelKey> all_models() {
 std::vector<KeepOut> kept_out(const scene::ResolvedScene& scene, const Surface& surface,
                               std::span<const Obstacle> obstacles) {
   std::vector<KeepOut> circles;
-  const auto add = [&](const dvec3& at, double radius_m) {
-    const double above = at.y - static_cast<double>(surface.height(at.x, at.z));
-    if (above < kClearM) circles.push_back({{at.x, at.z}, radius_m});
+  const auto add = [&](const dvec3& at, double radius_m, bool above_ground = false) {
+    const double ground = above_ground ? 0.0 : static_cast<double>(surface.height(at.x, at.z));
+    if (at.y - ground < kClearM) circles.push_back({{at.x, at.z}, radius_m});
   };
   add(scene::place_of(*scene, scene.eye()), 5.0);
   for (const Obstacle& obstacle : obstacles) {
-    add(scene::place_of(*scene, obstacle.position), 0.6 * obstacle.width_m + 3.0);
+    add(scene::place_of(*scene, obstacle.position), 0.6 * obstacle.width_m + 3.0,
+        obstacle.above_ground);
   }
   return circles;
 }

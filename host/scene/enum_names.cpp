@@ -125,4 +125,10 @@ std::span<const char* const> enum_names<Quality>() {
   return kNames;
 }
 
+template <>
+std::span<const char* const> enum_names<UpAxis>() {
+  static constexpr const char* kNames[] = {"y", "z"};
+  return kNames;
+}
+
 }  // namespace aerostat::scene::detail

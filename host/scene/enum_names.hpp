@@ -7,6 +7,7 @@
 #include "scene/land.hpp"
 #include "scene/light.hpp"
 #include "scene/picture.hpp"
+#include "scene/placed_model.hpp"
 
 namespace aerostat::scene::detail {
 
@@ -50,6 +51,8 @@ template <>
 std::span<const char* const> enum_names<Palette>();
 template <>
 std::span<const char* const> enum_names<Quality>();
+template <>
+std::span<const char* const> enum_names<UpAxis>();
 
 /// Returns the word that scene files use for a value of an enum.
 template <class Enum>

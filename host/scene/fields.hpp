@@ -4,6 +4,7 @@
 #include "scene/land_fields.hpp"
 #include "scene/light_fields.hpp"
 #include "scene/picture_fields.hpp"
+#include "scene/placed_model_fields.hpp"
 #include "scene/scene.hpp"
 
 /// The tables of all fields. Schema, reader, writer, the manual's reference and the window's
@@ -25,7 +26,12 @@ inline constexpr auto kTable<Scene> = table(
           list(kMostFurtherBalloons,
                "Further balloons, at most {to}. Each is built with as much detail as its size in "
                "the picture requires.")),
-    field("festival", &Scene::festival), field("camera", &Scene::camera),
+    field("festival", &Scene::festival),
+    field("objects", &Scene::objects,
+          list(kMostObjects,
+               "Models from files that stand in the landscape, at most {to}. A file that is named "
+               "more than once is read once.")),
+    field("camera", &Scene::camera),
     field(
         "mood", &Scene::mood,
         word("Time of day or weather. It sets defaults of sun, moon, air, clouds and film that go "

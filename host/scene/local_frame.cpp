@@ -51,6 +51,10 @@ Scene counted_from_origin(const ResolvedScene& scene) {
   *local.camera.position -= origin;
   *local.camera.target -= origin;
   for (PointLight& light : local.lights) light.position -= origin;
+  for (PlacedModel& model : local.objects) {
+    const bool from_sea = model.height_above == HeightReference::sea;
+    model.position -= dvec3(origin.x, from_sea ? origin.y : 0.0, origin.z);
+  }
   return local;
 }
 

@@ -32,6 +32,8 @@ std::string object_name(ObjectId id) {
       return "plant";
     case ObjectId::stone:
       return "stone";
+    case ObjectId::model:
+      return "model";
     case ObjectId::count:
       break;
   }

@@ -25,6 +25,7 @@ enum class ObjectId : std::uint32_t {
   flame,
   plant,
   stone,
+  model,
   count
 };
 inline constexpr std::size_t kObjectCount = static_cast<std::size_t>(ObjectId::count);

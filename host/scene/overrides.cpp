@@ -66,14 +66,17 @@ Json& element(Json& array, const std::string& token, const std::string& name,
   return array[index];
 }
 
-/// Returns the JSON of a further balloon for which a file gives no values.
-const Json& usual_balloon() {
+/// Returns the JSON of a further balloon or of a model for which a file gives no values, or null
+/// for a key of the scene that is neither of these lists.
+const Json* usual_element(const std::string& list) {
   static const Json usual = [] {
     Scene scene;
     scene.balloons.emplace_back();
-    return Json(to_json(scene))["balloons"][0];
+    scene.objects.emplace_back();
+    const Json all = to_json(scene);
+    return Json{{"balloons", all["balloons"][0]}, {"objects", all["objects"][0]}};
   }();
-  return usual;
+  return usual.contains(list) ? &usual[list] : nullptr;
 }
 
 /// Returns the node that `pointer` names, and creates it if it does not exist.
@@ -90,7 +93,8 @@ Json& reach(Json& document, const Json& defaults, const Pointer& pointer, const 
     so_far.push_back(token);
     const bool known = fallback->is_object() && fallback->contains(token);
     fallback = known ? &(*fallback)[token] : &kNothing;
-    if (so_far.size() == 2 && so_far[0] == "balloons") fallback = &usual_balloon();
+    const Json* const element_default = so_far.size() == 2 ? usual_element(so_far[0]) : nullptr;
+    if (element_default != nullptr) fallback = element_default;
     node = node->is_array() ? &element(*node, token, name, so_far) : &(*node)[token];
   }
   return *node;

@@ -278,6 +278,11 @@ void name_files_from(const std::filesystem::path& folder, Json& document) {
     if (document.contains(drape)) settle(document[drape]);
   }
   if (!document.is_object()) return;
+  if (document.contains("objects") && document["objects"].is_array()) {
+    for (Json& object : document["objects"]) {
+      if (object.contains("file")) settle(object["file"]);
+    }
+  }
   if (document.contains("balloon")) settle_track(document["balloon"]);
   if (document.contains("balloons") && document["balloons"].is_array()) {
     for (Json& balloon : document["balloons"]) settle_track(balloon);

@@ -9,6 +9,7 @@
 #include "scene/light.hpp"
 #include "scene/objects.hpp"
 #include "scene/picture.hpp"
+#include "scene/placed_model.hpp"
 
 /// The scene description holds all values of a scene file, with every default filled in. Names,
 /// units and nesting are those of the JSON, so that reading and writing lose nothing. Lengths are
@@ -23,6 +24,7 @@ struct Scene {
   Balloon balloon;
   std::vector<Balloon> balloons;  // further balloons
   Festival festival;              // and still more of them
+  std::vector<PlacedModel> objects;
   Camera camera;
   Mood mood = Mood::none;
   Sun sun;

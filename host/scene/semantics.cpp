@@ -86,6 +86,14 @@ void check_balloons(const Scene& scene, const std::string& name) {
                    kMostFurtherBalloons - listed, listed, kMostFurtherBalloons));
 }
 
+/// Checks that each model has a file.
+void check_objects(const Scene& scene, const std::string& name) {
+  for (std::size_t i = 0; i < scene.objects.size(); ++i) {
+    if (!scene.objects[i].file.empty()) continue;
+    fail(name, {"objects", std::to_string(i), "file"}, "an empty name", "the name of a file");
+  }
+}
+
 void check_source(const Terrain& terrain, const std::string& name) {
   const bool is_elevation = terrain.kind == TerrainKind::elevation;
   if (is_elevation && terrain.source.empty()) {
@@ -116,6 +124,9 @@ void check_geo_points(const Scene& scene, const std::string& name) {
   for (std::size_t i = 0; i < scene.balloons.size(); ++i) {
     refuse(scene.balloons[i].at.has_value(), {"balloons", std::to_string(i), "at"});
     refuse(scene.balloons[i].track.has_value(), {"balloons", std::to_string(i), "track"});
+  }
+  for (std::size_t i = 0; i < scene.objects.size(); ++i) {
+    refuse(scene.objects[i].at.has_value(), {"objects", std::to_string(i), "at"});
   }
 }
 
@@ -171,6 +182,7 @@ void check_semantics(const Json& document, const Scene& scene, Faults& faults) {
   }
   faults.gather([&] { check_camera(scene.camera, name); });
   faults.gather([&] { check_balloons(scene, name); });
+  faults.gather([&] { check_objects(scene, name); });
   faults.gather([&] { check_source(scene.terrain, name); });
   faults.gather([&] { check_geo_points(scene, name); });
   faults.gather([&] { check_terrain_place(scene.terrain, name); });

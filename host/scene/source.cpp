@@ -85,7 +85,8 @@ void erase(Json& document, const Pointer& pointer, std::size_t depth, const Json
   }
   if (!document.is_object() || !document.contains(token)) return;
   if (depth + 1 == pointer.size()) {
-    // A lamp must have a position.
+    // A model has no other file, and a lamp must have a position.
+    if (pointer[0] == "objects" && token == "file") return;
     const bool required = pointer[0] == "lights" && token == "position";
     required ? void(document[token] = usual.at(token)) : void(document.erase(token));
     return;
@@ -138,6 +139,7 @@ struct SceneSource::State {
       dress(usual.balloons.emplace_back(), palette_of_place(i));
     }
     usual.lights.resize(scene.lights.size());
+    usual.objects.resize(scene.objects.size());
     usual_values = shown(usual);
     // Biome, season, view, mood and quality choose all other defaults. Their own defaults are these
     // words.
@@ -214,7 +216,7 @@ std::string SceneSource::text() const {
   // The version is always written, because without it the file cannot be read.
   usual.erase("version");
   // Lists have no default elements, so that each element is written in full.
-  usual["balloons"] = usual["lights"] = Json::array();
+  usual["balloons"] = usual["lights"] = usual["objects"] = Json::array();
   usual["biome"].erase("kind");
   left["biome"]["kind"] = state_->values["biome"]["kind"];
   // Angles are left out only if both equal their defaults. An angle that is left out alone would

@@ -139,6 +139,8 @@ class Stage {
       anchor({balloon.at->latitude_deg, balloon.at->longitude_deg});
     } else if (camera.at) {
       anchor({camera.at->latitude_deg, camera.at->longitude_deg});
+    } else {
+      anchor_to_objects();
     }
     if (flight_) {
       put_flight("/balloon", *flight_);
@@ -154,7 +156,19 @@ class Stage {
         put(pointer + "/position", *further.at, further.height_above);
       }
     }
+    for (std::size_t i = 0; i < scene_.objects.size(); ++i) {
+      const scene::PlacedModel& object = scene_.objects[i];
+      if (!object.at) continue;
+      put(fmt::format("/objects/{}/position", i), *object.at, object.height_above);
+    }
     settle_camera();
+  }
+
+  /// Makes the place of the first model that has one the middle of the ground.
+  void anchor_to_objects() {
+    for (const scene::PlacedModel& object : scene_.objects) {
+      if (object.at) return anchor({object.at->latitude_deg, object.at->longitude_deg});
+    }
   }
 
   void settle_camera() {

@@ -55,9 +55,9 @@ bool same(const GroupRequest& now, const GroupRequest& before) {
                     });
 }
 
-std::vector<scatter::Obstacle> obstacles(const scene::ResolvedScene& scene) {
+std::vector<scatter::Obstacle> obstacles(const GroupRequest& request) {
   std::vector<scatter::Obstacle> found;
-  for (const scene::Balloon* balloon : scene::balloons_of(*scene)) {
+  for (const scene::Balloon* balloon : scene::balloons_of(*request.scene)) {
     found.push_back({balloon->position, balloon->diameter_m});
   }
   return found;

@@ -14,6 +14,10 @@ struct EmptinessOf {
 
 }  // namespace
 
+InstanceModel instance_model(Objects parts) {
+  return {std::make_shared<const Objects>(std::move(parts))};
+}
+
 bool is_empty(const Shape& shape) {
   return std::visit(EmptinessOf(), shape);
 }

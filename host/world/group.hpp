@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <variant>
 #include <vector>
 
@@ -17,6 +18,8 @@
 /// A world consists of groups, each of which is built, kept and thrown away as a whole.
 namespace aerostat::world {
 
+struct SceneModels;
+
 /// A mesh with the object that it is and the material that it is made of.
 struct Object {
   scene::ObjectId id = scene::ObjectId::terrain;
@@ -24,6 +27,8 @@ struct Object {
   mesh::TriangleMesh mesh;
   /// The place in scene::balloons_of() of the balloon that it is a part of, or 0.
   std::size_t balloon = 0;
+  /// The number of the material among those of a file, in place of `material`.
+  std::optional<std::uint32_t> file_material = {};
 };
 
 using Objects = std::vector<Object>;
@@ -34,11 +39,25 @@ struct HeightGrid {
   std::shared_ptr<const mesh::GridMesh> mesh;
 };
 
-/// Models that stand in the world many times.
+/// A model that stands in the world many times.
+struct InstanceModel {
+  std::shared_ptr<const Objects> parts;
+  /// The number, among those of all models of a scene, of the material that is the first one of the
+  /// parts' file.
+  std::uint32_t first_file_material = 0;
+};
+
+/// Returns a model of these parts, without materials of files.
+InstanceModel instance_model(Objects parts);
+
+/// Models and where they stand.
 struct Instances {
-  Objects models;
+  std::vector<InstanceModel> models;
   /// The instances. Their `model` is an index into `models`.
   std::vector<scatter::Instance> places;
+  /// Whether they are plants and stones, of which exports may leave out all, and whose shade is
+  /// known beforehand where they are small.
+  bool are_plants = true;
 };
 
 /// The shapes that packing and exporting know. A group of nothing is an empty list of objects.
@@ -50,6 +69,8 @@ bool is_empty(const Shape& shape);
 /// The scene and the detail that groups are built for.
 struct GroupRequest {
   const scene::ResolvedScene& scene;
+  /// The models from files that the scene places.
+  std::shared_ptr<const SceneModels> models;
   scatter::Where where = scatter::Where::everywhere;
   terrain::Carving carving = terrain::Carving::fine;
   /// The obstacles of all kinds of groups.
@@ -84,8 +105,9 @@ struct GroupKind {
   /// Returns whether a group that was built for `before` is also what `now` asks for. Both scenes
   /// have the same origin and, for a group on the ground, the same ground.
   bool (*same)(const GroupRequest& now, const GroupRequest& before) = nullptr;
-  /// Returns where the objects stand that plants leave room for. Null means that they leave none.
-  std::vector<scatter::Obstacle> (*obstacles)(const scene::ResolvedScene& scene) = nullptr;
+  /// Returns where the objects stand that plants leave room for. The request has no obstacles yet.
+  /// Null means that plants leave no room.
+  std::vector<scatter::Obstacle> (*obstacles)(const GroupRequest& request) = nullptr;
 };
 
 /// A group of a world. Two groups of the same revision are the same; a build gives a revision that

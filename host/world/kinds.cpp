@@ -3,7 +3,7 @@
 namespace aerostat::world {
 
 GroupKinds all_kinds() {
-  return {&kLand, &kSea, &kInlandWater, &kBalloons, &kPlants};
+  return {&kLand, &kSea, &kInlandWater, &kBalloons, &kModels, &kPlants};
 }
 
 }  // namespace aerostat::world

@@ -17,6 +17,8 @@ extern const GroupKind kSea;
 extern const GroupKind kInlandWater;
 /// All balloons of a scene, each as fine as its size in the picture asks for.
 extern const GroupKind kBalloons;
+/// Models from files.
+extern const GroupKind kModels;
 /// Plants and stones, each in the level of detail that its size in the picture asks for.
 extern const GroupKind kPlants;
 

@@ -94,8 +94,9 @@ Shape build(const GroupInput& input) {
   tbb::parallel_for(std::size_t{0}, used.size(), [&](std::size_t i) {
     const plant::ModelKey& key = growth.models[used[i] / kDetails];
     const auto detail = static_cast<plant::Detail>(used[i] % kDetails);
-    plants.models[i] = object_of(key.species);
-    plants.models[i].mesh = plant::build(key, detail);
+    Object model = object_of(key.species);
+    model.mesh = plant::build(key, detail);
+    plants.models[i] = instance_model({std::move(model)});
   });
   for (scatter::Instance& instance : plants.places) instance.model = number[instance.model];
   return plants;

@@ -1,4 +1,6 @@
 #include <map>
+#include <optional>
+#include <tuple>
 #include <utility>
 
 #include "world/world.hpp"
@@ -36,13 +38,23 @@ class Appender {
   }
 
   void operator()(const Instances& instances) {
-    if (placed_ == Placed::left_out) return;
-    std::map<std::pair<scene::ObjectId, scene::MaterialId>, mesh::TriangleMesh> found;
+    if (instances.are_plants && placed_ == Placed::left_out) return;
+    std::map<std::tuple<scene::ObjectId, scene::MaterialId, std::optional<std::uint32_t>>,
+             mesh::TriangleMesh>
+        found;
     for (const scatter::Instance& instance : instances.places) {
-      const Object& model = instances.models[instance.model];
-      place(model.mesh, instance, found[{model.id, model.material}]);
+      const InstanceModel& model = instances.models[instance.model];
+      for (const Object& part : *model.parts) {
+        auto number = part.file_material;
+        if (number) *number += model.first_file_material;
+        place(part.mesh, instance, found[{part.id, part.material, number}]);
+      }
     }
-    for (auto& [what, mesh] : found) objects_.push_back({what.first, what.second, std::move(mesh)});
+    for (auto& [what, mesh] : found) {
+      Object object{std::get<0>(what), std::get<1>(what), std::move(mesh)};
+      object.file_material = std::get<2>(what);
+      objects_.push_back(std::move(object));
+    }
   }
 
  private:
@@ -63,10 +75,12 @@ struct Counter {
   std::uint64_t operator()(const HeightGrid& grid) const { return grid.mesh->triangles(); }
 
   std::uint64_t operator()(const Instances& instances) const {
-    if (placed == Placed::left_out) return 0;
+    if (instances.are_plants && placed == Placed::left_out) return 0;
     std::uint64_t count = 0;
     for (const scatter::Instance& instance : instances.places) {
-      count += instances.models[instance.model].mesh.triangles.size();
+      for (const Object& part : *instances.models[instance.model].parts) {
+        count += part.mesh.triangles.size();
+      }
     }
     return count;
   }

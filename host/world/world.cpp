@@ -2,6 +2,7 @@
 
 #include <new>
 #include <optional>
+#include <utility>
 
 #include <oneapi/tbb/parallel_invoke.h>
 
@@ -13,36 +14,44 @@
 namespace aerostat::world {
 namespace {
 
-std::vector<scatter::Obstacle> obstacles_of(const scene::ResolvedScene& scene,
-                                            const GroupKinds& kinds) {
+std::vector<scatter::Obstacle> obstacles_of(const GroupRequest& request, const GroupKinds& kinds) {
   std::vector<scatter::Obstacle> obstacles;
   for (const GroupKind* kind : kinds) {
     if (kind->obstacles == nullptr) continue;
-    for (const scatter::Obstacle& one : kind->obstacles(scene)) obstacles.push_back(one);
+    for (const scatter::Obstacle& one : kind->obstacles(request)) obstacles.push_back(one);
   }
   return obstacles;
 }
 
-GroupRequest request_for(const scene::ResolvedScene& scene, const BuildOptions& options) {
-  return {scene, options.where, options.carving, obstacles_of(scene, options.kinds)};
+GroupRequest request_for(const scene::ResolvedScene& scene,
+                         std::shared_ptr<const SceneModels> models, const BuildOptions& options) {
+  GroupRequest request{scene, std::move(models), options.where, options.carving};
+  request.obstacles = obstacles_of(request, options.kinds);
+  return request;
 }
 
 std::optional<GroupRequest> previous_request(const BuildOptions& options) {
   if (options.previous == nullptr) return std::nullopt;
-  return request_for(options.previous->scene, options);
+  return request_for(options.previous->scene, options.previous->models, options);
+}
+
+std::shared_ptr<const SceneModels> models_for(const scene::Scene& scene,
+                                              const BuildOptions& options) {
+  return options.models != nullptr ? options.models->models_of(scene)
+                                   : ModelCache().models_of(scene);
 }
 
 /// Builds groups, or takes them from the previous world.
 class Builder {
  public:
   Builder(const scene::ResolvedScene& scene, const BuildOptions& options)
-      : request_(request_for(scene, options)),
+      : request_(request_for(scene, models_for(*scene, options), options)),
         before_(previous_request(options)),
         options_(options),
         local_(scene::counted_from_origin(scene)),
         reliefs_(options.reliefs != nullptr ? *options.reliefs : own_reliefs_) {}
 
-  std::vector<Group> run() {
+  World run() {
     groups_.resize(options_.kinds.size());
     tbb::parallel_invoke(
         [this, stop = current_stop()] {
@@ -54,7 +63,7 @@ class Builder {
           const StopScope scope(stop);
           build_all(Footing::none);
         });
-    return std::move(groups_);
+    return {request_.scene, std::move(groups_), request_.models};
   }
 
  private:
@@ -99,7 +108,7 @@ class Builder {
 
 World build(const scene::ResolvedScene& scene, const BuildOptions& options) {
   try {
-    return {scene, Builder(scene, options).run()};
+    return Builder(scene, options).run();
   } catch (const std::bad_alloc&) {
     throw Error(ErrorKind::exhausted,
                 "not enough memory for the world's meshes; a smaller /terrain/cells needs less");

@@ -1,12 +1,14 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 #include "scatter/scatter.hpp"
 #include "scene/resolved_scene.hpp"
 #include "world/group.hpp"
 #include "world/kinds.hpp"
+#include "world/scene_models.hpp"
 #include "world/surface.hpp"
 
 /// Builds the triangles of a scene, which are rendered and exported.
@@ -18,6 +20,8 @@ struct World {
   scene::ResolvedScene scene;
   /// One group of each kind, in the order of the kinds.
   std::vector<Group> groups;
+  /// The models from files that the scene places.
+  std::shared_ptr<const SceneModels> models;
 };
 
 /// Returns the shape of a group, or null if the world has no group of the kind, its shape was given
@@ -38,13 +42,16 @@ struct BuildOptions {
   GroupKinds kinds = all_kinds();
   /// The cache of reliefs. Null means that the land is carved for this build alone.
   ReliefCache* reliefs = nullptr;
+  /// The cache of models from files. Null means that they are read for this build alone.
+  ModelCache* models = nullptr;
   /// A world of which groups are kept if they are what the scene asks for and were built with the
   /// same options.
   const World* previous = nullptr;
 };
 
 /// Builds the world of a scene. It runs on all cores and may be given up
-/// (core/stop_scope.hpp). Throws Error{exhausted} if memory does not suffice.
+/// (core/stop_scope.hpp). Throws Error{exhausted} if memory does not suffice, and the errors of
+/// ModelCache::models_of().
 World build(const scene::ResolvedScene& scene, const BuildOptions& options = {});
 
 /// Says whether instances are among what is written out as triangles.

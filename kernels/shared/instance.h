@@ -13,8 +13,9 @@ typedef struct AeroInstance {
   aero_uint root;     /* root node of the model's tree */
   aero_float lo[3];   /* box in the world, as the tree holds it */
   aero_float hi[3];
+  aero_uint is_plant; /* 1: a plant or stone, whose own shade is known beforehand if it is small */
 } AeroInstance;
 
-AERO_ASSERT_LAYOUT(AeroInstance, 92);
+AERO_ASSERT_LAYOUT(AeroInstance, 96);
 
 #endif

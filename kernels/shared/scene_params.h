@@ -180,9 +180,10 @@ typedef struct AeroScene {
   aero_float place[3];
   AeroNight night;
   AeroDrape drape;
+  aero_uint white_texture; /* place of the texture of materials that have none */
 } AeroScene;
 
-AERO_ASSERT_LAYOUT(AeroScene, (2712 + 32 * 60 + 12) + sizeof(AeroGround) + sizeof(AeroNight) +
-                                  sizeof(AeroDrape));
+AERO_ASSERT_LAYOUT(AeroScene, (1052 + 32 * 60 + 12) + sizeof(AeroGround) + sizeof(AeroNight) +
+                                  sizeof(AeroDrape) + AERO_MAX_MATERIALS * sizeof(AeroMaterial));
 
 #endif

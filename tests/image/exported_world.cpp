@@ -17,8 +17,10 @@ namespace aerostat::test {
 namespace {
 
 std::vector<std::uint8_t> ply_of(const scene::Scene& scene, world::Placed instances) {
-  world::Objects world = world::as_triangles(world::build(resolved(scene)), instances);
-  const std::vector<mesh::ExportObject> objects = world::exported_objects(world, scene);
+  const world::World world = world::build(resolved(scene));
+  world::Objects triangles = world::as_triangles(world, instances);
+  const std::vector<mesh::ExportObject> objects =
+      world::exported_objects(triangles, scene, *world.models);
   return mesh::ply_bytes(objects);
 }
 

@@ -62,7 +62,8 @@ const world::GroupKind kInstancedCubes{
     .footing = world::Footing::on_ground,
     .build = [](const world::GroupInput& input) -> world::Shape {
       world::Instances instances;
-      instances.models.push_back({kId, scene::MaterialId::rim, cube(vec3(0.0f), 0.5f)});
+      instances.models.push_back(
+          world::instance_model({{kId, scene::MaterialId::rim, cube(vec3(0.0f), 0.5f)}}));
       for (const vec3& at : places_in(input.local)) {
         scatter::Instance instance;
         instance.position = at;

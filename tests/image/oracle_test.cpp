@@ -5,8 +5,13 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <numbers>
+#include <string>
+
+#include <fmt/format.h>
 
 #include "pictures.hpp"
+#include "support/drape_files.hpp"
 
 namespace aerostat::test {
 namespace {
@@ -73,6 +78,41 @@ TEST(Oracle, WithPlants) {
     EXPECT_GE(count.share(count.distances), kAgree) << name;
     EXPECT_GE(count.share(count.objects), kAgree) << name;
   }
+}
+
+// Models are instances in the film, too. They are scaled, turned and far from the origin.
+TEST(Oracle, WithModelsFromFiles) {
+  const DrapeFolder folder;
+  std::string text;
+  for (int i = 0; i < 24; ++i) {
+    const double turn = 2.0 * std::numbers::pi * i / 24.0;
+    text += fmt::format("v {} 0 {}\nv {} 3 {}\n", 2.0 * std::cos(turn), 2.0 * std::sin(turn),
+                        std::cos(turn), std::sin(turn));
+  }
+  for (int i = 0; i < 24; ++i) {
+    const int a = 2 * i + 1, b = (2 * i + 2) % 48 + 1;
+    text += fmt::format("f {} {} {} {}\n", a, a + 1, b + 1, b);
+  }
+  auto scene = small_scene("snow", {320, 180, 1, 256});
+  for (int i = 0; i < 12; ++i) {
+    scene::PlacedModel& placed = scene.objects.emplace_back();
+    placed.file = folder.write("cup.obj", text).string();
+    const dvec3 ahead = *scene.camera.target - *scene.camera.position;
+    const dvec3 aside = glm::normalize(glm::cross(ahead, dvec3(0, 1, 0)));
+    placed.position = *scene.camera.position + (10.0 + 9.0 * i) * glm::normalize(ahead) +
+                      (3.0 * (i % 5) - 6.0) * aside;
+    placed.height_above = scene::HeightReference::sea;
+    placed.position.y -= 2.0;
+    placed.heading_deg = 40.0 * i - 180.0;
+    placed.scale = 0.3 + 0.2 * i;
+  }
+  const image::Film film = shared_session().render(resolved(scene));
+  const auto models = std::count(film.object_id.begin(), film.object_id.end(),
+                                 static_cast<std::uint32_t>(scene::ObjectId::model));
+  EXPECT_GT(models, 1000);
+  const Count count = compare(scene, film);
+  EXPECT_GE(count.share(count.distances), kAgree);
+  EXPECT_GE(count.share(count.objects), kAgree);
 }
 
 TEST(Oracle, WithATiltedCameraOffTheMiddle) {

@@ -175,6 +175,7 @@ class Maker {
     }
     for (Json& balloon : made["balloons"]) settle(balloon);
     if (made["balloons"].is_null()) made.erase("balloons");
+    made.erase("objects");
     if (!made.contains("terrain")) return;
     Json& terrain = made["terrain"];
     for (const char* key : {"source", "place", "image_heights_m", "drape"}) terrain.erase(key);

@@ -31,7 +31,7 @@ class EvenLight : public LaneTest {
     const std::vector<float> coefficients{
         1.0f,     1.0f,     0.0f,       1.0f,        0.0f,   m.albedo,
         m.albedo, m.albedo, m.softness, m.roughness, m.foam, static_cast<float>(m.kind),
-        0.0f,     0.0f};
+        0.0f,     0.0f,     0.0f};
     const auto radiance = output<float>(3 * kViews);
     const UploadedScene scene(even_light());
     probe.run("probe_phong", kViews, scene.numbers, scene.sky_table, scene.cloud_chart,

@@ -34,13 +34,21 @@ class Phong : public LaneTest {
   const Probe probe{"shading.cl", GetParam()};
 
   std::vector<vec3> shade(const AeroScene& scene, const Material& m, const Points& points) const {
-    const std::vector<float> coefficients{m.ambient,      m.diffuse,
-                                          m.specular,     m.shininess,
-                                          m.translucency, m.albedo.x,
-                                          m.albedo.y,     m.albedo.z,
-                                          m.softness,     0.0f,
-                                          0.0f,           AERO_MATERIAL_PLAIN,
-                                          m.emission,     m.burner_light ? 1.0f : 0.0f};
+    const std::vector<float> coefficients{m.ambient,
+                                          m.diffuse,
+                                          m.specular,
+                                          m.shininess,
+                                          m.translucency,
+                                          m.albedo.x,
+                                          m.albedo.y,
+                                          m.albedo.z,
+                                          m.softness,
+                                          0.0f,
+                                          0.0f,
+                                          AERO_MATERIAL_PLAIN,
+                                          m.emission,
+                                          m.burner_light ? 1.0f : 0.0f,
+                                          0.0f};
     const std::size_t count = whole_packets(points.normals.size());
     std::vector<std::uint32_t> visible = points.visible;
     visible.resize(count, 0u);

@@ -14,6 +14,7 @@
 #include "cli/progress_text.hpp"
 #include "cli/report.hpp"
 #include "core/error.hpp"
+#include "core/grouped.hpp"
 
 namespace aerostat::cli {
 namespace {

@@ -18,7 +18,7 @@ world::Object model_aside() {
 
 TEST(PackedInstances, BoxesHoldTheirModels) {
   world::Instances instances;
-  instances.models.push_back(model_aside());
+  instances.models.push_back(world::instance_model({model_aside()}));
   for (int i = 0; i < 16; ++i) {
     scatter::Instance instance;
     instance.position = {100.0f * static_cast<float>(i), 7.0f, -40.0f};
@@ -36,7 +36,7 @@ TEST(PackedInstances, BoxesHoldTheirModels) {
     float volume = 1.0f;
     for (int axis = 0; axis < 3; ++axis) volume *= found.hi[axis] - found.lo[axis];
     EXPECT_LT(volume, 500.0f) << "the model's box is 2 x 2 x 3 m and 1.5 times as large";
-    for (const vec3& v : instances.models[0].mesh.positions) {
+    for (const vec3& v : model_aside().mesh.positions) {
       const vec3 p = instance.position + axes.x * v.x + axes.y * v.y + axes.z * v.z;
       for (int axis = 0; axis < 3; ++axis) {
         EXPECT_GE(p[axis], found.lo[axis]) << i << ", axis " << axis;

@@ -59,6 +59,7 @@ Scene full_scene() {
   scene.terrain.cell_m = 30.0;
   scene.terrain.extent_m = 20000.0;
   scene.terrain.place = {46.8, 9.8, 2600000.0, 1200000.0};
+  scene.objects.push_back({.file = "a.glb", .at = GeoPoint{}, .height_m = 2.0});
   scene.terrain.drape.corners = {dvec2(46.9, 9.7), dvec2(46.7, 9.9)};
   return scene;
 }
@@ -108,8 +109,10 @@ TEST(SceneSchema, AcceptsEveryWordThatItNames) {
   walk(root, root, "", [&words](const std::string& path, const json& rule) {
     for (const json& word : rule.value("enum", json::array())) {
       const bool needs_source = path == "/terrain/kind" && word == "elevation";
-      const std::string text =
-          needs_source ? R"({"version": 1, "terrain": {"source": "a.tif"}})" : R"({"version": 1})";
+      const bool needs_file = path.starts_with("/objects/");
+      const std::string text = needs_source ? R"({"version": 1, "terrain": {"source": "a.tif"}})"
+                               : needs_file ? R"({"version": 1, "objects": [{"file": "a.obj"}]})"
+                                            : R"({"version": 1})";
       const Scene scene = read_text(text, "x.json", {{path, word.dump()}});
       const json dump = json::parse(write_text(scene));
       EXPECT_EQ(dump.at(json::json_pointer(path)), word) << path;
@@ -136,11 +139,13 @@ TEST(SceneSchema, BoundsAreEnforcedAtBothEnds) {
     if (path == "/terrain/place/easting" || path == "/terrain/place/northing") {
       text = R"({"version": 1, "terrain": {"place": {"easting": 0, "northing": 0}}})";
     }
+    if (path.starts_with("/objects/")) text = R"({"version": 1, "objects": [{"file": "a.obj"}]})";
     if (path.find("at/") != std::string::npos || path.find("/track/") != std::string::npos) {
       text = R"({"version": 1, "terrain": {"source": "a.tif"},
                  "balloon": {"at": {"latitude_deg": 0, "longitude_deg": 0}, "track": {"file": "a.igc"}},
                  "balloons": [{"at": {"latitude_deg": 0, "longitude_deg": 0},
                                "track": {"file": "a.igc"}}],
+                 "objects": [{"file": "a.obj", "at": {"latitude_deg": 0, "longitude_deg": 0}}],
                  "camera": {"at": {"latitude_deg": 0, "longitude_deg": 0},
                             "look_at": {"latitude_deg": 0, "longitude_deg": 0}}})";
     }
