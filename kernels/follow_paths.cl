@@ -119,24 +119,9 @@ __kernel void trace_light_rays(const uint blocks, const uint light,
   const World world = make_world(nodes, triangles, instances, grid);
   TracedPacket packets[BUNDLE];
   lane_int asked[BUNDLE];
-  for (uint i = 0u; i < BUNDLE; ++i) {
-    if (i < count) {
-      const Ray ray = paths[first + i].lights[light].ray;
-      asked[i] = lane_mask(ray.t_max >= 0.0f);
-      start_packet(packets + i, &ray);
-    } else {
-      asked[i] = (lane_int)0;
-      switch_off(packets + i);
-    }
-  }
+  start_light_rays(paths, first, count, light, packets, asked);
   trace_bundle(&world, packets, TRACE_ANY_FROM_ABOVE);
-  for (uint i = 0u; i < count; ++i) {
-    const lane_int free = asked[i] & lane_mask(packets[i].hit.triangle == NO_TRIANGLE);
-    if (!lane_any(free)) continue;
-    Lane3 radiance = paths[first + i].radiance;
-    add_where(free, paths[first + i].lights[light].radiance, &radiance);
-    paths[first + i].radiance = radiance;
-  }
+  finish_light_rays(paths, first, count, light, packets, asked);
 }
 
 /* Adds the radiance of a tile's paths to the film. */

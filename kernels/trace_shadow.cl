@@ -16,19 +16,7 @@ __kernel void trace_shadow_rays(const AeroLaunch launch, __global const AeroScen
   const MeshArrays meshes = mesh_arrays(faces, vertices, instances);
   const AeroLaunch task = launch;
   ShadowWork work[BUNDLE];
-  lane_int any = (lane_int)0;
-  for (uint i = 0u; i < BUNDLE; ++i) {
-    work[i].hit = i < count ? hits[first + i] : no_hit();
-    work[i].active = lane_mask(work[i].hit.triangle != NO_TRIANGLE);
-    work[i].visible = (lane_uint)0u;
-    any |= work[i].active;
-  }
-  if (lane_any(any)) {
-    for (uint i = 0u; i < BUNDLE; ++i) {
-      const PixelPacket packet = pixel_packet(&task.tile, first + i);
-      work[i].point = shadow_point(&world.grid, &meshes, &work[i].hit);
-      work[i].to_sun = shadow_sun(&scene->sky, &task.frame, &packet);
-    }
+  if (start_shadows(scene, &world, &meshes, &task, first, count, hits, work)) {
     find_visible_lights(scene, &world, work);
     find_mirrored_land(scene, &world, &task, first, work);
   }

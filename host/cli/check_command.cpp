@@ -36,8 +36,7 @@ int check(const CheckOptions& options) {
   const std::string name = name_of_scene(options.input);
   world::ReliefCache reliefs;
   const staging::Staged staged = read_staged(options.input, reliefs);
-  const scene::ResolvedScene scene =
-      resolve_scene(staged.source.scene(), options.input, reliefs);
+  const scene::ResolvedScene scene = resolve_scene(staged.source.scene(), options.input, reliefs);
   world::ModelCache().models_of(*scene);
   if (staged.land != nullptr) {
     write_stdout(options.json ? land_json(name, staged) : land_text(name, staged));

@@ -8,8 +8,8 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "cli/report.hpp"
 #include "cli/report_lines.hpp"
+#include "core/grouped.hpp"
 #include "elevation/raster.hpp"
 #include "geo/transform.hpp"
 #include "land/pyramid.hpp"

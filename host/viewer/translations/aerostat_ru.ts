@@ -1664,6 +1664,42 @@
         <source>What becomes of level areas of a source. auto (the default) makes lakes and rivers of them, and none leaves them dry.</source>
         <translation>Чем становятся ровные участки источника. auto (по умолчанию) делает из них озёра и реки, none оставляет их сухими.</translation>
     </message>
+    <message>
+        <source>Models from files that stand in the landscape, at most 1000. A file that is named more than once is read once.</source>
+        <translation>Модели из файлов, которые стоят в ландшафте, не более 1000. Файл, названный несколько раз, читается один раз.</translation>
+    </message>
+    <message>
+        <source>Model from a file that stands in the landscape.</source>
+        <translation>Модель из файла, которая стоит в ландшафте.</translation>
+    </message>
+    <message>
+        <source>Name of a glTF (.glb, .gltf), OBJ, PLY or STL file, relative to the folder of the scene file.</source>
+        <translation>Имя файла glTF (.glb, .gltf), OBJ, PLY или STL относительно папки файла сцены.</translation>
+    </message>
+    <message>
+        <source>Place of the foot, which is the lowest point of the model, in the middle of its bounding box, the origin by default. [x, y, z] in metres, y up.</source>
+        <translation>Место основания: нижняя точка модели в середине её ограничивающего параллелепипеда, по умолчанию начало координат. [x, y, z] в метрах, ось y направлена вверх.</translation>
+    </message>
+    <message>
+        <source>Level from which the y of the position is measured: the sea, or the ground below the model (the default).</source>
+        <translation>Уровень, от которого отсчитывается y положения: море или земля под моделью (по умолчанию).</translation>
+    </message>
+    <message>
+        <source>Rotation about the vertical axis in degrees, -360 to 360, clockwise as seen from above. At 0, the x of the file points to the east, and its z to the south.</source>
+        <translation>Поворот вокруг вертикальной оси в градусах, от -360 до 360, по часовой стрелке при взгляде сверху. При 0 ось x файла направлена на восток, а ось z на юг.</translation>
+    </message>
+    <message>
+        <source>Metres for each unit of the file, 0 to 1000000, 1 by default.</source>
+        <translation>Метров в единице файла, от 0 до 1000000, по умолчанию 1.</translation>
+    </message>
+    <message>
+        <source>Height of the model in metres, 0 to 10000. It wins over scale.</source>
+        <translation>Высота модели в метрах, от 0 до 10000. Она важнее масштаба.</translation>
+    </message>
+    <message>
+        <source>Axis of the file that points up. It is always y in glTF, which is the default, and often z in files from CAD programs.</source>
+        <translation>Ось файла, направленная вверх. В glTF это всегда y (по умолчанию), а в файлах программ САПР часто z.</translation>
+    </message>
 </context>
 <context>
     <name>Units</name>
@@ -2029,6 +2065,14 @@
     <message>
         <source>land</source>
         <translation>земля</translation>
+    </message>
+    <message>
+        <source>y</source>
+        <translation>y</translation>
+    </message>
+    <message>
+        <source>z</source>
+        <translation>z</translation>
     </message>
 </context>
 <context>
