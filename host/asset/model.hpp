@@ -85,9 +85,9 @@ struct Model {
   std::vector<Placement> placements;
   std::vector<Material> materials;  // at least one
   std::vector<Texture> textures;
-  /// Taken off all positions in double precision, so that meshes far from their origin, such as
-  /// those in UTM, keep their precision. It is zero unless the middle of the model is more than
-  /// kFarFromOrigin away from zero along an axis.
+  /// Subtracted from all positions in double precision, so that meshes far from zero, such as those
+  /// in UTM coordinates, keep their precision. Along each axis, it is zero unless the middle of the
+  /// model is farther than kFarFromOrigin from zero.
   glm::dvec3 origin{0.0};
   /// Sentences for the user about what is missing and what was left out or guessed.
   std::vector<std::string> notes;

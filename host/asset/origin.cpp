@@ -1,4 +1,4 @@
-#include <algorithm>
+#include <cmath>
 
 #include "asset/reading.hpp"
 #include "core/math.hpp"
@@ -6,10 +6,12 @@
 namespace aerostat::asset {
 
 dvec3 far_origin(const Bounds& box) {
-  const dvec3 middle = glm::round(0.5 * box.least + 0.5 * box.most);
-  const dvec3 far = glm::abs(middle);
-  const bool is_far = std::max({far.x, far.y, far.z}) > kFarFromOrigin;
-  return is_far && is_finite(middle) ? middle : dvec3(0.0);
+  dvec3 origin = glm::round(0.5 * box.least + 0.5 * box.most);
+  for (int i = 0; i < 3; ++i) {
+    const bool is_far = std::isfinite(origin[i]) && std::abs(origin[i]) > kFarFromOrigin;
+    if (!is_far) origin[i] = 0.0;
+  }
+  return origin;
 }
 
 std::vector<vec3> around_origin(std::span<const dvec3> points, Model& model) {

@@ -80,8 +80,8 @@ void show_missing_texture(Material& material);
 /// nothing uses. Throws Error{bad_data} if no triangle is left.
 void finish(Model& model);
 
-/// Returns the middle of the box in whole units if it is farther than kFarFromOrigin from zero
-/// along an axis, and otherwise zero.
+/// Returns, for each axis, the middle of the box in whole units if it is farther than
+/// kFarFromOrigin from zero, and otherwise zero.
 glm::dvec3 far_origin(const Bounds& box);
 
 /// Sets the origin of a model with these positions, and returns the positions minus the origin.

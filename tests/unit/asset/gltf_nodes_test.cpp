@@ -62,8 +62,8 @@ TEST(AssetGltfNodes, TheDefaultSceneIsRead) {
 
 TEST(AssetGltfNodes, ModelsFarAwayAreMovedNear) {
   const Model model = read_nodes(R"({"mesh":0,"translation":[487654.25,0,-5212345]})");
-  EXPECT_EQ(model.origin, glm::dvec3(487655.0, 1.0, -5212345.0));
-  EXPECT_EQ(bounds(model).least, glm::dvec3(-0.75, -1.0, 0.0));
+  EXPECT_EQ(model.origin, glm::dvec3(487655.0, 0.0, -5212345.0));
+  EXPECT_EQ(bounds(model).least, glm::dvec3(-0.75, 0.0, 0.0));
 }
 
 TEST(AssetGltfNodes, FaultsOfTreesAreTold) {
