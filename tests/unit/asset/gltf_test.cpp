@@ -129,6 +129,15 @@ TEST(AssetGltf, QuantizedPositionsAreIntegers) {
   EXPECT_NEAR(bounds(model).least.y, -0.5, 1e-12);
 }
 
+TEST(AssetGltf, TheLeastNormalizedIntegerIsMinusOne) {
+  GltfBuilder builder;
+  builder.add<std::int8_t>(5120, "VEC3", 3, {-128, 0, 0, 127, 0, 0, 0, -127, 0},
+                           R"(,"normalized":true)");
+  const Model model = read_gltf_text(builder.text(R"("extensionsUsed":["KHR_mesh_quantization"],)" +
+                                                  one_mesh(R"("attributes":{"POSITION":0})")));
+  EXPECT_EQ(first_of(model).positions, (std::vector<glm::vec3>{{-1, 0, 0}, {1, 0, 0}, {0, -1, 0}}));
+}
+
 TEST(AssetGltf, SparseAccessorsReplaceSomeElements) {
   GltfBuilder builder;
   builder.view(std::string("\x01\0\x02\0", 4));
