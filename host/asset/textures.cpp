@@ -68,7 +68,7 @@ std::size_t add_texture(Reading& reading, std::string_view bytes, const std::str
   const image::ImageSize size = image::image_size(content, format, name);
   reading.budget.take_texture(static_cast<std::uint64_t>(size.width),
                               static_cast<std::uint64_t>(size.height));
-  const auto decoded = image::decode_8_bits(content, 4, format, name);
+  const auto decoded = image::decode_8_bits(content, image::Channels::rgba, format, name);
   Texture texture;
   texture.name = name;
   texture.width = static_cast<std::uint32_t>(decoded.width);

@@ -110,7 +110,7 @@ Pixels decode(Bytes bytes, const PngHeader& header, const std::filesystem::path&
     pixels.channels = image.channels;
     pixels.words_owner = std::move(image.samples);
   } else {
-    auto image = image::decode_8_bits(bytes, 0, "PNG", path);
+    auto image = image::decode_8_bits(bytes, image::Channels::own, "PNG", path);
     pixels.channels = image.channels;
     pixels.bytes_owner = std::move(image.samples);
   }

@@ -3,39 +3,24 @@
 #include <fmt/format.h>
 
 #include "core/error.hpp"
-
-#define STB_IMAGE_IMPLEMENTATION
-#define STB_IMAGE_STATIC
-#define STBI_ONLY_PNG
-#define STBI_ONLY_JPEG
-#define STBI_NO_STDIO
-#define STBI_MAX_DIMENSIONS (1 << 20)
-#pragma GCC diagnostic push
-#pragma GCC diagnostic ignored "-Wunused-function"
-#include <stb_image.h>
-#pragma GCC diagnostic pop
+#include "image/codecs.hpp"
 
 namespace aerostat::image {
 namespace {
 
-/// Returns stb's reason for the last failure. Bytes of the file that stand in it and are no
-/// printable ASCII become question marks.
-std::string reason() {
-  const char* const words = stbi_failure_reason();
-  std::string text = words == nullptr ? "no reason is known" : words;
-  for (char& c : text) {
+bool is_png(std::span<const std::uint8_t> bytes) {
+  return !bytes.empty() && bytes[0] == 0x89;
+}
+
+/// Refuses an image. `what` is what could not be done. Bytes of the file that stand in the reason
+/// and are no printable ASCII become question marks.
+[[noreturn]] void refuse_image(const std::string& what, std::string reason,
+                               const std::filesystem::path& path) {
+  for (char& c : reason) {
     if (c < ' ' || c > '~') c = '?';
   }
-  return text;
-}
-
-/// Refuses an image. `what` is what could not be done.
-[[noreturn]] void refuse_image(const std::string& what, const std::filesystem::path& path) {
-  throw Error(ErrorKind::bad_data, fmt::format("{}: {}: {}", path.string(), what, reason()));
-}
-
-int length_of(std::span<const std::uint8_t> bytes) {
-  return static_cast<int>(bytes.size());
+  throw Error(ErrorKind::bad_data, fmt::format("{}: {}: {}", path.string(), what,
+                                               reason.empty() ? "no reason is known" : reason));
 }
 
 }  // namespace
@@ -43,22 +28,22 @@ int length_of(std::span<const std::uint8_t> bytes) {
 ImageSize image_size(std::span<const std::uint8_t> bytes, const std::string& format,
                      const std::filesystem::path& path) {
   ImageSize size;
-  int channels = 0;
-  if (stbi_info_from_memory(bytes.data(), length_of(bytes), &size.width, &size.height, &channels) ==
-      0) {
-    refuse_image(fmt::format("the header of the {} file cannot be read", format), path);
+  std::string reason;
+  const bool done = is_png(bytes) ? png_size(bytes, size, reason) : jpeg_size(bytes, size, reason);
+  if (!done) {
+    refuse_image(fmt::format("the header of the {} file cannot be read", format), reason, path);
   }
   return size;
 }
 
-DecodedImage<std::uint8_t> decode_8_bits(std::span<const std::uint8_t> bytes, int channels,
+DecodedImage<std::uint8_t> decode_8_bits(std::span<const std::uint8_t> bytes, Channels channels,
                                          const std::string& format,
                                          const std::filesystem::path& path) {
   DecodedImage<std::uint8_t> image;
-  image.samples.reset(stbi_load_from_memory(bytes.data(), length_of(bytes), &image.width,
-                                            &image.height, &image.channels, channels));
-  if (!image.samples) refuse_image(fmt::format("the {} file cannot be decoded", format), path);
-  if (channels > 0) image.channels = channels;
+  std::string reason;
+  const bool done = is_png(bytes) ? decode_png(bytes, channels, image, reason)
+                                  : decode_jpeg(bytes, channels, image, reason);
+  if (!done) refuse_image(fmt::format("the {} file cannot be decoded", format), reason, path);
   return image;
 }
 
@@ -66,9 +51,10 @@ DecodedImage<std::uint16_t> decode_16_bits(std::span<const std::uint8_t> bytes,
                                            const std::string& format,
                                            const std::filesystem::path& path) {
   DecodedImage<std::uint16_t> image;
-  image.samples.reset(stbi_load_16_from_memory(bytes.data(), length_of(bytes), &image.width,
-                                               &image.height, &image.channels, 0));
-  if (!image.samples) refuse_image(fmt::format("the {} file cannot be decoded", format), path);
+  std::string reason;
+  if (!decode_png(bytes, image, reason)) {
+    refuse_image(fmt::format("the {} file cannot be decoded", format), reason, path);
+  }
   return image;
 }
 

@@ -7,7 +7,8 @@
 #include <span>
 #include <string>
 
-/// Decodes images by stb_image. Callers bound the size of an image before they decode it.
+/// Decodes images by libpng and libjpeg-turbo. Callers bound the size of an image before they
+/// decode it.
 namespace aerostat::image {
 
 struct FreeMemory {
@@ -26,14 +27,19 @@ struct ImageSize {
   int width = 0, height = 0;
 };
 
+/// The channels that a caller wants: as many as the image has, which are grey, grey and opacity,
+/// RGB, or RGBA; or RGBA in any case.
+enum class Channels { own, rgba };
+
 /// Returns the size that the header of a PNG or JPEG image gives. `format` is its name for
 /// messages. Throws Error{bad_data} with the path if the header cannot be read.
 ImageSize image_size(std::span<const std::uint8_t> bytes, const std::string& format,
                      const std::filesystem::path& path);
 
-/// Decodes a PNG or JPEG image to samples of 8 bits. `channels` is the number that is wanted for a
-/// pixel; 0 means as many as the image has. Throws Error{bad_data} with the path if it is damaged.
-DecodedImage<std::uint8_t> decode_8_bits(std::span<const std::uint8_t> bytes, int channels,
+/// Decodes a PNG or JPEG image to samples of 8 bits. Palettes become colours, and fewer bits are
+/// scaled to 8. JPEG images of four inks become RGB. Throws Error{bad_data} with the path if it is
+/// damaged.
+DecodedImage<std::uint8_t> decode_8_bits(std::span<const std::uint8_t> bytes, Channels channels,
                                          const std::string& format,
                                          const std::filesystem::path& path);
 

@@ -163,7 +163,7 @@ TEST(AssetMtl, OtherPicturesAreToldByName) {
   std::string odd = png_2x1();
   odd.replace(odd.find("IDAT"), 4, "I\xff\x01T");
   folder.write("t.png", odd);
-  EXPECT_TRUE(holds(all_notes(read_with("map_Kd t.png\n", folder)), "I??T"));
+  EXPECT_TRUE(holds(all_notes(read_with("map_Kd t.png\n", folder)), "I[FF][01]T"));
   folder.write("t.png", png_2x1().substr(0, 50));
   EXPECT_TRUE(holds(all_notes(read_with("map_Kd t.png\n", folder)), "cannot be decoded"));
   folder.write("t.png", png_2x1());
