@@ -3,6 +3,8 @@
 #include <optional>
 #include <string>
 
+#include "core/math.hpp"
+
 /// Places on the Earth in a scene on real land. Staging turns them into positions.
 namespace aerostat::scene {
 
@@ -16,6 +18,16 @@ struct GeoPoint {
   bool operator==(const GeoPoint&) const = default;
 };
 
+/// A line through the air along a flight, and one on the ground below it.
+struct TrackLine {
+  double width_m = 1.5;
+  vec3 color{0.9f, 0.16f, 0.03f};
+  bool on_ground = true;  // whether there is a line on the ground
+  vec3 ground_color{0.02f, 0.02f, 0.02f};
+
+  bool operator==(const TrackLine&) const = default;
+};
+
 /// A point of a flight that a logger recorded.
 struct FlightTrack {
   std::string file;
@@ -24,6 +36,7 @@ struct FlightTrack {
   int number = 0;                    // of the track in the file, from 1; 0: the longest
   std::string start;                 // time of the first fix, for tracks without times
   std::optional<double> interval_s;  // between their fixes
+  std::optional<TrackLine> line;     // shows the way
 
   bool operator==(const FlightTrack&) const = default;
 };

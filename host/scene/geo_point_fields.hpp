@@ -18,6 +18,16 @@ inline constexpr auto kTable<GeoPoint> = table(
                  "Height in metres, {from} to {to}, above the level that height_above names.")));
 
 template <>
+inline constexpr auto kTable<TrackLine> = table(
+    "Line along the way of a flight. An empty object is enough.",
+    field("width_m", &TrackLine::width_m,
+          number(0.01, 1000, "Thickness of the line in metres, {from} to {to}.")),
+    field("color", &TrackLine::color, color("Albedo of the line in the air.")),
+    field("on_ground", &TrackLine::on_ground,
+          truth("Whether there is another line on the ground below.")),
+    field("ground_color", &TrackLine::ground_color, color("Albedo of the line on the ground.")));
+
+template <>
 inline constexpr auto kTable<FlightTrack> = table(
     "Flight that a logger recorded. The balloon is where it was at a moment, and the sun as well, "
     "unless the scene gives another. It wins over position.",
@@ -36,6 +46,7 @@ inline constexpr auto kTable<FlightTrack> = table(
           number(0, 100000, "Number of the track in the file, {from} (the longest) to {to}.")),
     field("start", &FlightTrack::start, text("Time of the first fix, for tracks without times.")),
     field("interval_s", &FlightTrack::interval_s,
-          number(0, 86400, "Seconds from fix to fix, {from} to {to}, for tracks without times.")));
+          number(0, 86400, "Seconds from fix to fix, {from} to {to}, for tracks without times.")),
+    field("line", &FlightTrack::line));
 
 }  // namespace aerostat::scene::detail

@@ -82,6 +82,7 @@ const std::array<Row, kMaterialCount>& table() {
       {Id::flame, "flame", Kind::plain, false, flame()},
       {Id::plant, "plant", Kind::plain, false, surface(0.02, 12.0, 0.35)},  // leaves
       {Id::stone, "stone", Kind::plain, false, surface(0.02, 12.0)},
+      {Id::track, "track", Kind::plain, false, surface(0.0, 12.0)},  // lines of flights
   }};
   return rows;
 }

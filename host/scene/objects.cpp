@@ -34,6 +34,8 @@ std::string object_name(ObjectId id) {
       return "stone";
     case ObjectId::model:
       return "model";
+    case ObjectId::track:
+      return "track";
     case ObjectId::count:
       break;
   }

@@ -26,6 +26,7 @@ enum class ObjectId : std::uint32_t {
   plant,
   stone,
   model,
+  track,
   count
 };
 inline constexpr std::size_t kObjectCount = static_cast<std::size_t>(ObjectId::count);
@@ -44,6 +45,7 @@ enum class MaterialId : std::uint32_t {
   flame,
   plant,
   stone,
+  track,
   count
 };
 inline constexpr std::size_t kMaterialCount = static_cast<std::size_t>(MaterialId::count);

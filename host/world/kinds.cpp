@@ -3,7 +3,7 @@
 namespace aerostat::world {
 
 GroupKinds all_kinds() {
-  return {&kLand, &kSea, &kInlandWater, &kBalloons, &kModels, &kPlants};
+  return {&kLand, &kSea, &kInlandWater, &kBalloons, &kModels, &kPlants, &kTrackLines};
 }
 
 }  // namespace aerostat::world

@@ -22,6 +22,9 @@ extern const GroupKind kModels;
 /// Plants and stones, each in the level of detail that its size in the picture asks for.
 extern const GroupKind kPlants;
 
+/// The lines of flights that the scene shows.
+extern const GroupKind kTrackLines;
+
 /// Returns the kinds of groups that every world has.
 GroupKinds all_kinds();
 

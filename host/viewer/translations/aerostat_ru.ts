@@ -1700,6 +1700,26 @@
         <source>Axis of the file that points up. It is always y in glTF, which is the default, and often z in files from CAD programs.</source>
         <translation>Ось файла, направленная вверх. В glTF это всегда y (по умолчанию), а в файлах программ САПР часто z.</translation>
     </message>
+    <message>
+        <source>Line along the way of a flight. An empty object is enough.</source>
+        <translation>Линия вдоль пути полёта. Достаточно пустого объекта.</translation>
+    </message>
+    <message>
+        <source>Thickness of the line in metres, 0.01 to 1000.</source>
+        <translation>Толщина линии в метрах, от 0.01 до 1000.</translation>
+    </message>
+    <message>
+        <source>Albedo of the line in the air. Linear Rec. 709 [red, green, blue], each 0 to 1.</source>
+        <translation>Альбедо линии в воздухе. Линейные Rec. 709 [красный, зелёный, синий], каждый от 0 до 1.</translation>
+    </message>
+    <message>
+        <source>Whether there is another line on the ground below.</source>
+        <translation>Есть ли ещё одна линия внизу на земле.</translation>
+    </message>
+    <message>
+        <source>Albedo of the line on the ground. Linear Rec. 709 [red, green, blue], each 0 to 1.</source>
+        <translation>Альбедо линии на земле. Линейные Rec. 709 [красный, зелёный, синий], каждый от 0 до 1.</translation>
+    </message>
 </context>
 <context>
     <name>Units</name>
@@ -2073,6 +2093,10 @@
     <message>
         <source>z</source>
         <translation>z</translation>
+    </message>
+    <message>
+        <source>track</source>
+        <translation>линия полёта</translation>
     </message>
 </context>
 <context>

@@ -242,7 +242,7 @@ TEST(SceneText, RealLandSurvivesTheRoundTrip) {
   scene.terrain.place.easting = 2600000;
   scene.terrain.place.northing = 1200000;
   scene.terrain.raw = {640, 480, SampleType::uint16, true, 12};
-  scene.balloon.track = FlightTrack{"flight.igc", "", 0.25, 2, "", 3.0};
+  scene.balloon.track = FlightTrack{"flight.igc", "", 0.25, 2, "", 3.0, TrackLine{5.0}};
   scene.camera.at = GeoPoint{46.8, 9.8, 12.5};
   scene.camera.look_at = GeoPoint{46.9, 9.9, 3000};
   const std::string dump = write_text(scene);

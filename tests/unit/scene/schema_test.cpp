@@ -46,7 +46,7 @@ Scene full_scene() {
   Scene scene = defaults(BiomeKind::snow, View::outside);
   scene.lights.emplace_back();
   scene.balloon.at = scene.camera.at = scene.camera.look_at = GeoPoint{};
-  scene.balloon.track = FlightTrack{"flight.igc", "", 0.5, 0, "", 1.0};
+  scene.balloon.track = FlightTrack{"flight.igc", "", 0.5, 0, "", 1.0, TrackLine{}};
   scene.balloons.push_back(scene.balloon);
   scene.image.exposure_ev = 0.0;
   scene.image.white_balance_k = 6504.0;

@@ -1,0 +1,25 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "land/land.hpp"
+#include "scene/geo_point.hpp"
+#include "track/flight.hpp"
+
+namespace aerostat::staging {
+
+/// The height over the ground below which no balloon is put on its track.
+inline constexpr double kClearance_m = 2.0;
+
+/// A flight over land, and sentences for the user on what was mended.
+struct FlightOverLand {
+  track::Flight flight;
+  std::vector<std::string> notes;
+};
+
+/// Reads the track of a scene and fits its heights to the land. Throws Error{bad_data} or
+/// Error{usage} of the track's reader, and Error{bad_data} if it is unknown where the land lies.
+FlightOverLand flight_of(const scene::FlightTrack& track, const land::Land& land);
+
+}  // namespace aerostat::staging
