@@ -69,7 +69,8 @@ std::unique_ptr<Picture> open_image_picture(const std::filesystem::path& path,
                              info.width, info.height));
   }
   set_picture_place(info, options);
-  image::DecodedImage<std::uint8_t> image = image::decode_8_bits(bytes, image::Channels::rgba, info.format, path);
+  image::DecodedImage<std::uint8_t> image =
+      image::decode_8_bits(bytes, image::Channels::rgba, info.format, path);
   return std::make_unique<ImagePicture>(std::move(info), std::move(image.samples));
 }
 
