@@ -143,6 +143,7 @@ void pack_models(const scene::Scene& scene, world::ModelCache& models, PackedMod
       *texture += first;
     }
     if (scene.surfaces == scene::Surfaces::plain) material = plain_model(material);
+    packed.see_through |= material.see_through != AERO_OPAQUE;
     numbers.materials[AERO_FIXED_MATERIALS + i] = material;
   }
 }

@@ -28,6 +28,8 @@ struct PackedScene {
   std::shared_ptr<const CloudChart> cloud_chart;
   /// The texels of all pictures.
   Texels texels = {};
+  /// Whether there are surfaces that let some rays pass.
+  bool see_through = false;
   /// The probabilities by which paths look for light in the sky, if light goes along paths.
   std::optional<AeroSkyImportance> sky_importance = {};
 };

@@ -125,6 +125,8 @@ class DeviceWorker {
   std::array<Built, scene::kIntegratorCount> built_;
   DeviceGeometry geometry_;
   FrameBuffers frame_;
+  /// The kernels for surfaces that let rays pass. They are built for the first scene that has some.
+  std::shared_ptr<const SeeThroughKernels> see_through_;
   /// The texels that the frame has.
   pack::Texels texels_;
   /// The pixels of the image that the film holds.

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <memory>
 #include <utility>
 #include <vector>
@@ -11,6 +12,24 @@
 #include "render/kernel_stage.hpp"
 
 namespace aerostat::render {
+
+/// The kernels by which rays go on behind surfaces that they pass.
+struct SeeThroughKernels {
+  opencl::TypedKernel<AeroLaunch, SceneBuffer, TexelBuffer, NodeBuffer, TriangleBuffer,
+                      InstanceBuffer, GridBuffer, FaceBuffer, VertexBuffer, HitBuffer>
+      pass_eye_rays;
+  opencl::TypedKernel<AeroLaunch, SceneBuffer, TexelBuffer, NodeBuffer, TriangleBuffer,
+                      InstanceBuffer, GridBuffer, FaceBuffer, VertexBuffer, HitBuffer,
+                      VisibleBuffer>
+      trace_shadow_rays_on;
+  opencl::TypedKernel<std::uint32_t, SceneBuffer, TexelBuffer, NodeBuffer, TriangleBuffer,
+                      InstanceBuffer, GridBuffer, FaceBuffer, VertexBuffer, PathBuffer, HitBuffer>
+      pass_path_rays;
+  opencl::TypedKernel<std::uint32_t, std::uint32_t, SceneBuffer, TexelBuffer, NodeBuffer,
+                      TriangleBuffer, InstanceBuffer, GridBuffer, FaceBuffer, VertexBuffer,
+                      PathBuffer>
+      trace_light_rays_on;
+};
 
 /// What a device renders a frame from, and the film that it adds to.
 struct FrameBuffers {
@@ -26,6 +45,8 @@ struct FrameBuffers {
   bool ambient_occlusion = false;
   bool lamps = false;
   std::uint32_t bounces = 0;
+  /// The kernels for surfaces that let rays pass, or null if the scene has none.
+  std::shared_ptr<const SeeThroughKernels> see_through;
 };
 
 /// A command of a launch and the stage that it belongs to.

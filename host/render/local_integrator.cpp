@@ -27,12 +27,15 @@ class LocalIntegrator final : public Integrator {
                         opencl::launch(context, kernels_.trace_camera_rays, size, launch,
                                        geometry.nodes, geometry.triangles, geometry.instances,
                                        geometry.grid, frame.film.pixels, hits_));
+    if (frame.see_through) {
+      events.emplace_back(
+          KernelStage::primary,
+          opencl::launch(context, frame.see_through->pass_eye_rays, size, launch, frame.scene,
+                         frame.texels, geometry.nodes, geometry.triangles, geometry.instances,
+                         geometry.grid, geometry.faces, geometry.vertices, hits_));
+    }
     note_guides(kernels_.note_guides, context, launch, size, geometry, frame, hits_, events);
-    events.emplace_back(
-        KernelStage::shadow,
-        opencl::launch(context, kernels_.trace_shadow_rays, size, launch, frame.scene,
-                       geometry.nodes, geometry.triangles, geometry.instances, geometry.grid,
-                       geometry.faces, geometry.vertices, hits_, visible_));
+    events.emplace_back(KernelStage::shadow, trace_shadows(context, launch, size, geometry, frame));
     if (frame.ambient_occlusion) {
       events.emplace_back(
           KernelStage::ambient,
@@ -50,6 +53,20 @@ class LocalIntegrator final : public Integrator {
   }
 
  private:
+  opencl::Event trace_shadows(const opencl::Context& context, const AeroLaunch& launch,
+                              const opencl::LaunchSize& size, const DeviceGeometry& geometry,
+                              const FrameBuffers& frame) const {
+    if (frame.see_through) {
+      return opencl::launch(context, frame.see_through->trace_shadow_rays_on, size, launch,
+                            frame.scene, frame.texels, geometry.nodes, geometry.triangles,
+                            geometry.instances, geometry.grid, geometry.faces, geometry.vertices,
+                            hits_, visible_);
+    }
+    return opencl::launch(context, kernels_.trace_shadow_rays, size, launch, frame.scene,
+                          geometry.nodes, geometry.triangles, geometry.instances, geometry.grid,
+                          geometry.faces, geometry.vertices, hits_, visible_);
+  }
+
   LocalKernels kernels_;
   HitBuffer hits_;
   VisibleBuffer visible_;

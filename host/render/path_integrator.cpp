@@ -35,6 +35,13 @@ class PathIntegrator final : public Integrator {
           bounce == 0 ? KernelStage::primary : KernelStage::bounced,
           opencl::launch(context, kernels_.extend_paths, size, blocks, geometry.nodes,
                          geometry.triangles, geometry.instances, geometry.grid, paths_, hits_));
+      if (frame.see_through) {
+        events.emplace_back(
+            bounce == 0 ? KernelStage::primary : KernelStage::bounced,
+            opencl::launch(context, frame.see_through->pass_path_rays, size, blocks, frame.scene,
+                           frame.texels, geometry.nodes, geometry.triangles, geometry.instances,
+                           geometry.grid, geometry.faces, geometry.vertices, paths_, hits_));
+      }
       if (bounce == 0) {
         note_guides(kernels_.note_guides, context, launch, size, geometry, frame, hits_, events);
       }
@@ -47,10 +54,8 @@ class PathIntegrator final : public Integrator {
       if (bounce > frame.bounces) break;
       for (std::uint32_t light = 0; light < kLightRays; ++light) {
         if (light == kRayToLamp && !frame.lamps) continue;
-        events.emplace_back(
-            KernelStage::shadow,
-            opencl::launch(context, kernels_.trace_light_rays, size, blocks, light, geometry.nodes,
-                           geometry.triangles, geometry.instances, geometry.grid, paths_));
+        events.emplace_back(KernelStage::shadow,
+                            trace_lights(context, size, blocks, light, geometry, frame));
       }
     }
     events.emplace_back(KernelStage::shading, opencl::launch(context, kernels_.add_paths, size,
@@ -59,6 +64,19 @@ class PathIntegrator final : public Integrator {
   }
 
  private:
+  opencl::Event trace_lights(const opencl::Context& context, const opencl::LaunchSize& size,
+                             std::uint32_t blocks, std::uint32_t light,
+                             const DeviceGeometry& geometry, const FrameBuffers& frame) const {
+    if (frame.see_through) {
+      return opencl::launch(context, frame.see_through->trace_light_rays_on, size, blocks, light,
+                            frame.scene, frame.texels, geometry.nodes, geometry.triangles,
+                            geometry.instances, geometry.grid, geometry.faces, geometry.vertices,
+                            paths_);
+    }
+    return opencl::launch(context, kernels_.trace_light_rays, size, blocks, light, geometry.nodes,
+                          geometry.triangles, geometry.instances, geometry.grid, paths_);
+  }
+
   PathKernels kernels_;
   HitBuffer hits_;
   PathBuffer paths_;

@@ -97,6 +97,18 @@ opencl::LaunchSize packet_range(std::uint64_t packets, int lanes) {
   return {(static_cast<std::size_t>(packets) + group - 1) / group * group, group};
 }
 
+std::shared_ptr<const SeeThroughKernels> build_see_through(const opencl::Context& context,
+                                                           int lanes) {
+  const opencl::DriverAbortGuard guard;
+  const opencl::Program program(context, opencl::kernel_sources(), "see_through.cl", lanes);
+  auto kernels = std::make_shared<SeeThroughKernels>();
+  kernels->pass_eye_rays = {program.kernel("pass_eye_rays")};
+  kernels->trace_shadow_rays_on = {program.kernel("trace_shadow_rays_on")};
+  kernels->pass_path_rays = {program.kernel("pass_path_rays")};
+  kernels->trace_light_rays_on = {program.kernel("trace_light_rays_on")};
+  return kernels;
+}
+
 Programs build_programs(const opencl::Context& context, int lanes, scene::Integrator integrator,
                         bool guides, KernelProgress& progress) {
   const Stopwatch watch;

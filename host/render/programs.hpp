@@ -33,6 +33,10 @@ struct Programs {
 Programs build_programs(const opencl::Context& context, int lanes, scene::Integrator integrator,
                         bool guides, KernelProgress& progress);
 
+/// Builds the kernels for surfaces that let rays pass. They are compiled at their first launches.
+std::shared_ptr<const SeeThroughKernels> build_see_through(const opencl::Context& context,
+                                                           int lanes);
+
 /// Returns the range of a kernel that works on `packets` packets. It consists of whole work-groups,
 /// which are large enough to keep a GPU busy and small enough to spread over the cores of a CPU.
 opencl::LaunchSize packet_range(std::uint64_t packets, int lanes);

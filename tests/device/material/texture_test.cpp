@@ -50,7 +50,7 @@ class Textures : public LaneTest {
     const auto read = found.read();
     std::vector<Seen> seen;
     for (std::size_t i = 0; i < points.size(); ++i) {
-      seen.push_back({from_planes(read, i), read[3 * count + i]});
+      seen.push_back({{read[i], read[count + i], read[2 * count + i]}, read[3 * count + i]});
     }
     return seen;
   }

@@ -1,5 +1,5 @@
 // Tests how models from files are put together and where they stand.
-#include <array>
+#include <cmath>
 #include <string>
 #include <utility>
 

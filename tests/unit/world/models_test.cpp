@@ -1,0 +1,98 @@
+// Tests where the group of models puts them, on a ground that is given.
+#include <cmath>
+#include <cstdint>
+#include <memory>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "scene/io.hpp"
+#include "support/resolved.hpp"
+#include "world/kinds.hpp"
+#include "world/scene_models.hpp"
+
+namespace aerostat::world {
+namespace {
+
+/// Ground that rises by 1 m for each 4 m to the east, and is at 100 m in the middle.
+mesh::GridMesh slope() {
+  const std::vector<float> lines{-64.0f, 0.0f, 64.0f};
+  mesh::GridMesh ground(lines, lines);
+  for (std::uint32_t j = 0; j < 3; ++j) {
+    for (std::uint32_t i = 0; i < 3; ++i) {
+      ground.set(i, j, 100.0f + 0.25f * lines[i], glm::normalize(vec3(-0.25f, 1.0f, 0.0f)));
+    }
+  }
+  return ground;
+}
+
+/// A pyramid of 8 x 8 m that is 6 m high.
+FileModel pyramid() {
+  asset::Primitive primitive;
+  primitive.positions = {{0, 0, 0}, {8, 0, 0}, {8, 0, 8}, {0, 0, 8}, {4, 6, 4}};
+  primitive.triangles = {{0, 4, 1}, {1, 4, 2}, {2, 4, 3}, {3, 4, 0}};
+  asset::Model model;
+  model.materials.resize(1);
+  model.meshes.push_back({"pyramid", {primitive}});
+  model.placements.push_back({});
+  return file_model({"pyramid.obj", {}}, std::move(model));
+}
+
+/// The pyramid in the places that a test gives it.
+class PlacedPyramids : public testing::Test {
+ protected:
+  void place(const scene::PlacedModel& placed) { scene_.objects.push_back(placed); }
+
+  std::vector<scatter::Instance> places() {
+    const scene::ResolvedScene scene = test::resolved(scene_);
+    const GroupRequest request{scene, models()};
+    const mesh::GridMesh ground = slope();
+    terrain::ReliefCache reliefs;
+    const Shape shape = kModels.build({request, *scene, &ground, reliefs});
+    return std::get<Instances>(shape).places;
+  }
+
+  std::vector<scatter::Obstacle> obstacles() {
+    const scene::ResolvedScene scene = test::resolved(scene_);
+    return kModels.obstacles({scene, models()});
+  }
+
+  std::shared_ptr<const SceneModels> models() const {
+    auto models = std::make_shared<SceneModels>();
+    models->models.push_back(std::make_shared<const FileModel>(pyramid()));
+    models->first_material.push_back(0);
+    models->of_object.assign(scene_.objects.size(), 0);
+    return models;
+  }
+
+  scene::Scene scene_ = scene::defaults(scene::BiomeKind::sand, scene::View::outside);
+};
+
+TEST_F(PlacedPyramids, NeverHoverOverASlope) {
+  place({.position = {20, 0, 0}});
+  place({.position = {20, -0.5, 0}, .heading_deg = 45.0, .scale = 0.5});
+  place({.position = {20, 2, 0}, .height_above = scene::HeightReference::sea});
+  const auto found = places();
+  ASSERT_EQ(found.size(), 3u);
+  EXPECT_NEAR(found[0].position.y, 100.0f + 0.25f * (20.0f - 4.0f), 1e-3f) << "its west side";
+  const float corner = 2.0f * std::sqrt(2.0f);
+  EXPECT_NEAR(found[1].position.y, 99.5f + 0.25f * (20.0f - corner), 1e-3f) << "its west corner";
+  EXPECT_EQ(found[2].position.y, 2.0f);
+  EXPECT_EQ(found[1].scale, 0.5f);
+}
+
+TEST_F(PlacedPyramids, KeepPlantsAway) {
+  place({.position = {20, 0, 7}, .height_m = 12.0});
+  place({.position = {0, 300, 0}, .height_above = scene::HeightReference::sea});
+  const auto found = obstacles();
+  ASSERT_EQ(found.size(), 2u);
+  EXPECT_EQ(found[0].position, dvec3(20, 0, 7));
+  EXPECT_TRUE(found[0].above_ground);
+  EXPECT_NEAR(found[0].width_m, 16.0 * std::sqrt(2.0), 1e-9) << "twice as large as in the file";
+  EXPECT_FALSE(found[1].above_ground);
+}
+
+}  // namespace
+}  // namespace aerostat::world
