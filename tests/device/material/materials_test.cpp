@@ -326,7 +326,8 @@ TEST_P(Materials, ModelsScatterNoMoreThanArrives) {
         }
         EXPECT_LT(sum, 1.005) << rough << ", " << metallic << " from " << turn_deg;
         if (metallic > 0.0f) {
-          const double kept = 1.0 - 0.65 * static_cast<double>(white.roughness);
+          const double kept = 1.0 - static_cast<double>(white.roughness) *
+                                        (0.29 + 0.36 * std::cos(glm::radians(double{turn_deg})));
           EXPECT_NEAR(sum, kept, 0.1) << rough << " from " << turn_deg;
         } else {
           EXPECT_GT(sum, 0.8) << rough << " from " << turn_deg;

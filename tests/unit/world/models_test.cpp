@@ -43,7 +43,11 @@ FileModel pyramid() {
 /// The pyramid in the places that a test gives it.
 class PlacedPyramids : public testing::Test {
  protected:
-  void place(const scene::PlacedModel& placed) { scene_.objects.push_back(placed); }
+  scene::PlacedModel& place(const dvec3& position) {
+    scene::PlacedModel& placed = scene_.objects.emplace_back();
+    placed.position = position;
+    return placed;
+  }
 
   std::vector<scatter::Instance> places() {
     const scene::ResolvedScene scene = test::resolved(scene_);
@@ -71,9 +75,11 @@ class PlacedPyramids : public testing::Test {
 };
 
 TEST_F(PlacedPyramids, NeverHoverOverASlope) {
-  place({.position = {20, 0, 0}});
-  place({.position = {20, -0.5, 0}, .heading_deg = 45.0, .scale = 0.5});
-  place({.position = {20, 2, 0}, .height_above = scene::HeightReference::sea});
+  place({20, 0, 0});
+  scene::PlacedModel& turned = place({20, -0.5, 0});
+  turned.heading_deg = 45.0;
+  turned.scale = 0.5;
+  place({20, 2, 0}).height_above = scene::HeightReference::sea;
   const auto found = places();
   ASSERT_EQ(found.size(), 3u);
   EXPECT_NEAR(found[0].position.y, 100.0f + 0.25f * (20.0f - 4.0f), 1e-3f) << "its west side";
@@ -84,8 +90,8 @@ TEST_F(PlacedPyramids, NeverHoverOverASlope) {
 }
 
 TEST_F(PlacedPyramids, KeepPlantsAway) {
-  place({.position = {20, 0, 7}, .height_m = 12.0});
-  place({.position = {0, 300, 0}, .height_above = scene::HeightReference::sea});
+  place({20, 0, 7}).height_m = 12.0;
+  place({0, 300, 0}).height_above = scene::HeightReference::sea;
   const auto found = obstacles();
   ASSERT_EQ(found.size(), 2u);
   EXPECT_EQ(found[0].position, dvec3(20, 0, 7));
