@@ -262,7 +262,7 @@ std::unique_ptr<Raster> open_geotiff_for(const std::filesystem::path& path,
                                          const OpenOptions& options) {
   const auto file = std::make_shared<const OpenFile>(path, original.path);
   TiffHandle handle(file);
-  const TiffPages pages = pages_of(handle);
+  const TiffPages pages = pages_of(handle, options.codes ? refusal_of_codes : refusal_of_heights);
   GeoTiffInfo about = geotiff_info(handle, pages, options);
   about.info.format = original.format;
   about.info.notes.insert(about.info.notes.begin(), original.notes.begin(), original.notes.end());

@@ -104,14 +104,17 @@ GeoTiffInfo geotiff_info(const TiffHandle& handle, const TiffPages& pages,
   info.sample_type = name_of(result.rule.type);
   info.width = pages.main.layout.width;
   info.height = pages.main.layout.height;
-  if (metadata.thematic) refuse(shown, "this is a map of classes, not of heights");
+  if (metadata.thematic && !options.codes)
+    refuse(shown, "this is a map of classes, not of heights");
   require_size(shown, static_cast<std::uint64_t>(info.width),
                static_cast<std::uint64_t>(info.height), true);
   double vertical_unit = 0.0;
   set_place(handle, options, info, vertical_unit);
   set_nodata(handle, options, info, result.rule);
-  set_height_unit(metadata, vertical_unit, options, info);
-  set_scale(metadata, options, info, result.rule);
+  if (!options.codes) {
+    set_height_unit(metadata, vertical_unit, options, info);
+    set_scale(metadata, options, info, result.rule);
+  }
   note_pages(pages, info);
   return result;
 }

@@ -33,6 +33,7 @@ struct OpenOptions {
   std::string encoding;          // "", "terrarium" or "terrain-rgb" for images of tiles
   std::string variable;          // of a file that holds several rasters; empty: by its name
   RawLayout raw;
+  bool codes = false;  // samples are codes of classes: palettes are read, units and scales are not
 
   bool operator==(const OpenOptions&) const = default;
 };

@@ -184,4 +184,11 @@ std::string refusal_of_heights(const TiffLayout& layout) {
   }
 }
 
+std::string refusal_of_codes(const TiffLayout& layout) {
+  if (layout.photometric == PHOTOMETRIC_PALETTE) return "";
+  return refusal_of_heights(layout).empty()
+             ? ""
+             : "this is an image in colours, whose codes of classes are not known";
+}
+
 }  // namespace aerostat::elevation

@@ -36,4 +36,7 @@ std::optional<TiffLayout> layout_of(const TiffHandle& handle, std::string& why);
 /// Returns why samples of a layout cannot be heights, or an empty text.
 std::string refusal_of_heights(const TiffLayout& layout);
 
+/// Returns why samples of a layout cannot be codes of classes, or an empty text.
+std::string refusal_of_codes(const TiffLayout& layout);
+
 }  // namespace aerostat::elevation

@@ -47,6 +47,7 @@ AeroGround ground_numbers(const scene::Scene& scene) {
   ground.wind[0] = wind.x;
   ground.wind[1] = wind.z;
   ground.seed = scene.terrain.seed;
+  ground.has_cover = scene.terrain.cover.source.empty() ? 0u : 1u;
   ground.fall = static_cast<float>(scene::ground_fall(scene.terrain));
   return ground;
 }

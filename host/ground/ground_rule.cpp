@@ -36,8 +36,15 @@ void GroundRule::fill_smooth(std::span<const vec3> points, std::span<GroundNoise
     for (std::size_t i = first; i < end; ++i) {
       noise[i].broad = broad[i - first];
       noise[i].fine = fine[i - first];
+      if (cover_ != nullptr) note_cover(points[i], noise[i]);
     }
   }
+}
+
+void GroundRule::note_cover(const vec3& p, GroundNoise& noise) const {
+  const CoverShares shares = cover_->at(p.x + cover_->cell_m * rules::cover_stray_x(&noise),
+                                        p.z + cover_->cell_m * rules::cover_stray_z(&noise));
+  rules::note_cover(shares.data(), &noise);
 }
 
 void GroundRule::fill_rough(std::span<const vec3> points, std::span<GroundNoise> noise) const {
@@ -53,6 +60,7 @@ void GroundRule::fill_rough(std::span<const vec3> points, std::span<GroundNoise>
 }
 
 float GroundRule::highest_tree() const {
+  if (cover_ != nullptr) return kInfinity;
   const float sway = FOREST_TOP_SWAY * std::fabs(ground_.forest_top);
   return ground_.forest_top + sway * most_of(rules::broad_fbm(&ground_));
 }

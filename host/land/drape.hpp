@@ -8,6 +8,7 @@
 #include "core/math.hpp"
 #include "elevation/picture.hpp"
 #include "land/land.hpp"
+#include "land/nested_levels.hpp"
 
 /// A picture over the land.
 namespace aerostat::land {
@@ -38,30 +39,24 @@ class Drape {
   /// open_picture(), and Error{bad_data} if the picture lies elsewhere or its system is unknown.
   explicit Drape(const DrapeOptions& options);
 
-  int side() const { return side_; }
-  int levels() const { return levels_; }
+  int side() const { return levels_.side; }
+  int levels() const { return levels_.levels; }
   /// The width of a texel of the first level in metres.
-  double texel_m() const { return texel_m_; }
+  double texel_m() const { return levels_.texel_m; }
   /// The middle of all levels, in metres to the east and to the south.
-  const dvec2& middle() const { return middle_; }
+  const dvec2& middle() const { return levels_.middle; }
 
   /// The texels, level by level and row by row from the north-west. The lowest byte is red, and
   /// green, blue and opacity follow. A byte of colour is 255 times the square root of the albedo
   /// multiplied by the opacity, and the last byte is 255 times the opacity.
-  const std::vector<std::uint32_t>& texels() const { return texels_; }
+  const std::vector<std::uint32_t>& texels() const { return levels_.texels; }
 
   /// Returns the albedo multiplied by the opacity, and the opacity, at a point of the local frame,
   /// filtered over a footprint in metres. Kernels compute the same.
   vec4 at(double east_m, double south_m, double footprint_m) const;
 
  private:
-  class Maker;
-  vec4 level_at(int level, const dvec2& from_middle) const;
-
-  int side_ = 0, levels_ = 0;
-  double texel_m_ = 1.0;
-  dvec2 middle_{0.0};
-  std::vector<std::uint32_t> texels_;
+  NestedLevels levels_;
 };
 
 /// Returns a texel that holds an albedo multiplied by the opacity, and the opacity.

@@ -199,6 +199,13 @@ WaterPoint WaterMap::layer_at(std::size_t number, double column, double row) con
   const double cell = std::ldexp(static_cast<double>(samples_a_cell_), static_cast<int>(number));
   const Around u = around((column + 0.5) / cell - 0.5, layer.width);
   const Around v = around((row + 0.5) / cell - 0.5, layer.height);
+  const auto middle = static_cast<std::size_t>(v.cells[1]) * static_cast<std::size_t>(layer.width) +
+                      static_cast<std::size_t>(u.cells[1]);
+  // Most of the land is far from water, where the distance need not be exact.
+  if (std::isnan(layer.level_m[middle]) &&
+      layer.shore[middle] < -std::ldexp(kLevelReach + 3.0f, static_cast<int>(number))) {
+    return {layer.shore[middle] * static_cast<float>(samples_a_cell_), kNoLevel};
+  }
   float shore = 0.0f, level = 0.0f, weights = 0.0f;
   for (std::size_t k = 0; k < 4; ++k)
     for (std::size_t l = 0; l < 4; ++l) {

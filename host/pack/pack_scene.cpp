@@ -15,12 +15,14 @@
 #include "pack/cloud_chart.hpp"
 #include "pack/pack_air.hpp"
 #include "pack/pack_balloon.hpp"
+#include "pack/pack_cover.hpp"
 #include "pack/pack_materials.hpp"
 #include "pack/sky_importance.hpp"
 #include "scene/balloons.hpp"
 #include "scene/key_light.hpp"
 #include "scene/local_frame.hpp"
 #include "scene/scene.hpp"
+#include "terrain/cover.hpp"
 #include "terrain/drape.hpp"
 
 namespace aerostat::pack {
@@ -214,6 +216,10 @@ PackedScene pack_scene(const scene::ResolvedScene& scene, PackCache& cache,
   if (const auto drape = terrain::drape_of(scene->terrain, reliefs)) {
     const std::uint32_t first = packed.texels.add(drape, drape->texels());
     numbers.drape = pack_drape(*drape, scene->terrain.drape.blend, first);
+  }
+  if (const auto cover = terrain::cover_of(scene->terrain, reliefs)) {
+    const std::uint32_t first = packed.texels.add(cover, cover->ground().texels);
+    numbers.cover = pack_cover(*scene, *cover, first);
   }
   pack_models(*scene, models, cache.models, packed);
   return packed;

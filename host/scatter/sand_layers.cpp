@@ -10,6 +10,9 @@ namespace {
 using plant::Random;
 using plant::Species;
 
+// The width of the spruce models in metres.
+constexpr double kCrown = 5.8;
+
 // The distance in metres at which the height around a place tells a hollow from a crest. Chosen by
 // eye.
 constexpr double kAroundM = 45.0;
@@ -92,11 +95,29 @@ Layer acacias(const Nature& nature) {
   return layer;
 }
 
+/// Returns the layer of woods that land cover knows in dry land: conifers as wide as the crowns
+/// that are painted.
+Layer dry_woods(const Nature& nature) {
+  Layer layer = woods_layer(nature, 25);
+  layer.choose = [nature](const Site&, Random& random) {
+    Choice choice;
+    choice.model = any_variant(Species::spruce, random);
+    choice.scale = size_between(nature, random, 0.45, 1.05) *
+                   static_cast<float>(nature.scene.biome.ground.canopy_m / kCrown);
+    choice.lean = any_lean(random, 0.06);
+    choice.tint = any_tint(random, 0.2, 0.12) * vec3(1.25f, 1.1f, 0.95f);
+    return choice;
+  };
+  return layer;
+}
+
 }  // namespace
 
 std::vector<Layer> sand_layers(const Nature& nature) {
-  return {scrub(nature), grass(nature), acacias(nature),
-          boulder_layer(nature, 24, 11.0, 3000.0, 0.012f)};
+  std::vector<Layer> layers = {scrub(nature), grass(nature), acacias(nature),
+                               boulder_layer(nature, 24, 11.0, 3000.0, 0.012f)};
+  if (nature.rule.has_cover()) layers.push_back(dry_woods(nature));
+  return layers;
 }
 
 }  // namespace aerostat::scatter

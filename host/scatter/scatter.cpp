@@ -86,13 +86,13 @@ Axes axes_of(const Instance& instance) {
 }
 
 Growth scatter(const scene::ResolvedScene& scene, const mesh::GridMesh& ground, Where where,
-               std::span<const Obstacle> obstacles) {
+               std::span<const Obstacle> obstacles, const CoverLookup* cover) {
   Growth growth;
   const scene::Vegetation& vegetation = scene->vegetation;
   if (!vegetation.enabled || !(vegetation.density > 0.0)) return growth;
   growth.models = all_models();
   const Surface surface(ground, scene::place_of(*scene, scene.origin()));
-  const ground::GroundRule rule(ground::ground_numbers(*scene), kFootprintM);
+  const ground::GroundRule rule(ground::ground_numbers(*scene), kFootprintM, cover);
   const std::vector<KeepOut> circles = kept_out(scene, surface, obstacles);
   const Nature nature{*scene, surface, rule};
   const std::vector<Layer> layers = biome_layers(nature);

@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "core/land_cover.hpp"
 #include "mesh/grid_mesh.hpp"
 #include "plant/plant.hpp"
 #include "scatter/obstacle.hpp"
@@ -53,9 +54,11 @@ enum class Where { everywhere, in_sight };
 /// trees painted on the ground, and they thin out over the outer half of /vegetation/reach_m from
 /// the camera, where the painted trees replace them. The obstacles and the camera are kept free. A
 /// place has the same plants wherever the camera is. It runs on all cores, and the bits do not
-/// depend on their number. The result is empty if the vegetation is disabled.
+/// depend on their number. The result is empty if the vegetation is disabled. `cover` is the
+/// land cover of the terrain, or null if it has none.
 Growth scatter(const scene::ResolvedScene& scene, const mesh::GridMesh& ground,
-               Where where = Where::everywhere, std::span<const Obstacle> obstacles = {});
+               Where where = Where::everywhere, std::span<const Obstacle> obstacles = {},
+               const CoverLookup* cover = nullptr);
 
 /// Returns the level of detail that suffices for `eye`: near if the plant is more than 120 pixels
 /// high, middle above 30 pixels, far above 14 pixels, else outline.

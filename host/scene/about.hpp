@@ -18,6 +18,8 @@ struct About {
   bool is_above = false;       // true: `from` itself is not allowed
   bool is_required = false;    // true: an object must have the key
   std::size_t word_count = 0;  // only the first words of an enumeration are allowed; 0: all are
+  /// A word beside those of the enumeration that means the same as leaving the field out, or null.
+  const char* left_out_word = nullptr;
   const char* part_text = nullptr;  // the text of an element of a list, or of a short form
   Editor editor = Editor::number;   // the control that the window has unless an edit says otherwise
   const char* own_unit = nullptr;   // the unit in the window; null: it follows from the key
@@ -43,6 +45,13 @@ struct About {
   constexpr About words(std::size_t count) const {
     About result = *this;
     result.word_count = count;
+    return result;
+  }
+
+  /// Allows a further word that means the same as leaving the field out.
+  constexpr About or_left_out(const char* further) const {
+    About result = *this;
+    result.left_out_word = further;
     return result;
   }
 

@@ -45,6 +45,19 @@ std::span<const char* const> enum_names<InlandWater>() {
 }
 
 template <>
+std::span<const char* const> enum_names<CoverClass>() {
+  static constexpr const char* kNames[] = {"woods", "shrub",    "meadow",  "crops", "bare",
+                                           "snow",  "built_up", "wetland", "water"};
+  return kNames;
+}
+
+template <>
+std::span<const char* const> enum_names<CoverScheme>() {
+  static constexpr const char* kNames[] = {"auto", "worldcover", "nlcd", "corine"};
+  return kNames;
+}
+
+template <>
 std::span<const char* const> enum_names<SampleType>() {
   static constexpr const char* kNames[] = {"auto",   "uint8", "int8",    "uint16", "int16",
                                            "uint32", "int32", "float32", "float64"};

@@ -4,6 +4,7 @@
 
 #include "core/error.hpp"
 #include "scene/expected.hpp"
+#include "scene/land.hpp"
 #include "scene/overrides.hpp"
 #include "scene/schema.hpp"
 
@@ -78,6 +79,8 @@ FieldRule field_rule(const std::string& pointer) {
   }
   FieldRule field = read_rule(*rule);
   if (field.description.empty()) field.description = description;
+  // The word for a biome that is left open is none that a scene has.
+  if (pointer == "/biome/kind") std::erase(field.words, kLeftOutBiome);
   return field;
 }
 

@@ -6,12 +6,15 @@
 #include <vector>
 
 #include "core/earth.hpp"
+#include "core/land_cover.hpp"
 #include "core/math.hpp"
 
 /// The land of a scene: its heights, its colours, the sea and what grows on it.
 namespace aerostat::scene {
 
 enum class BiomeKind { snow, tropical, sand, meadow };
+/// The word that scene files may have for a kind of biome that they leave open.
+inline constexpr const char* kLeftOutBiome = "auto";
 /// The time of the year in a meadow, which sets the colours of leaves and grass.
 enum class Season { spring, summer, autumn };
 /// The shape of the ground. `elevation` is that of the files of ElevationSource.
@@ -86,6 +89,24 @@ struct Drape {
   bool operator==(const Drape&) const = default;
 };
 
+/// The class of a code of land cover.
+struct CoverCode {
+  int code = 0;
+  CoverClass is = CoverClass::meadow;
+
+  bool operator==(const CoverCode&) const = default;
+};
+
+/// A raster of land cover, which says what grows and lies on the ground of elevation data.
+struct LandCover {
+  std::string source;  // file; empty: none
+  CoverScheme scheme = CoverScheme::automatic;
+  std::string crs;                 // coordinate reference system; empty: as the file says
+  std::vector<CoverCode> classes;  // of codes that the scheme does not know
+
+  bool operator==(const LandCover&) const = default;
+};
+
 /// Elevation data, and what a scene says of it in place of the files.
 struct ElevationSource {
   std::vector<std::string> source;  // files and folders; empty: the ground is made from noise
@@ -105,6 +126,7 @@ struct ElevationSource {
   bool curved = true;   // the ground falls away with the curvature of the Earth
   double detail = 1.0;  // strength of the relief that is added below the files' resolution
   Drape drape;
+  LandCover cover;
 
   bool operator==(const ElevationSource&) const = default;
 };

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "scene/cover_fields.hpp"
 #include "scene/field.hpp"
 #include "scene/land.hpp"
 
@@ -173,7 +174,7 @@ inline constexpr auto kTable<Terrain> = table(
             "Strength of the relief that is added where the mesh is finer than the source, {from} "
             "(the source alone) to {to}.")
             .slider(EditGroup::shape, "Added detail", 0, 2, 2)),
-    field("drape", &Terrain::drape),
+    field("drape", &Terrain::drape), field("cover", &Terrain::cover),
     field("seed", &Terrain::seed,
           number(0, 4294967295,
                  "Seed of the noise, {from} to {to}. Each seed gives another landscape.")
@@ -347,7 +348,10 @@ inline constexpr auto kTable<Biome> =
     table("The biome with changes to its ground and sea.",
           field("kind", &Biome::kind,
                 word("Kind of landscape, which sets the defaults of terrain, colours, light, sky, "
-                     "air and balloons.")
+                     "air and balloons. auto is the same as leaving it out: on a source of "
+                     "elevation data the kind is chosen by latitude, height and season, and "
+                     "elsewhere it is snow.")
+                    .or_left_out(kLeftOutBiome)
                     .control(EditGroup::land, "Biome")),
           field("season", &Biome::season,
                 word("Season of a meadow, which sets the defaults of grass, fields and leaves: "

@@ -9,6 +9,7 @@
 
 #include "core/error.hpp"
 #include "scene/enum_names.hpp"
+#include "scene/land.hpp"
 #include "scene/sun_angles.hpp"
 #include "scene/sun_position.hpp"
 #include "scene/write.hpp"
@@ -172,6 +173,10 @@ void expand_short_forms(Json& document) {
   const auto biome = document.find("biome");
   if (document.is_object() && biome != document.end() && biome->is_string()) {
     *biome = Json{{"kind", *biome}};
+  }
+  const Json::json_pointer kind("/biome/kind");
+  if (document.is_object() && document.contains(kind) && document[kind] == kLeftOutBiome) {
+    document["biome"].erase("kind");
   }
 }
 

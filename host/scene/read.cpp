@@ -276,6 +276,8 @@ void name_files_from(const std::filesystem::path& folder, Json& document) {
     for (Json& name : document["terrain"]["source"]) settle(name);
     const Json::json_pointer drape("/terrain/drape/file");
     if (document.contains(drape)) settle(document[drape]);
+    const Json::json_pointer cover("/terrain/cover/source");
+    if (document.contains(cover)) settle(document[cover]);
   }
   if (!document.is_object()) return;
   if (document.contains("objects") && document["objects"].is_array()) {

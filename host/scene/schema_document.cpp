@@ -64,7 +64,9 @@ template <class Enum>
 OrderedJson words_of(const About& about) {
   auto names = enum_names<Enum>();
   if (about.word_count > 0) names = names.first(about.word_count);
-  return std::vector<std::string>(names.begin(), names.end());
+  std::vector<std::string> words(names.begin(), names.end());
+  if (about.left_out_word != nullptr) words.emplace_back(about.left_out_word);
+  return words;
 }
 
 OrderedJson open_object(const char* text) {
@@ -163,8 +165,9 @@ class Rules {
   }
 
   OrderedJson structured(const About& about, std::type_identity<Biome>) {
-    const OrderedJson name = {
-        {"description", about.part_text}, {"type", "string"}, {"enum", words_of<BiomeKind>({})}};
+    const OrderedJson name = {{"description", about.part_text},
+                              {"type", "string"},
+                              {"enum", words_of<BiomeKind>(word("").or_left_out(kLeftOutBiome))}};
     return {{"description", text_of(about)},
             {"anyOf", OrderedJson::array({name, object_rule<Biome>()})}};
   }

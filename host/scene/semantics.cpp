@@ -171,6 +171,13 @@ void check_drape(const Terrain& terrain, const std::string& name) {
   }
 }
 
+void check_cover(const Terrain& terrain, const std::string& name) {
+  if (!terrain.cover.source.empty() && terrain.source.empty()) {
+    fail(name, {"terrain", "cover", "source"}, "land cover on ground that is made from noise",
+         "a file of elevation data in /terrain/source, or no land cover");
+  }
+}
+
 }  // namespace
 
 void check_semantics(const Json& document, const Scene& scene, Faults& faults) {
@@ -187,6 +194,7 @@ void check_semantics(const Json& document, const Scene& scene, Faults& faults) {
   faults.gather([&] { check_geo_points(scene, name); });
   faults.gather([&] { check_terrain_place(scene.terrain, name); });
   faults.gather([&] { check_drape(scene.terrain, name); });
+  faults.gather([&] { check_cover(scene.terrain, name); });
   const Ground& ground = scene.biome.ground;
   faults.gather([&] { check_order(ground.rock_slope_deg, "rock_slope_deg", name); });
   faults.gather([&] { check_order(ground.snow_slope_deg, "snow_slope_deg", name); });

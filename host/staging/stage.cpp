@@ -17,6 +17,7 @@
 #include "staging/flight_point.hpp"
 #include "staging/view_choice.hpp"
 #include "staging/view_map.hpp"
+#include "terrain/cover.hpp"
 #include "terrain/real_land.hpp"
 
 namespace aerostat::staging {
@@ -88,6 +89,7 @@ class Stage {
   Stage(const scene::SceneSource& source, terrain::ReliefCache& reliefs)
       : source_(source),
         scene_(source.scene()),
+        reliefs_(reliefs),
         land_(terrain::real_land(scene_.terrain, reliefs.lands)),
         middle_(terrain::middle_point(scene_.terrain, *land_)) {}
 
@@ -97,13 +99,17 @@ class Stage {
     has_sea_ = gives("/biome/water/enabled") ? scene_.biome.water.enabled : land_->has_sea();
     settle_places();
     choose_sun();
-    if (gives("/camera/position") || scene_.camera.at) return {finished()};
     std::vector<Staged> all;
-    for (const ViewChoice& view : find_views(count)) {
-      Stage one = *this;
-      one.apply(view);
-      all.push_back(one.finished());
+    if (gives("/camera/position") || scene_.camera.at) {
+      all.push_back(finished());
+    } else {
+      for (const ViewChoice& view : find_views(count)) {
+        Stage one = *this;
+        one.apply(view);
+        all.push_back(one.finished());
+      }
     }
+    add_cover_notes(all.front());
     return all;
   }
 
@@ -331,6 +337,13 @@ class Stage {
     return {source_.with(changes_), std::move(notes_), std::move(changes_), land_};
   }
 
+  /// Says how the codes of land cover were taken. What it says does not depend on the view.
+  void add_cover_notes(Staged& staged) const {
+    const auto cover = terrain::cover_of(staged.source.scene().terrain, reliefs_);
+    if (!cover) return;
+    staged.notes.insert(staged.notes.end(), cover->notes().begin(), cover->notes().end());
+  }
+
   void choose_size() {
     if (gives("/terrain/size_m")) return;
     const double most = std::min(2.0 * extent(), kMostGround_m);
@@ -357,6 +370,7 @@ class Stage {
 
   const scene::SceneSource& source_;
   const scene::Scene& scene_;
+  terrain::ReliefCache& reliefs_;
   std::shared_ptr<const land::Land> land_;
   land::LandPoint middle_;
   land::LandPoint around_;

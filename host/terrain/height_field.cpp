@@ -1,15 +1,17 @@
 #include "height_field.hpp"
 
 #include "relief.hpp"
+#include "terrain/cover.hpp"
 
 namespace aerostat::terrain {
 namespace {
 
 std::unique_ptr<Relief> make_relief(const scene::Terrain& terrain, Carving carving,
-                                    RealLandCache& lands) {
+                                    ReliefCache& cache) {
   switch (terrain.kind) {
     case scene::TerrainKind::elevation:
-      return make_real_land(terrain, lands);
+      return make_real_land(terrain, real_land(terrain, cache.lands),
+                            cover_of(terrain, cache).get());
     case scene::TerrainKind::island:
       return make_island(terrain, carving);
     case scene::TerrainKind::dunes:
@@ -34,9 +36,8 @@ scene::Terrain shape_of(scene::Terrain terrain) {
 std::shared_ptr<const Relief> relief_of(const scene::Terrain& terrain, Carving carving,
                                         ReliefCache& cache) {
   const scene::Terrain shape = shape_of(terrain);
-  return cache.of(carving).get(shape, [&] {
-    return std::shared_ptr<const Relief>(make_relief(shape, carving, cache.lands));
-  });
+  return cache.of(carving).get(
+      shape, [&] { return std::shared_ptr<const Relief>(make_relief(shape, carving, cache)); });
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -9,6 +10,7 @@
 #include "core/error.hpp"
 #include "core/simd.hpp"
 #include "core/smooth_step.hpp"
+#include "cover_water.hpp"
 #include "fractal.hpp"
 #include "geo/transform.hpp"
 #include "gullies.hpp"
@@ -39,7 +41,8 @@ constexpr double kReach = 0.6;
 
 class RealLand : public Relief {
  public:
-  RealLand(const scene::Terrain& terrain, std::shared_ptr<const land::Land> files)
+  RealLand(const scene::Terrain& terrain, std::shared_ptr<const land::Land> files,
+           const land::Cover* cover)
       : detail_(static_cast<float>(terrain.detail)),
         fall_(scene::ground_fall(terrain)),
         files_(std::move(files)),
@@ -51,7 +54,12 @@ class RealLand : public Relief {
         beyond_(make_octaves(scene::Fractal{}, kBeyondFeature_m, terrain.seed ^ 0xC2B2AE35u)),
         beyond_m_(files_->has_sea()
                       ? 0.0f
-                      : detail_ * kBeyondShare * (files_->highest_m() - files_->lowest_m())) {}
+                      : detail_ * kBeyondShare * (files_->highest_m() - files_->lowest_m())) {
+    const bool wanted = terrain.inland_water == scene::InlandWater::automatic;
+    if (wanted && cover != nullptr && cover->has_water()) {
+      cover_water_.emplace(*cover, *local_, files_->has_sea(), kReach * terrain.size_m);
+    }
+  }
 
   void heights(const Points& points, Block& height) const override {
     Slopes ground;
@@ -66,13 +74,13 @@ class RealLand : public Relief {
                     {outside.data(), count}});
     if (beyond_m_ > 0.0f) add_hills(points, outside, ground);
     if (detail_ > 0.0f) add_detail(points, ground);
-    if (local_->has_water()) shape_shores(points, ground.height);
+    if (has_water()) shape_shores(points, ground.height);
     for (int i = 0; i < points.count; ++i) {
       height[i] = static_cast<float>(ground.height[i] - drop(points, i));
     }
   }
 
-  bool has_water() const override { return local_->has_water(); }
+  bool has_water() const override { return local_->has_water() || cover_water_; }
 
   void water_levels(const Points& points, Block& level) const override {
     Block shore;
@@ -95,6 +103,13 @@ class RealLand : public Relief {
                         {points.spacing.data(), count},
                         {level.data(), count},
                         {shore.data(), count}});
+    if (!cover_water_) return;
+    for (std::size_t i = 0; i < count; ++i) {
+      const land::WaterPoint other = cover_water_->at(points.x[i], points.z[i], points.spacing[i]);
+      if (std::isnan(other.level_m) || (!std::isnan(level[i]) && shore[i] >= other.shore)) continue;
+      level[i] = other.level_m;
+      shore[i] = other.shore;
+    }
   }
 
   /// Lays beds under lakes and rivers, which files show as level areas without a depth. Banks meet
@@ -155,6 +170,7 @@ class RealLand : public Relief {
   std::vector<Octave> noise_;
   std::vector<Octave> beyond_;
   float beyond_m_;
+  std::optional<CoverWater> cover_water_;
 };
 
 std::optional<double> metres_of(scene::HeightUnit unit) {
@@ -226,8 +242,10 @@ land::LandPoint middle_point(const scene::ElevationSource& source, const land::L
   return {geo::place_of(land.files()[0].georeference->crs, own), own};
 }
 
-std::unique_ptr<Relief> make_real_land(const scene::Terrain& terrain, RealLandCache& lands) {
-  return std::make_unique<RealLand>(terrain, real_land(terrain, lands));
+std::unique_ptr<Relief> make_real_land(const scene::Terrain& terrain,
+                                       std::shared_ptr<const land::Land> files,
+                                       const land::Cover* cover) {
+  return std::make_unique<RealLand>(terrain, std::move(files), cover);
 }
 
 }  // namespace aerostat::terrain

@@ -4,6 +4,7 @@
 #include <limits>
 #include <memory>
 
+#include "land/cover.hpp"
 #include "points.hpp"
 #include "scene/land.hpp"
 #include "terrain/carving.hpp"
@@ -43,7 +44,10 @@ std::unique_ptr<Relief> make_island(const scene::Terrain& terrain, Carving carvi
 /// Makes a sea of transverse dunes with rocky table hills far out.
 std::unique_ptr<Relief> make_dunes(const scene::Terrain& terrain);
 
-/// Makes the ground of elevation data, with relief added below its resolution.
-std::unique_ptr<Relief> make_real_land(const scene::Terrain& terrain, RealLandCache& lands);
+/// Makes the ground of elevation data, with relief added below its resolution. `cover` is its land
+/// cover, whose water becomes lakes and rivers, or null.
+std::unique_ptr<Relief> make_real_land(const scene::Terrain& terrain,
+                                       std::shared_ptr<const land::Land> files,
+                                       const land::Cover* cover);
 
 }  // namespace aerostat::terrain

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/last_made.hpp"
+#include "land/cover.hpp"
 #include "land/drape.hpp"
 #include "scene/land.hpp"
 #include "terrain/carving.hpp"
@@ -19,6 +20,7 @@ struct ReliefCache {
   LastMade<scene::Terrain, Relief> fine, coarse;
   RealLandCache lands;
   LastMade<land::DrapeOptions, land::Drape> drapes;
+  LastMade<land::CoverOptions, land::Cover> covers;
 
   LastMade<scene::Terrain, Relief>& of(Carving carving) {
     return carving == Carving::coarse ? coarse : fine;

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <memory>
 #include <utility>
 #include <vector>
 
@@ -7,6 +8,7 @@
 #include "scatter/sight.hpp"
 #include "scene/local_frame.hpp"
 #include "scene/scene.hpp"
+#include "terrain/cover.hpp"
 #include "terrain/drape.hpp"
 #include "terrain/height_field.hpp"
 #include "world/kinds.hpp"
@@ -56,6 +58,14 @@ void clear_pictures(const GroupInput& input, std::vector<scatter::Instance>& ins
   });
 }
 
+/// Returns land cover as plants look it up.
+CoverLookup cover_lookup(const land::Cover* cover) {
+  if (cover == nullptr) return {};
+  const double cell_m = cover->ground().texel_m;
+  return {[cover, cell_m](double x, double z) { return cover->at(x, z, cell_m); },
+          static_cast<float>(cell_m)};
+}
+
 /// Plants do not stand in lakes and rivers.
 void clear_water(const GroupInput& input, std::vector<scatter::Instance>& instances) {
   const terrain::HeightField field(input.local.terrain, input.request.carving, input.reliefs);
@@ -75,8 +85,10 @@ void clear_water(const GroupInput& input, std::vector<scatter::Instance>& instan
 
 Shape build(const GroupInput& input) {
   const scene::ResolvedScene& scene = input.request.scene;
-  scatter::Growth growth =
-      scatter::scatter(scene, *input.ground, input.request.where, input.request.obstacles);
+  const std::shared_ptr<const land::Cover> cover = terrain::cover_of(scene->terrain, input.reliefs);
+  const CoverLookup lookup = cover_lookup(cover.get());
+  scatter::Growth growth = scatter::scatter(scene, *input.ground, input.request.where,
+                                            input.request.obstacles, cover ? &lookup : nullptr);
   clear_pictures(input, growth.instances);
   clear_water(input, growth.instances);
   choose_details(scene, growth.models, growth.instances);

@@ -22,6 +22,11 @@ typedef struct GroundNoise {
   struct {
     lane_float broad, fine, rough, height, slope;
   } inside;
+  /* What land cover says of the point: the share of ground whose class is known, and of that ground
+   * the shares under trees, rock and snow. All are 0 without land cover. */
+  struct {
+    lane_float known, woods, rock, snow;
+  } cover;
 } GroundNoise;
 
 /* Returns the height above the sea of a point of the ground. The sea is curved as the ground is. */
@@ -81,6 +86,29 @@ AERO_RULE lane_float frayed_step(float lo, float hi, Spread x, Spread ragged) {
 /* The share of the height of the upper limit of trees by which `broad` raises and lowers it. */
 #define FOREST_TOP_SWAY 0.25f
 
+/* Returns by how many cells of the raster a place is moved before its land cover is looked up, so
+ * that borders between classes are ragged lines and no sides of squares. */
+AERO_RULE lane_float cover_stray_x(const GroundNoise* noise) {
+  return 0.9f * noise->fine + 0.4f * noise->broad;
+}
+AERO_RULE lane_float cover_stray_z(const GroundNoise* noise) {
+  return 0.9f * noise->broad - 0.7f * noise->fine;
+}
+
+/* Fills in what the shares of the classes of land cover say. The share of trees among each class
+ * was chosen by eye. */
+AERO_RULE void note_cover(const lane_float* shares, GroundNoise* noise) {
+  const lane_float woods = shares[AERO_COVER_WOODS], shrub = shares[AERO_COVER_SHRUB],
+                   meadow = shares[AERO_COVER_MEADOW], crops = shares[AERO_COVER_CROPS],
+                   bare = shares[AERO_COVER_BARE], snow = shares[AERO_COVER_SNOW],
+                   built_up = shares[AERO_COVER_BUILT_UP], wetland = shares[AERO_COVER_WETLAND];
+  noise->cover.known = woods + shrub + meadow + crops + bare + snow + built_up + wetland;
+  noise->cover.woods = 0.98f * woods + 0.28f * shrub + 0.08f * meadow + 0.03f * (crops + bare) +
+                       0.15f * built_up + 0.2f * wetland;
+  noise->cover.rock = bare;
+  noise->cover.snow = snow;
+}
+
 /* Returns how much woods thin out towards the upper limit of trees, from 0 below it to 1 above
  * it. */
 AERO_RULE lane_float forest_thinning(AERO_GLOBAL const AeroGround* ground, lane_float height,
@@ -93,8 +121,11 @@ AERO_RULE lane_float forest_thinning(AERO_GLOBAL const AeroGround* ground, lane_
  * clearings. */
 AERO_RULE lane_float forest_closeness(AERO_GLOBAL const AeroGround* ground, lane_float height,
                                       const GroundNoise* noise) {
+  /* Known woods stand where they are, whatever their height. */
+  const lane_float guessed = 1.0f - noise->cover.known;
   const lane_float thin = forest_thinning(ground, height, noise);
-  const lane_float wish = 2.0f * ground->forest_share * (1.0f - thin) - 1.0f;
+  const lane_float woods = ground->forest_share * (1.0f - thin) * guessed + noise->cover.woods;
+  const lane_float wish = 2.0f * woods - 1.0f;
   return wish + 0.6f * noise->broad + 0.5f * noise->fine;
 }
 
@@ -119,7 +150,7 @@ AERO_RULE lane_float shore_share(AERO_GLOBAL const AeroGround* ground, lane_floa
  * little too steep for snow. */
 AERO_RULE lane_float forest_share(AERO_GLOBAL const AeroGround* ground, lane_float height,
                                   lane_float slope_cos, const GroundNoise* noise) {
-  if (!(ground->forest_share > 0.0f)) return (lane_float)0.0f;
+  if (!(ground->forest_share > 0.0f) && ground->has_cover == 0u) return (lane_float)0.0f;
   const lane_float hold = frayed_step(ground->rock_cos[1] - 0.06f, ground->rock_cos[0] - 0.06f,
                                       spread_of(slope_cos, (lane_float)0.0f),
                                       spread_of(-ragged_noise(noise), ragged_inside(noise)));
@@ -200,7 +231,8 @@ AERO_RULE GroundMix ground_mix(AERO_GLOBAL const AeroGround* ground, lane_float 
   mix.rock = lane_max(frayed_step(-ground->rock_cos[0], -ground->rock_cos[1],
                                   spread_of(-detail_cos, noise->inside.slope), ragged),
                       shore - mix.beach);
-  mix.snow = snow_share(ground, height, detail_cos, noise);
+  mix.rock = lane_max(mix.rock, 0.8f * noise->cover.rock);
+  mix.snow = lane_max(snow_share(ground, height, detail_cos, noise), noise->cover.snow);
   mix.forest = forest_share(ground, height, slope_cos, noise);
   return mix;
 }

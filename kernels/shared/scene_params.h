@@ -106,13 +106,14 @@ typedef struct AeroGround {
   /* The ground lies lower by this number times the square of the distance from the terrain's centre
    * because the Earth is round, or 0. */
   aero_float fall;
+  aero_uint has_cover; /* 1 if land cover says where what grows, as far as it reaches */
 #define AERO_NUMBER(member, source) aero_float member;
   AERO_GROUND_NUMBERS(AERO_NUMBER)
 #undef AERO_NUMBER
 } AeroGround;
 
 #define AERO_BYTES(member, source) +4
-AERO_ASSERT_LAYOUT(AeroGround, 140 AERO_GROUND_NUMBERS(AERO_BYTES));
+AERO_ASSERT_LAYOUT(AeroGround, 144 AERO_GROUND_NUMBERS(AERO_BYTES));
 #undef AERO_BYTES
 
 /* How tests follow paths. AERO_PATHS_WITHOUT_LIGHT_RAYS traces no rays to the sun's disc and to the
@@ -159,6 +160,26 @@ typedef struct AeroDrape {
 
 AERO_ASSERT_LAYOUT(AeroDrape, 28);
 
+/* The classes of ground that land cover tells apart, in the order of CoverClass of the host. */
+#define AERO_COVER_WOODS 0
+#define AERO_COVER_SHRUB 1
+#define AERO_COVER_MEADOW 2
+#define AERO_COVER_CROPS 3
+#define AERO_COVER_BARE 4
+#define AERO_COVER_SNOW 5
+#define AERO_COVER_BUILT_UP 6
+#define AERO_COVER_WETLAND 7
+#define AERO_COVER_CLASSES 8
+
+/* Land cover. The levels of its map are those of a picture. A texel has four bits for the share of
+ * each class in 15ths, that of the first class the lowest ones. */
+typedef struct AeroCover {
+  AeroDrape map;                            /* its blend is not used */
+  aero_float colors[AERO_COVER_CLASSES][3]; /* albedos of the classes below trees and snow */
+} AeroCover;
+
+AERO_ASSERT_LAYOUT(AeroCover, 28 + 96);
+
 /* The numbers of a scene. The table of the sky (AeroSkyCell) and the chart of clouds
  * (AeroChartWord) are buffers of their own. So are the texels of all pictures: one buffer of words,
  * in which each picture says where its first word is. */
@@ -181,9 +202,11 @@ typedef struct AeroScene {
   AeroNight night;
   AeroDrape drape;
   aero_uint white_texture; /* place of the texture of materials that have none */
+  AeroCover cover;
 } AeroScene;
 
 AERO_ASSERT_LAYOUT(AeroScene, (1052 + 32 * 60 + 12) + sizeof(AeroGround) + sizeof(AeroNight) +
-                                  sizeof(AeroDrape) + AERO_MAX_MATERIALS * sizeof(AeroMaterial));
+                                  sizeof(AeroDrape) + sizeof(AeroCover) +
+                                  AERO_MAX_MATERIALS * sizeof(AeroMaterial));
 
 #endif

@@ -10,7 +10,7 @@ namespace aerostat::viewer {
 /// Returns whether a value is a part of a place, a track or a layout of samples, which are given in
 /// the scene file.
 bool is_named_in_files(const QString& pointer) {
-  static const QRegularExpression kParts("/(at|look_at|track|place|raw|objects)/");
+  static const QRegularExpression kParts("/(at|look_at|track|place|raw|objects|cover)/");
   return pointer.contains(kParts);
 }
 

@@ -21,6 +21,7 @@ __kernel void probe_ground_mix(__global const AeroGround* ground, __global const
   GroundNoise noise;
   noise.inside.broad = noise.inside.fine = noise.inside.rough = none;
   noise.inside.height = noise.inside.slope = none;
+  noise.cover.known = noise.cover.woods = noise.cover.rock = noise.cover.snow = none;
   noise.broad = values.x;
   noise.fine = values.y;
   noise.rough = values.z;
@@ -39,6 +40,7 @@ __kernel void probe_field(__global const AeroGround* ground, __global const floa
   GroundNoise noise;
   noise.inside.broad = noise.inside.fine = noise.inside.rough = none;
   noise.inside.height = noise.inside.slope = none;
+  noise.cover.known = noise.cover.woods = noise.cover.rock = noise.cover.snow = none;
   noise.broad = values.x;
   noise.fine = values.y;
   noise.rough = values.z;
@@ -55,7 +57,8 @@ __kernel void probe_lit_ground(__global const AeroGround* ground, __global const
   surface.material.normal = lane3_from(slope);
   surface.point.to_viewer = lane3_from(slope);
   surface.material.diffuse = (lane_float)1.0f;
-  lay_ground(ground, -1e6f, load3(points), (lane_float)footprint, (lane_float)0.0f,
+  const GroundCover cover = {0, 0};
+  lay_ground(ground, &cover, -1e6f, load3(points), (lane_float)footprint, (lane_float)0.0f,
              &surface.material);
   const Lobes lobes = phong_lobes(&surface, lane3_from(slope + 3));
   STORE(surface.material.albedo.y, albedos);

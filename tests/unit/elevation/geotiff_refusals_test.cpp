@@ -1,5 +1,6 @@
 // GeoTIFF files that are refused, and those that are damaged.
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <fstream>
 #include <iterator>
@@ -45,6 +46,34 @@ void change_tag(std::string& bytes, std::uint16_t tag, std::uint32_t value) {
     const int size = number(entry + 2, 2) == TIFF_SHORT ? 2 : 4;
     for (int k = 0; k < size; ++k) bytes.at(entry + 8 + k) = static_cast<char>(value >> 8 * k);
   }
+}
+
+// A palette is for viewers. Codes have neither units nor scales.
+TEST(GeoTiffCodes, OfAPaletteAreReadAsTheyAreStored) {
+  TiffPageSpec page = page_at(32632, 500000.0, 5200000.0, 30.0);
+  page.bits = 8;
+  page.format = 1;
+  page.photometric = PHOTOMETRIC_PALETTE;
+  page.value = [](int i, int) { return i == 0 ? 255.0 : 41.0 + i; };
+  page.nodata = "255";
+  page.metadata =
+      "<GDALMetadata><Item name=\"LAYER_TYPE\">thematic</Item>"
+      "<Item name=\"SCALE\" sample=\"0\" role=\"scale\">10</Item></GDALMetadata>";
+  const Folder folder;
+  write_tiff(folder.path() / "a.tif", {page});
+  OpenOptions options;
+  options.codes = true;
+  const auto raster = open(folder.path() / "a.tif", options);
+  std::vector<float> codes(3);
+  raster->read({0, 4, 3, 1}, codes.data());
+  EXPECT_TRUE(std::isnan(codes[0]));
+  EXPECT_EQ(codes[1], 42.0f);
+  EXPECT_EQ(codes[2], 43.0f);
+  page.photometric = PHOTOMETRIC_RGB;
+  page.bands = 3;
+  write_tiff(folder.path() / "b.tif", {page});
+  EXPECT_TRUE(says(refusal_of([&] { open(folder.path() / "b.tif", options); }),
+                   "whose codes of classes are not known"));
 }
 
 TEST(GeoTiffRefusals, NameWhatIsNoHeights) {

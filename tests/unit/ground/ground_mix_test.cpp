@@ -1,6 +1,7 @@
 // Tests that the rules of the ground say what their words say: snow lies high and not on cliffs,
 // and woods keep off rock, shores and heights.
 #include <cmath>
+#include <cstddef>
 
 #include <gtest/gtest.h>
 
@@ -40,6 +41,27 @@ TEST_F(GroundMix, SnowLiesAboveItsLineAndNotOnCliffs) {
   EXPECT_EQ(at(1200.0f, 10.0f).snow, 1.0f);
   EXPECT_EQ(at(800.0f, 10.0f).snow, 0.0f) << "below the line";
   EXPECT_EQ(at(1200.0f, 70.0f).snow, 0.0f) << "a cliff";
+}
+
+TEST_F(GroundMix, LandCoverSaysWhatGrowsAtAnyHeight) {
+  const auto forest_on = [this](CoverClass is, float height) {
+    GroundNoise noise{};
+    CoverShares shares{};
+    shares[static_cast<std::size_t>(is)] = 1.0f;
+    rules::note_cover(shares.data(), &noise);
+    return rules::ground_mix(&numbers_, height, 1.0f, 1.0f, &noise);
+  };
+  EXPECT_EQ(forest_on(CoverClass::woods, 300.0f).forest, 1.0f);
+  EXPECT_EQ(forest_on(CoverClass::woods, 950.0f).forest, 1.0f) << "above the upper limit";
+  EXPECT_EQ(forest_on(CoverClass::meadow, 300.0f).forest, 0.0f);
+  EXPECT_EQ(forest_on(CoverClass::crops, 300.0f).forest, 0.0f);
+  EXPECT_EQ(forest_on(CoverClass::snow, 300.0f).snow, 1.0f);
+  EXPECT_GT(forest_on(CoverClass::bare, 300.0f).rock, 0.7f);
+  // Without trees in the biome, known woods are the only ones.
+  numbers_.forest_share = 0.0f;
+  numbers_.has_cover = 1u;
+  EXPECT_EQ(forest_on(CoverClass::woods, 300.0f).forest, 1.0f);
+  EXPECT_EQ(at(300.0f, 10.0f).forest, 0.0f);
 }
 
 TEST_F(GroundMix, RockIsWhatIsSteep) {

@@ -67,9 +67,10 @@ INSTANTIATE_TEST_SUITE_P(
              "/camera/target/1: found \"a\", expected a number from -1100000 to 1100000"},
         Case{R"("biome": "snwo")",
              "/biome/kind: found \"snwo\", expected one of \"snow\", \"tropical\", \"sand\", "
-             "\"meadow\"; did you mean \"snow\"?"},
+             "\"meadow\", \"auto\"; did you mean \"snow\"?"},
         Case{R"("biome": 3)",
-             "/biome: found 3, expected one of \"snow\", \"tropical\", \"sand\", \"meadow\", or an "
+             "/biome: found 3, expected one of \"snow\", \"tropical\", \"sand\", \"meadow\", "
+             "\"auto\", or an "
              "object"},
         Case{R"("biome": {"kind": "sand", "ground": {"snow": [2, 0, 0]}})",
              "/biome/ground/snow/0: found 2, expected a number from 0 to 1"},

@@ -58,6 +58,7 @@ Scene full_scene() {
   scene.terrain.image_heights_m = dvec2(0.0, 1000.0);
   scene.terrain.cell_m = 30.0;
   scene.terrain.extent_m = 20000.0;
+  scene.terrain.cover.classes.emplace_back();
   scene.terrain.place = {46.8, 9.8, 2600000.0, 1200000.0};
   scene.objects.push_back({.file = "a.glb", .at = GeoPoint{}, .height_m = 2.0});
   scene.terrain.drape.corners = {dvec2(46.9, 9.7), dvec2(46.7, 9.9)};

@@ -76,6 +76,19 @@ TEST_F(StageFile, TheCameraLooksAtTheMountain) {
   EXPECT_LT(std::abs(std::remainder(view - azimuth, 360.0)), 25.0);
 }
 
+TEST_F(StageFile, ABiomeMayBeLeftToTheLandByAWord) {
+  const Staged expected = stage(source(), reliefs_);
+  EXPECT_EQ(stage(source({{"/biome", "auto"}}), reliefs_).source.text(), expected.source.text());
+  EXPECT_EQ(
+      stage(source({{"/biome/kind", "sand"}, {"/biome/kind", "auto"}}), reliefs_).source.text(),
+      expected.source.text());
+  const auto from_text = scene::SceneSource::from_text(
+      R"({"version": 1, "biome": {"kind": "auto", "season": "autumn"}, "terrain": {"source": ")" +
+          file_.string() + R"(", "crs": "EPSG:32632"}})",
+      "x.json");
+  EXPECT_EQ(stage(from_text, reliefs_).source.scene().biome.kind, scene::BiomeKind::snow);
+}
+
 TEST_F(StageFile, WhatTheSceneGivesWins) {
   const Staged staged = stage(source({{"/biome/kind", "sand"},
                                       {"/sun/azimuth_deg", "200"},

@@ -18,23 +18,31 @@
 namespace aerostat {
 namespace {
 
-/// Writes an .asc file of whole metres around a point of UTM zone 32, and returns a scene on it.
-scene::Scene scene_on(const test::TemporaryFolder& folder, int side, double cell,
-                      const std::function<double(double east, double north)>& height) {
-  const auto path = folder.path() / "land.asc";
+using PlaceFunction = std::function<double(double east, double north)>;
+
+/// Writes an .asc file of whole numbers around a point of UTM zone 32.
+std::string write_asc(const test::TemporaryFolder& folder, const char* name, int side, double cell,
+                      const PlaceFunction& value) {
+  const auto path = folder.path() / name;
   std::ofstream file(path);
   const double half = 0.5 * (side - 1) * cell;
   file << std::setprecision(10) << "ncols " << side << "\nnrows " << side << "\nxllcenter "
        << 500000.0 - half << "\nyllcenter " << 5200000.0 - half << "\ncellsize " << cell << '\n';
   for (int j = 0; j < side; ++j) {
     for (int i = 0; i < side; ++i)
-      file << std::round(height(i * cell - half, half - j * cell)) << ' ';
+      file << std::round(value(i * cell - half, half - j * cell)) << ' ';
     file << '\n';
   }
-  file.close();
+  return path.string();
+}
+
+/// Returns a scene on heights of whole metres.
+scene::Scene scene_on(const test::TemporaryFolder& folder, int side, double cell,
+                      const PlaceFunction& height) {
   scene::Scene scene = scene::read_text(
       R"({"version": 1, "biome": "meadow", "terrain": {"kind": "elevation", "source": ")" +
-          path.string() + R"(", "crs": "EPSG:32632", "grading": 1, "detail": 0}})",
+          write_asc(folder, "land.asc", side, cell, height) +
+          R"(", "crs": "EPSG:32632", "grading": 1, "detail": 0}})",
       "x.json");
   scene.terrain.size_m = 0.95 * side * cell;
   scene.terrain.cells = side;
@@ -42,6 +50,12 @@ scene::Scene scene_on(const test::TemporaryFolder& folder, int side, double cell
   scene.camera.position = {0.0, 3000.0, 0.0};
   scene.camera.target = {0.0, 0.0, -1000.0};
   return scene;
+}
+
+/// Returns -1 to 1, which differs from place to place.
+double rough(double east, double north) {
+  const double wave = std::sin(0.37 * east + 1.3 * std::sin(0.21 * north)) * 43758.5;
+  return 2.0 * (wave - std::floor(wave)) - 1.0;
 }
 
 /// A lake at 400 m, 500 m in radius, whose middle lies to the east.
@@ -70,6 +84,53 @@ TEST(InlandWater, LakesLieAtTheirLevelOverACarvedBed) {
   EXPECT_NEAR(farthest, 510.0f, 45.0f);
   const world::Surface surface(scene);
   EXPECT_NEAR(surface.height(600.0, 0.0), 400.0, 0.1);
+}
+
+// Heights from radar are noisy on water. Land cover says where it is.
+TEST(InlandWater, OfLandCoverHasTheHeightOfTheLand) {
+  const test::TemporaryFolder folder;
+  scene::Scene scene = scene_on(folder, 81, 30.0, [](double east, double north) {
+    return lake(east, north) + 2.0 * rough(east, north);
+  });
+  const PlaceFunction codes = [](double east, double north) {
+    return std::hypot(east - 600.0, north) < 500.0 ? 80.0 : 30.0;
+  };
+  scene.terrain.cover.source = write_asc(folder, "cover.asc", 81, 30.0, codes);
+  scene.terrain.cover.crs = "EPSG:32632";
+  const world::World world = world::build(world::resolve(scene));
+  const auto* lakes = world::shape_of<world::Objects>(world, world::kInlandWater);
+  ASSERT_EQ(lakes->size(), 1u);
+  float farthest = 0.0f;
+  for (const vec3& position : lakes->front().mesh.positions) {
+    const dvec3 p = dvec3(position) + world.scene.origin();
+    EXPECT_NEAR(p.y, 400.0, 1.6);
+    farthest = std::max(farthest, static_cast<float>(std::hypot(p.x - 600.0, p.z)));
+  }
+  EXPECT_NEAR(farthest, 510.0f, 60.0f);
+}
+
+TEST(InlandWater, RiversOfLandCoverFallWithTheLand) {
+  const test::TemporaryFolder folder;
+  // A valley that falls by 1 % to the east, with a river of 150 m.
+  scene::Scene scene = scene_on(folder, 81, 30.0, [](double east, double north) {
+    return 500.0 - 0.01 * east + std::max(0.0, 0.2 * (std::abs(north) - 75.0));
+  });
+  const PlaceFunction codes = [](double, double north) { return std::abs(north) < 75.0 ? 11 : 71; };
+  scene.terrain.cover.source = write_asc(folder, "cover.asc", 81, 30.0, codes);
+  scene.terrain.cover.crs = "EPSG:32632";
+  const world::World world = world::build(world::resolve(scene));
+  const auto* rivers = world::shape_of<world::Objects>(world, world::kInlandWater);
+  ASSERT_EQ(rivers->size(), 1u);
+  double west = 0.0, east = 0.0;
+  for (const vec3& position : rivers->front().mesh.positions) {
+    const dvec3 p = dvec3(position) + world.scene.origin();
+    EXPECT_LT(std::abs(p.z), 140.0);
+    EXPECT_NEAR(p.y, 499.0 - 0.01 * p.x, 2.0);
+    west = std::min(west, p.x);
+    east = std::max(east, p.x);
+  }
+  EXPECT_LT(west, -1000.0);
+  EXPECT_GT(east, 1000.0);
 }
 
 TEST(InlandWater, IsDryIfTheSceneSaysSo) {
