@@ -3,6 +3,7 @@
 
 #include "core/smooth_step.hpp"
 #include "scatter/biome_layers.hpp"
+#include "scene/scene.hpp"
 
 namespace aerostat::scatter {
 namespace {

@@ -769,10 +769,6 @@
         <translation>Биом с изменениями земли и моря.</translation>
     </message>
     <message>
-        <source>Kind of landscape, which sets the defaults of terrain, colours, light, sky, air and balloons.</source>
-        <translation>Переключатель, который задаёт форму рельефа, цвета, свет, небо, воздух и цвета шара.</translation>
-    </message>
-    <message>
         <source>Colours of the ground, which depend on height, slope and noise. All defaults come with the biome.</source>
         <translation>Как окрашена земля: по высоте, уклону и шуму. Все значения по умолчанию задаёт биом.</translation>
     </message>
@@ -1720,6 +1716,42 @@
         <source>Albedo of the line on the ground. Linear Rec. 709 [red, green, blue], each 0 to 1.</source>
         <translation>Альбедо линии на земле. Линейные Rec. 709 [красный, зелёный, синий], каждый от 0 до 1.</translation>
     </message>
+    <message>
+        <source>Kind of landscape, which sets the defaults of terrain, colours, light, sky, air and balloons. auto is the same as leaving it out: on a source of elevation data the kind is chosen by latitude, height and season, and elsewhere it is snow.</source>
+        <translation>Вид ландшафта, задающий значения по умолчанию для рельефа, цветов, света, неба, воздуха и шаров. auto означает то же, что и отсутствие значения: на данных высот вид выбирается по широте, высоте и времени года, а в остальных случаях это snow.</translation>
+    </message>
+    <message>
+        <source>Raster of land cover, whose codes say what grows and lies on the ground of a source: ESA WorldCover, NLCD, CORINE and others. Where it ends, the biome&apos;s rules decide.</source>
+        <translation>Растр земного покрова, коды которого говорят, что растёт и лежит на земле источника: ESA WorldCover, NLCD, CORINE и другие. За его пределами решают правила биома.</translation>
+    </message>
+    <message>
+        <source>Name of the raster, relative to the folder of the scene file. An empty name means that there is none.</source>
+        <translation>Имя растра относительно папки файла сцены. Пустое имя означает, что растра нет.</translation>
+    </message>
+    <message>
+        <source>Meaning of the codes. auto (the default) goes by the codes that occur.</source>
+        <translation>Значение кодов. auto (по умолчанию) определяет его по встречающимся кодам.</translation>
+    </message>
+    <message>
+        <source>Coordinate reference system of the raster, such as EPSG:5070, which wins over what the file says.</source>
+        <translation>Система координат растра, например EPSG:5070; она важнее указанной в файле.</translation>
+    </message>
+    <message>
+        <source>Classes of further codes, at most 256, which win over those of the scheme.</source>
+        <translation>Классы дополнительных кодов, не более 256; они важнее классов схемы.</translation>
+    </message>
+    <message>
+        <source>Class of a code of land cover.</source>
+        <translation>Класс кода земного покрова.</translation>
+    </message>
+    <message>
+        <source>Code, -32768 to 65535.</source>
+        <translation>Код, от -32768 до 65535.</translation>
+    </message>
+    <message>
+        <source>What the code stands for.</source>
+        <translation>Что означает код.</translation>
+    </message>
 </context>
 <context>
     <name>Units</name>
@@ -2097,6 +2129,42 @@
     <message>
         <source>track</source>
         <translation>линия полёта</translation>
+    </message>
+    <message>
+        <source>worldcover</source>
+        <translation>WorldCover</translation>
+    </message>
+    <message>
+        <source>nlcd</source>
+        <translation>NLCD</translation>
+    </message>
+    <message>
+        <source>corine</source>
+        <translation>CORINE</translation>
+    </message>
+    <message>
+        <source>woods</source>
+        <translation>лес</translation>
+    </message>
+    <message>
+        <source>shrub</source>
+        <translation>кустарник</translation>
+    </message>
+    <message>
+        <source>crops</source>
+        <translation>поля</translation>
+    </message>
+    <message>
+        <source>bare</source>
+        <translation>голая земля</translation>
+    </message>
+    <message>
+        <source>built_up</source>
+        <translation>застройка</translation>
+    </message>
+    <message>
+        <source>wetland</source>
+        <translation>болото</translation>
     </message>
 </context>
 <context>

@@ -116,7 +116,9 @@ TEST(SceneSchema, AcceptsEveryWordThatItNames) {
                                             : R"({"version": 1})";
       const Scene scene = read_text(text, "x.json", {{path, word.dump()}});
       const json dump = json::parse(write_text(scene));
-      EXPECT_EQ(dump.at(json::json_pointer(path)), word) << path;
+      // A biome that is left open becomes the first one.
+      const json expected = path == "/biome/kind" && word == kLeftOutBiome ? json("snow") : word;
+      EXPECT_EQ(dump.at(json::json_pointer(path)), expected) << path;
       ++words;
     }
   });
