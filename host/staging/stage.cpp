@@ -100,14 +100,12 @@ class Stage {
     settle_places();
     choose_sun();
     std::vector<Staged> all;
-    if (gives("/camera/position") || scene_.camera.at) {
-      all.push_back(finished());
-    } else {
-      for (const ViewChoice& view : find_views(count)) {
-        Stage one = *this;
-        one.apply(view);
-        all.push_back(one.finished());
-      }
+    const bool given = gives("/camera/position") || scene_.camera.at;
+    if (given) all.push_back(finished());
+    for (const ViewChoice& view : given ? std::vector<ViewChoice>() : find_views(count)) {
+      Stage one = *this;
+      one.apply(view);
+      all.push_back(one.finished());
     }
     add_cover_notes(all.front());
     return all;
@@ -362,8 +360,7 @@ class Stage {
       set(change.pointer, change.value);
     notes_.push_back(fmt::format(
         "No biome is given; it is {} with snow above {:.0f} m and trees up to {:.0f} m, by {}, "
-        "height "
-        "and season.",
+        "height and season.",
         scene::detail::word_of(climate.biome), climate.snow_line_m, climate.tree_line_m,
         middle_.place ? "latitude" : "46 degrees of latitude, because the place is unknown"));
   }
