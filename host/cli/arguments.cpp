@@ -1,10 +1,8 @@
-#include <algorithm>
-#include <charconv>
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <sstream>
 #include <string>
-#include <system_error>
 #include <vector>
 
 #include <CLI/CLI.hpp>
@@ -15,7 +13,10 @@
 #include "cli/help_text.hpp"
 #include "cli/parse.hpp"
 #include "cli/scene_input.hpp"
+#include "cli/validators.hpp"
 #include "core/error.hpp"
+#include "film/encoder.hpp"
+#include "film/frames.hpp"
 
 namespace aerostat::cli {
 
@@ -25,32 +26,6 @@ constexpr int kLargestSide = 32768;
 constexpr int kMostSamples = 65536;
 constexpr std::int64_t kLargestSeed = 0xffffffffu;
 constexpr std::int64_t kMostTriangles = 0x7fffffff;
-
-/// Returns a validator for `transform` that accepts whole numbers in decimal digits. Leading
-/// zeros are dropped, because CLI11 would take such numbers for octal. CLI11's own ranges word
-/// their errors differently in each version. The help texts state the ranges.
-CLI::Validator in_range(std::int64_t least, std::int64_t most) {
-  const auto validate = [least, most](std::string& text) {
-    std::int64_t value = 0;
-    const char* end = text.data() + text.size();
-    const auto [rest, error] = std::from_chars(text.data(), end, value);
-    const bool is_number = error == std::errc() && rest == end;
-    if (!is_number || value < least || value > most) {
-      return fmt::format("Value {} not in range {} to {}", text, least, most);
-    }
-    text = std::to_string(value);
-    return std::string();
-  };
-  return CLI::Validator(validate, "");
-}
-
-CLI::Validator one_of(const std::vector<std::string>& words) {
-  const auto validate = [words](const std::string& text) {
-    if (std::find(words.begin(), words.end(), text) != words.end()) return std::string();
-    return fmt::format("{} not in {{{}}}", text, fmt::join(words, ","));
-  };
-  return CLI::Validator(validate, "");
-}
 
 /// The command line as a tree of options whose values are written to the structs.
 class Arguments {
@@ -68,6 +43,7 @@ class Arguments {
     app_.option_defaults()->multi_option_policy(CLI::MultiOptionPolicy::TakeLast);
     add_render();
     add_contact_sheet();
+    add_film();
     add_new();
     add_scenes();
     add_devices();
@@ -88,7 +64,7 @@ class Arguments {
   std::string complaint(const CLI::ParseError& error, int argc, const char* const* argv) {
     if (!app_.get_subcommands().empty()) return error.what();
     const std::string commands =
-        "render, contact-sheet, new, scenes, devices, check, dump or export";
+        "render, contact-sheet, film, new, scenes, devices, check, dump or export";
     if (argc < 2) return fmt::format("no command; expected {}", commands);
     if (argv[1][0] == '-') return error.what();
     return fmt::format("there is no command '{}'; expected {}", argv[1], commands);
@@ -167,14 +143,18 @@ class Arguments {
                   "beside x.png, which tell programs for maps where it lies");
   }
 
-  void add_image(CLI::App* sub) {
+  static void add_size(CLI::App* sub, std::optional<int>& width, std::optional<int>& height) {
     CLI::Validator side = in_range(1, kLargestSide);
-    sub->add_option("--width", render_.width, "Pixels across, 1 to 32768; overrides the scene")
+    sub->add_option("--width", width, "Pixels across, 1 to 32768; overrides the scene")
         ->transform(side)
         ->type_name("W");
-    sub->add_option("--height", render_.height, "Pixels down, 1 to 32768; overrides the scene")
+    sub->add_option("--height", height, "Pixels down, 1 to 32768; overrides the scene")
         ->transform(side)
         ->type_name("H");
+  }
+
+  void add_image(CLI::App* sub) {
+    add_size(sub, render_.width, render_.height);
     add_quality(sub, render_.quality);
     sub->add_option("--spp", render_.spp,
                     "Samples per pixel, 1 to 65536; a single one passes through the pixel's centre")
@@ -257,6 +237,53 @@ class Arguments {
     add_quiet(sub, sheet_.quiet);
   }
 
+  void add_film() {
+    CLI::App* sub =
+        add("film", "Render the film of a scene", kFilmFooter, [this] { return make_film(film_); });
+    add_scene(sub, film_.input);
+    sub->add_option(
+           "-o,--output", film_.output,
+           "x.mp4, .mov, .mkv or .webm, whose frames are kept in x.frames, or the frames "
+           "themselves, such as frames/####.png or frames/####.exr; by default the scene's "
+           "name and .mp4, in this folder")
+        ->type_name("FILE");
+    add_frames(sub);
+    sub->add_option(
+           "--codec", film_.codec,
+           "h264, av1, prores (.mov) or lossless (.mkv); by default h264, or av1 for .webm")
+        ->check(one_of(film::codec_names()))
+        ->type_name("C");
+    add_size(sub, film_.width, film_.height);
+    add_quality(sub, film_.quality);
+    sub->add_flag("--preview", film_.preview,
+                  "Render small frames of one sample, 480 pixels across; those of x.mp4 go to "
+                  "x.preview-frames");
+    add_device(sub, film_.device);
+    add_quiet(sub, film_.quiet);
+  }
+
+  void add_frames(CLI::App* sub) {
+    sub->add_option_function<std::string>(
+           "--frames", [this](const std::string& text) { film_.frames = film::parse_frames(text); },
+           "Only these frames, which count from 1: 17, 1-500, 100-, or 1-500:2 for every second "
+           "one")
+        ->type_name("LIST");
+    sub->add_option_function<std::string>(
+           "--shard", [this](const std::string& text) { film_.shard = film::parse_shard(text); },
+           "Only one of several equal parts of the frames, such as 3/8; makes frames and no film")
+        ->type_name("K/N");
+    sub->add_option_function<std::string>(
+           "--time-limit",
+           [this](const std::string& text) { film_.time_limit_s = parse_duration(text); },
+           "Begin no further frame after this time, such as 90s, 10m or 2h, and exit with 75 if "
+           "frames are left")
+        ->type_name("TIME");
+    sub->add_flag(
+        "--verify", film_.verify,
+        "Make nothing; list the frames that are missing, broken or foreign, and exit with "
+        "65 if there are any");
+  }
+
   void add_new() {
     CLI::App* sub = add("new", "Write a scene around a file of elevation data", kNewFooter,
                         [this] { return new_scene(new_); });
@@ -331,6 +358,7 @@ class Arguments {
   std::function<int()> command_;
   RenderOptions render_;
   ContactSheetOptions sheet_;
+  FilmOptions film_;
   NewOptions new_;
   ScenesOptions scenes_;
   DevicesOptions devices_;

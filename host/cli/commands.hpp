@@ -12,6 +12,7 @@ int run(int argc, const char* const* argv);
 
 int render(const RenderOptions& options);
 int contact_sheet(const ContactSheetOptions& options);
+int make_film(const FilmOptions& options);
 int new_scene(const NewOptions& options);
 int scenes(const ScenesOptions& options);
 int devices(const DevicesOptions& options);

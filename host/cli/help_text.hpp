@@ -9,6 +9,7 @@ inline constexpr const char* kDescription =
 inline constexpr const char* kMainFooter = R"(Examples:
   aerostat render snow
   aerostat render davos.tif
+  aerostat film snow
   aerostat scenes
   aerostat devices
   aerostat COMMAND --help
@@ -23,7 +24,7 @@ Environment:
   POCL_CACHE_DIR       where PoCL keeps compiled kernels; by default aerostat/pocl in the user's cache folder
   NO_COLOR             if set, nothing is coloured
 
-Exit codes: 0 done, 64 wrong command line, 65 bad scene, 69 no such device or no Open Image Denoise, 70 internal fault, 74 file cannot be read or written, 75 out of memory or device lost, 130 and 143 interrupted.)";
+Exit codes: 0 done, 64 wrong command line, 65 bad scene or frames, 69 no such device, no Open Image Denoise or no ffmpeg, 70 internal fault, 74 file cannot be read or written, 75 out of memory, out of time or device lost, 130 and 143 interrupted.)";
 
 inline constexpr const char* kRenderFooter = R"(Examples:
   aerostat render scenes/snow.json
@@ -47,6 +48,16 @@ inline constexpr const char* kContactSheetFooter = R"(Examples:
   aerostat contact-sheet davos.tif --views 12
 
 Each tile is exposed by what it shows, unless the scene says /image/exposure_ev; the number below it is its /terrain/seed.)";
+
+inline constexpr const char* kFilmFooter = R"(Examples:
+  aerostat film snow
+  aerostat film scenes/snow.json -o flight.mp4 --preview
+  aerostat film my.json -o flight.mp4 --quality final
+  aerostat film my.json -o frames/####.exr --frames 1-500:2
+  aerostat film my.json -o frames/####.png --shard 3/8 --time-limit 2h
+  aerostat film my.json -o frames/####.png --verify
+
+/film in the scene says how long the film is and what moves. The frames stand on disk first, each of them whole or not at all, and the same command goes on where it was stopped: frames that are there and were made from the same scene, size and quality by this version are kept, and others are made anew. Films are encoded by the program ffmpeg. When all frames are there, a sheet of small pictures of them is written to x-sheet.png, or to contact-sheet.png beside the frames.)";
 
 inline constexpr const char* kNewFooter = R"(Examples:
   aerostat new davos.tif

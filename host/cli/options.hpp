@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "film/frames.hpp"
 #include "render/session.hpp"
 
 /// The options of the command line, one struct for each command. Ranges are already checked.
@@ -52,6 +53,23 @@ struct ContactSheetOptions {
   int columns = 0;                   // 0: chosen by the number of tiles
   int tile_width = 320;
   std::string quality;  // empty: the scene's own quality
+  DeviceOptions device;
+  bool quiet = false;
+};
+
+struct FilmOptions {
+  SceneOptions input;
+  // A film (.mp4, .mov, .mkv, .webm) or a pattern of frames such as frames/####.png. An empty value
+  // stands for the scene's name and .mp4 in the current folder.
+  std::filesystem::path output;
+  film::FrameRange frames;
+  film::Shard shard;
+  std::string codec;    // empty: what suits the output
+  std::string quality;  // empty: the scene's own quality
+  std::optional<int> width, height;
+  double time_limit_s = 0.0;  // 0: none
+  bool preview = false;
+  bool verify = false;
   DeviceOptions device;
   bool quiet = false;
 };

@@ -23,6 +23,10 @@ void require_inside(const render::Crop& crop, int width, int height);
 /// "1.5", is refused too, because a unit was probably forgotten.
 std::uint64_t parse_byte_size(const std::string& text);
 
+/// Returns the seconds of a time such as "90", "90s", "10m" or "1.5h". Throws Error{usage} if the
+/// text is no time above 0.
+double parse_duration(const std::string& text);
+
 inline constexpr int kMostTiles = 1000;
 
 /// Returns the seeds of a list such as "1-12", "7" or "1,5,9-11", in the order of the list. Seeds

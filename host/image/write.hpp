@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <string>
 #include <vector>
 
 #include "image/film.hpp"
@@ -52,8 +53,9 @@ std::vector<std::uint8_t> encode_png(const Pixels& pixels);
 /// Returns the bytes of an OpenEXR file, compressed without loss (ZIP). It has float channels R G
 /// B A, Z, N.X N.Y N.Z and albedo.R albedo.G albedo.B, and uint channels id and samples. The
 /// display window is the whole picture. The data window is the part of it that the film shows.
-/// Layers that the film does not have are left out. Throws Error{internal} if a layer's length is
+/// Layers that the film does not have are left out. A mark (image/mark.hpp) that is not empty is
+/// kept in the file. Throws Error{internal} if a layer's length is
 /// wrong or if the encoder fails.
-std::vector<std::uint8_t> encode_exr(const Film& film);
+std::vector<std::uint8_t> encode_exr(const Film& film, const std::string& mark = {});
 
 }  // namespace aerostat::image

@@ -215,7 +215,10 @@ std::shared_ptr<const CloudChart> cloud_chart(const AeroCumulus& clouds, const v
   if (!(clouds.extinction > 0.0f) || !some_clear) return nullptr;
   const float cell = clouds.size / kCellsPerSize;
   const float tile = static_cast<float>(kTile) * cell;
-  const float x0 = corner_by(eye.x, tile), z0 = corner_by(eye.z, tile);
+  // The chart is made where the clouds were before the wind carried them, so that clouds that drift
+  // need no new one until the eye has left its tile.
+  const float x0 = corner_by(eye.x - clouds.drift[0], tile);
+  const float z0 = corner_by(eye.z - clouds.drift[1], tile);
   return cache.get({clouds.size, clouds.threshold, clouds.seed, x0, z0}, [&] {
     const auto chart = std::make_shared<CloudChart>();
     chart->place = {x0, z0, cell, kSide};

@@ -45,6 +45,11 @@ std::uint32_t cumulus_seed(const scene::Scene& scene) {
   return (scene.sky.cumulus.seed + 1009u * (scene.terrain.seed - 1u)) * 2654435761u;
 }
 
+void copy_drift(aero_float* to, const dvec2& from) {
+  to[0] = static_cast<float>(from.x);
+  to[1] = static_cast<float>(from.y);
+}
+
 AeroCumulus pack_cumulus(const scene::Scene& scene) {
   const scene::Cumulus& from = scene.sky.cumulus;
   AeroCumulus cumulus{};
@@ -54,6 +59,7 @@ AeroCumulus pack_cumulus(const scene::Scene& scene) {
   cumulus.threshold = cumulus_threshold(from.cover);
   cumulus.extinction = from.cover > 0.0 ? static_cast<float>(air::kCloudExtinction) : 0.0f;
   cumulus.seed = cumulus_seed(scene);
+  copy_drift(cumulus.drift, from.drift_m);
   return cumulus;
 }
 
@@ -71,6 +77,7 @@ AeroSky pack_sky(const scene::Scene& scene) {
   sky.sun_chord = static_cast<float>(2.0 * std::sin(0.5 * radius));
   sky.cloud_cover = static_cast<float>(scene.sky.cloud_cover);
   sky.cloud_height = static_cast<float>(scene.sky.cloud_height_m);
+  copy_drift(sky.cloud_drift, scene.sky.cloud_drift_m);
   sky.sun_shadows = scene.sun.shadows ? 1u : 0u;
   sky.sun_spread = scene.sun.soft_shadows ? static_cast<float>(std::tan(radius)) : 0.0f;
   sky.ambient_reach =
@@ -94,6 +101,7 @@ AeroWater pack_water(const scene::Water& from) {
   water.level = from.enabled ? static_cast<float>(from.level_m) : -1e9f;
   water.wave = static_cast<float>(std::max(from.wave_m, ground::kShortestWaveM));
   water.wave_slope = static_cast<float>(from.wave_slope);
+  water.time = static_cast<float>(from.time_s);
   return water;
 }
 
@@ -194,7 +202,12 @@ PackedScene pack_scene(const scene::ResolvedScene& scene, PackCache& cache,
   numbers.sky = pack_sky(*scene);
   const vec3 eye(scene::place_of(*scene, scene.eye()));
   packed.cloud_chart = cloud_chart(numbers.sky.cumulus, eye, cache.clouds);
-  if (packed.cloud_chart) numbers.sky.cumulus.chart = packed.cloud_chart->place;
+  if (packed.cloud_chart) {
+    AeroCloudChart& chart = numbers.sky.cumulus.chart;
+    chart = packed.cloud_chart->place;
+    chart.x0 += numbers.sky.cumulus.drift[0];
+    chart.z0 += numbers.sky.cumulus.drift[1];
+  }
   numbers.ground = ground::ground_numbers(*scene);
   numbers.water = pack_water(scene->biome.water);
   pack_balloons(scene, numbers);

@@ -120,6 +120,24 @@ std::span<const char* const> enum_names<Filter>() {
 }
 
 template <>
+std::span<const char* const> enum_names<Easing>() {
+  static constexpr const char* kNames[] = {"linear", "smooth", "hold"};
+  return kNames;
+}
+
+template <>
+std::span<const char* const> enum_names<CameraMode>() {
+  static constexpr const char* kNames[] = {"scene", "path", "orbit", "chase", "basket", "ground"};
+  return kNames;
+}
+
+template <>
+std::span<const char* const> enum_names<CameraLook>() {
+  static constexpr const char* kNames[] = {"usual", "target", "balloon", "ahead"};
+  return kNames;
+}
+
+template <>
 std::span<const char* const> enum_names<Pattern>() {
   static constexpr const char* kNames[] = {"stripes", "chevrons", "spiral", "rainbow", "checker"};
   return kNames;

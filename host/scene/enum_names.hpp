@@ -4,6 +4,7 @@
 #include <span>
 
 #include "scene/balloon.hpp"
+#include "scene/film.hpp"
 #include "scene/land.hpp"
 #include "scene/light.hpp"
 #include "scene/picture.hpp"

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "scene/balloon_fields.hpp"
+#include "scene/film_fields.hpp"
 #include "scene/land_fields.hpp"
 #include "scene/light_fields.hpp"
 #include "scene/picture_fields.hpp"
@@ -73,6 +74,6 @@ inline constexpr auto kTable<Scene> = table(
                "false, false with draft, 4, 0, true, true with standard (the default), and 256, "
                "0.008, true, true with final.")
               .control(EditGroup::picture, "Quality")),
-    field("image", &Scene::image));
+    field("image", &Scene::image), field("film", &Scene::film));
 
 }  // namespace aerostat::scene::detail

@@ -200,6 +200,7 @@ struct Water {
   vec3 bed{0.55f, 0.5f, 0.38f};                 // albedo of the sand under the sea
   double wave_m = 14.0;                         // wavelength of the largest waves
   double wave_slope = 0.06;                     // root mean square slope of the waves
+  double time_s = 0.0;                          // time at which the waves are seen
 
   bool operator==(const Water&) const = default;
 };

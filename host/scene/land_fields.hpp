@@ -341,7 +341,11 @@ inline constexpr auto kTable<Water> = table(
               .slider(EditGroup::sea, "Longest waves", 1, 200, 1, Scale::logarithmic)),
     field("wave_slope", &Water::wave_slope,
           number(0, 1, "Root mean square of the slope of the waves, {from} (a mirror) to {to}.")
-              .slider(EditGroup::sea, "Slope of waves", 0, 0.3, 3)));
+              .slider(EditGroup::sea, "Slope of waves", 0, 0.3, 3)),
+    field("time_s", &Water::time_s,
+          number(0, 1e6,
+                 "Time in seconds at which the waves are seen, {from} to {to}. A film lets it "
+                 "pass.")));
 
 template <>
 inline constexpr auto kTable<Biome> =

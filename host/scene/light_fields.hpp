@@ -136,7 +136,12 @@ inline constexpr auto kTable<Cumulus> = table(
               .slider(EditGroup::clouds, "Size of clouds", 100, 5000, 0, Scale::logarithmic)),
     field("seed", &Cumulus::seed,
           number(0, 4294967295, "Seed of the clouds, {from} to {to}. Each seed gives other clouds.")
-              .slider(EditGroup::clouds, "Seed of clouds", 1, 1000)));
+              .slider(EditGroup::clouds, "Seed of clouds", 1, 1000)),
+    field(
+        "drift_m", &Cumulus::drift_m,
+        number(-1e6, 1e6,
+               "How far the wind has carried the clouds, [x, z] in metres, each {from} to {to}. A "
+               "film moves it by its wind.")));
 
 template <>
 inline constexpr auto kTable<Sky> = table(
@@ -153,6 +158,11 @@ inline constexpr auto kTable<Sky> = table(
           number(100, 100000,
                  "Height of the thin, high clouds above the camera in metres, {from} to {to}.")
               .slider(EditGroup::clouds, "Height of high cloud", 2000, 15000)),
+    field("cloud_drift_m", &Sky::cloud_drift_m,
+          number(-1e6, 1e6,
+                 "How far the wind has carried the thin, high clouds across the sky over the "
+                 "camera, [x, z] in metres, each {from} to {to}. A film moves it by its wind, and "
+                 "against its camera.")),
     field("ambient_occlusion", &Sky::ambient_occlusion,
           truth("Whether nearby surfaces block the light of the sky (ambient occlusion). If it is "
                 "left out, the quality decides.")

@@ -47,6 +47,18 @@ void read(const Json& node, std::string& text) {
   text = node.get<std::string>();
 }
 
+void read(const Json& node, KeyValue& value) {
+  value = {};
+  if (node.is_string()) {
+    value.text = node.get<std::string>();
+  } else if (node.is_array()) {
+    value.is_array = true;
+    value.numbers = node.get<std::vector<double>>();
+  } else {
+    value.numbers = {node.get<double>()};
+  }
+}
+
 void read(const Json& node, dvec2& v) {
   v = {node[0], node[1]};
 }

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "scene/balloon.hpp"
+#include "scene/film.hpp"
 #include "scene/land.hpp"
 #include "scene/light.hpp"
 #include "scene/objects.hpp"
@@ -42,6 +43,7 @@ struct Scene {
   int bounces = 6;  // of paths between surfaces
   Quality quality = Quality::standard;
   Image image;
+  Film film;
 
   Material& material(MaterialId id) { return materials[static_cast<std::size_t>(id)]; }
   const Material& material(MaterialId id) const { return materials[static_cast<std::size_t>(id)]; }

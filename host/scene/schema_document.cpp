@@ -154,6 +154,19 @@ class Rules {
     return {{"description", text_of(about)}, {"anyOf", OrderedJson::array({one, list})}};
   }
 
+  /// The value of a key is a number, a text or a few numbers.
+  static OrderedJson structured(const About& about, std::type_identity<KeyValue>) {
+    constexpr int kMostNumbers = 4;
+    const OrderedJson number = {{"type", "number"}}, text = {{"type", "string"}};
+    const OrderedJson numbers = {{"description", text_of(about)},
+                                 {"type", "array"},
+                                 {"minItems", 1},
+                                 {"maxItems", kMostNumbers},
+                                 {"items", number}};
+    return {{"description", text_of(about)},
+            {"anyOf", OrderedJson::array({number, text, numbers})}};
+  }
+
   OrderedJson structured(const About& about,
                          std::type_identity<std::array<Material, kMaterialCount>>) {
     OrderedJson rule = open_object(about.text);

@@ -8,6 +8,7 @@
 
 #include <fmt/format.h>
 
+#include "scene/film_semantics.hpp"
 #include "scene/sun_position.hpp"
 
 namespace aerostat::scene::detail {
@@ -195,6 +196,7 @@ void check_semantics(const Json& document, const Scene& scene, Faults& faults) {
   faults.gather([&] { check_terrain_place(scene.terrain, name); });
   faults.gather([&] { check_drape(scene.terrain, name); });
   faults.gather([&] { check_cover(scene.terrain, name); });
+  faults.gather([&] { check_film(scene.film, name); });
   const Ground& ground = scene.biome.ground;
   faults.gather([&] { check_order(ground.rock_slope_deg, "rock_slope_deg", name); });
   faults.gather([&] { check_order(ground.snow_slope_deg, "snow_slope_deg", name); });

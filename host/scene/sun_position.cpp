@@ -66,6 +66,11 @@ std::optional<double> day_share_of(std::string_view time) {
     const auto extra = take_number(time, 2);
     if (!extra || *extra > 59) return std::nullopt;
     seconds += *extra;
+    if (take(time, '.')) {
+      const auto thousandths = take_number(time, 3);
+      if (!thousandths) return std::nullopt;
+      seconds += 0.001 * *thousandths;
+    }
   }
   if (time.empty() || time == "Z") return seconds / 86400.0;
   const double sign = time[0] == '+' ? -1.0 : 1.0;

@@ -37,6 +37,12 @@ OrderedJson written(const std::string& text) {
   return text;
 }
 
+OrderedJson written(const KeyValue& value) {
+  if (value.is_array) return value.numbers;
+  if (value.numbers.empty()) return value.text;
+  return value.numbers[0];
+}
+
 OrderedJson written(const dvec2& v) {
   return OrderedJson::array({v.x, v.y});
 }

@@ -54,10 +54,11 @@ typedef struct AeroCumulus {
   aero_float threshold;       /* threshold of the noise that says where clouds are */
   aero_float extinction;
   aero_uint seed;
+  aero_float drift[2]; /* how far the wind has carried the clouds along x and z, metres */
   AeroCloudChart chart;
 } AeroCumulus;
 
-AERO_ASSERT_LAYOUT(AeroCumulus, 40);
+AERO_ASSERT_LAYOUT(AeroCumulus, 48);
 
 /* The sun and the clouds. By night the moon is the sun of all that light does here. */
 typedef struct AeroSky {
@@ -66,6 +67,7 @@ typedef struct AeroSky {
   aero_float sun_chord;         /* distance between unit vectors to the disc's middle and rim */
   aero_float cloud_cover;       /* cover of thin high cloud, 0 to 1 */
   aero_float cloud_height;      /* height of thin high cloud above the eye, metres */
+  aero_float cloud_drift[2];    /* how far the wind has carried it along x and z, metres */
   aero_uint sun_shadows;
   aero_float sun_spread;    /* tangent of the disc's radius as shadows see it, or 0 for a point */
   aero_float ambient_reach; /* metres within which occluders of the sky count, or 0 if none do */
@@ -77,7 +79,7 @@ typedef struct AeroSky {
   AeroCumulus cumulus;
 } AeroSky;
 
-AERO_ASSERT_LAYOUT(AeroSky, 100);
+AERO_ASSERT_LAYOUT(AeroSky, 116);
 
 /* Lists the numbers that the host copies from scene::Ground as they are. NUMBER is called with the
  * member of AeroGround and the member of scene::Ground. */
@@ -128,9 +130,10 @@ typedef struct AeroWater {
   aero_float absorption[3]; /* absorption per metre */
   aero_float scatter[3], bed[3];
   aero_float level, wave, wave_slope;
+  aero_float time; /* time at which the waves are seen, seconds */
 } AeroWater;
 
-AERO_ASSERT_LAYOUT(AeroWater, 48);
+AERO_ASSERT_LAYOUT(AeroWater, 52);
 
 /* Light in and around a balloon. Light that is scattered about inside the envelope lights its
  * inner side evenly. glow_sun and glow_sky are shares of the sun's irradiance and of the sky's mean
@@ -205,7 +208,7 @@ typedef struct AeroScene {
   AeroCover cover;
 } AeroScene;
 
-AERO_ASSERT_LAYOUT(AeroScene, (1052 + 32 * 60 + 12) + sizeof(AeroGround) + sizeof(AeroNight) +
+AERO_ASSERT_LAYOUT(AeroScene, (1072 + 32 * 60 + 12) + sizeof(AeroGround) + sizeof(AeroNight) +
                                   sizeof(AeroDrape) + sizeof(AeroCover) +
                                   AERO_MAX_MATERIALS * sizeof(AeroMaterial));
 

@@ -1,6 +1,6 @@
 # Completion of aerostat's command line for bash.
 
-_aerostat_commands='render contact-sheet new scenes devices check dump export'
+_aerostat_commands='render contact-sheet film new scenes devices check dump export'
 
 _aerostat_options() {
   local common='--help' scene='--help --set' device='--device --lanes --memory-limit --quiet'
@@ -8,6 +8,8 @@ _aerostat_options() {
     render)
       echo "$scene $device --output --format --width --height --quality --spp --seed --crop --labels --labels-json --world-file --denoise --stats" ;;
     contact-sheet) echo "$scene $device --seeds --views --output --columns --tile-width --quality" ;;
+    film)
+      echo "$scene $device --output --codec --frames --shard --time-limit --verify --preview --width --height --quality" ;;
     new) echo "$scene --output --view" ;;
     scenes) echo "$common --folder" ;;
     devices) echo "$common --json" ;;
@@ -43,6 +45,7 @@ _aerostat_outputs() {
   case $1 in
     export) _aerostat_files "$2" ply obj ;;
     contact-sheet) _aerostat_files "$2" png ;;
+    film) _aerostat_files "$2" mp4 mov mkv webm ;;
     new) _aerostat_files "$2" json ;;
     *) _aerostat_files "$2" png exr ;;
   esac
@@ -55,12 +58,13 @@ _aerostat_values() {
     --quality) compgen -W 'draft standard final' -- "$word" ;;
     --lanes) compgen -W '1 4 8 16' -- "$word" ;;
     --format) compgen -W "$([[ $command == export ]] && echo ply obj || echo png exr tif)" -- "$word" ;;
+    --codec) compgen -W 'h264 av1 prores lossless' -- "$word" ;;
     --plants) compgen -W 'none seen all' -- "$word" ;;
     --labels) _aerostat_files "$word" geojson json csv ;;
     --labels-json) _aerostat_files "$word" json ;;
     -o | --output) _aerostat_outputs "$command" "$word" ;;
     --set | --width | --height | --spp | --seed | --seeds | --crop | --memory-limit | --columns | --view | --views | \
-      --tile-width | --most-triangles) ;;
+      --tile-width | --most-triangles | --frames | --shard | --time-limit) ;;
     *) return 1 ;;
   esac
 }

@@ -20,7 +20,7 @@ using Usage = CliTest;
 
 TEST_F(Usage, EveryCommandHelpsWithExamples) {
   for (const std::string command :
-       {"", "render", "contact-sheet", "scenes", "devices", "check", "dump", "export"}) {
+       {"", "render", "contact-sheet", "film", "scenes", "devices", "check", "dump", "export"}) {
     std::vector<std::string> arguments;
     if (!command.empty()) arguments.push_back(command);
     arguments.push_back("--help");
@@ -50,7 +50,7 @@ std::vector<std::string> words_of(const std::string& text) {
 
 TEST_F(Usage, HelpFitsTheTerminal) {
   for (const std::string command :
-       {"", "render", "contact-sheet", "scenes", "devices", "check", "dump", "export"}) {
+       {"", "render", "contact-sheet", "film", "scenes", "devices", "check", "dump", "export"}) {
     std::vector<std::string> arguments;
     if (!command.empty()) arguments.push_back(command);
     arguments.push_back("--help");

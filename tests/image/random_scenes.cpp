@@ -49,6 +49,8 @@ class Maker {
     settle_sun(made);
     settle_order(made);
     settle_terrain(made);
+    // The lists of a film hang together, and a picture does not show them.
+    made.erase("film");
     return made;
   }
 

@@ -7,10 +7,10 @@
 
 namespace aerostat::viewer {
 
-/// Returns whether a value is a part of a place, a track or a layout of samples, which are given in
-/// the scene file.
+/// Returns whether a value is a part of a film, a place, a track or a layout of samples, which are
+/// given in the scene file.
 bool is_named_in_files(const QString& pointer) {
-  static const QRegularExpression kParts("/(at|look_at|track|place|raw|objects|cover)/");
+  static const QRegularExpression kParts("^/film/|/(at|look_at|track|place|raw|objects|cover)/");
   return pointer.contains(kParts);
 }
 
@@ -20,6 +20,9 @@ QMap<QString, QString> set_otherwise() {
           {"/version", "of the format"},
           {"/camera/view", "the view's own box"},
           {"/sky/radiance", "for comparisons, in the file"},
+          {"/sky/cloud_drift_m", "moved by films"},
+          {"/sky/cumulus/drift_m", "moved by films"},
+          {"/biome/water/time_s", "moved by films"},
           {"/stars/year", "follows from the date"},
           {"/terrain/source", "the file that is opened"},
           {"/terrain/crs", "of that file"},

@@ -50,7 +50,8 @@ class Water : public LaneTest {
 
   AeroScene scene() const {
     AeroScene scene = bare_scene();
-    scene.water = {{0.35f, 0.06f, 0.015f}, {0.01f, 0.08f, 0.12f}, {0.6f, 0.5f, 0.4f}, 0, 6, 0.1f};
+    scene.water = {
+        {0.35f, 0.06f, 0.015f}, {0.01f, 0.08f, 0.12f}, {0.6f, 0.5f, 0.4f}, 0, 6, 0.1f, 0};
     scene.ground.wind[0] = 1.0f;
     return scene;
   }

@@ -100,7 +100,7 @@ INSTANTIATE_TEST_SUITE_P(
              "flame, floor, frame, plant, rim, skirt, stone, terrain, water"},
         Case{R"("a/b~c\u001b": 5)",
              "/a~1b~0c\\u001b: found an unknown key, expected one of $schema, air, balloon, "
-             "balloons, biome, bounces, camera, festival, fog, haze, image, light, lights, "
+             "balloons, biome, bounces, camera, festival, film, fog, haze, image, light, lights, "
              "materials, mood, moon, objects, quality, shading, sky, stars, "
              "sun, surfaces, "
              "terrain, "

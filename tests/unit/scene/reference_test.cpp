@@ -84,7 +84,12 @@ class Reference {
 
   std::string value_of(const Json& rule) const {
     if (rule.contains("anyOf")) {
-      return value_of(rule["anyOf"].front()) + ", or an object";
+      std::string text;
+      for (const Json& one : rule["anyOf"]) {
+        text += text.empty() ? "" : ", or ";
+        text += one["type"] == "object" ? "an object" : value_of(one);
+      }
+      return text;
     }
     const Json& inner = followed(rule);
     if (inner.contains("enum")) {

@@ -62,6 +62,8 @@ Scene full_scene() {
   scene.terrain.place = {46.8, 9.8, 2600000.0, 1200000.0};
   scene.objects.push_back({.file = "a.glb", .at = GeoPoint{}, .height_m = 2.0});
   scene.terrain.drape.corners = {dvec2(46.9, 9.7), dvec2(46.7, 9.9)};
+  scene.film.keys = {{"/image/spp", Easing::smooth, {{1.0, {{4.0}, false, ""}}}}};
+  scene.film.camera.path.resize(1);
   return scene;
 }
 
@@ -104,6 +106,15 @@ TEST(SceneSchema, KnowsExactlyTheKeysThatAreWritten) {
   EXPECT_EQ(known, written);
 }
 
+/// A film in which every list of objects has some.
+constexpr const char* kFilm = R"({"version": 1, "film": {
+    "keys": [{"value": "/image/spp", "keys": [{"time_s": 0, "is": 1}]}],
+    "camera": {"path": [{"position": [0, 0, 0]}, {"position": [1, 0, 0]}]}}})";
+/// A film with one key and one point, so that their times are free.
+constexpr const char* kShortFilm = R"({"version": 1, "film": {
+    "keys": [{"value": "/image/spp", "keys": [{"time_s": 0, "is": 1}]}],
+    "camera": {"path": [{"position": [0, 0, 0]}]}}})";
+
 TEST(SceneSchema, AcceptsEveryWordThatItNames) {
   const json root = schema();
   int words = 0;
@@ -111,9 +122,10 @@ TEST(SceneSchema, AcceptsEveryWordThatItNames) {
     for (const json& word : rule.value("enum", json::array())) {
       const bool needs_source = path == "/terrain/kind" && word == "elevation";
       const bool needs_file = path.starts_with("/objects/");
-      const std::string text = needs_source ? R"({"version": 1, "terrain": {"source": "a.tif"}})"
-                               : needs_file ? R"({"version": 1, "objects": [{"file": "a.obj"}]})"
-                                            : R"({"version": 1})";
+      const std::string text = path.starts_with("/film/") ? kFilm
+                               : needs_source ? R"({"version": 1, "terrain": {"source": "a.tif"}})"
+                               : needs_file   ? R"({"version": 1, "objects": [{"file": "a.obj"}]})"
+                                              : R"({"version": 1})";
       const Scene scene = read_text(text, "x.json", {{path, word.dump()}});
       const json dump = json::parse(write_text(scene));
       // A biome that is left open becomes the first one.
@@ -132,6 +144,7 @@ TEST(SceneSchema, BoundsAreEnforcedAtBothEnds) {
     if (rule["type"] != "number" && rule["type"] != "integer") return;
     std::string text = R"({"version": 1})";
     // Some fields need others beside them.
+    if (path.starts_with("/film/")) text = kShortFilm;
     if (path == "/sun/latitude_deg" || path == "/sun/longitude_deg") {
       text = R"({"version": 1, "sun": {"date": "2024-06-21", "time": "06:30", "latitude_deg": 0,
                  "longitude_deg": 0}})";

@@ -1,0 +1,166 @@
+#include "film/timeline.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "film/camera.hpp"
+#include "film/keys.hpp"
+#include "film/movers.hpp"
+#include "scene/balloons.hpp"
+#include "scene/io.hpp"
+#include "scene/scene.hpp"
+#include "staging/flight_path.hpp"
+#include "staging/flight_point.hpp"
+#include "staging/stage.hpp"
+#include "world/resolve.hpp"
+#include "world/surface.hpp"
+
+namespace aerostat::film {
+
+namespace {
+
+/// Returns whether the sun of a scene on real land is that of the moment of a flight.
+bool has_open_sun(const scene::SceneSource& source) {
+  return !source.gives("/sun/date") && !source.gives("/sun/direction") &&
+         !source.gives("/sun/azimuth_deg") && !source.gives("/sun/elevation_deg");
+}
+
+}  // namespace
+
+struct Timeline::State {
+  State(const scene::SceneSource& given, terrain::ReliefCache& reliefs_to_use)
+      : film(given.scene().film),
+        staged(staging::stage(given.without({"/film"}), reliefs_to_use)),
+        reliefs(reliefs_to_use) {
+    start = keyed(0.0);
+    scene::hold_festival(start);
+    start.film = film;
+    follow_tracks(given);
+    move_along_tracks(start, 0.0);
+    const auto ground = [this](double x, double z) { return height(x, z); };
+    std::vector<bool> steered(1 + start.balloons.size(), false);
+    for (const Track& track : tracks) steered[track.balloon] = true;
+    balloons.emplace(start, steered, ground);
+    rig.emplace(
+        start, [this](double time_s) { return balloon_at(time_s); }, ground);
+    eye_start = eye_of(at(0.0, nullptr));
+  }
+
+  /// A balloon that goes along a recorded flight.
+  struct Track {
+    std::size_t balloon;
+    staging::FlightPath path;
+  };
+
+  void follow_tracks(const scene::SceneSource& given) {
+    const auto all = scene::all_balloons(start);
+    for (std::size_t i = 0; i < all.size(); ++i) {
+      if (all[i]->track) tracks.push_back({i, {*all[i]->track, start.terrain, reliefs}});
+    }
+    has_clock = !tracks.empty() && tracks[0].balloon == 0 && has_open_sun(given);
+  }
+
+  void move_along_tracks(scene::Scene& scene, double time_s) {
+    const auto all = scene::all_balloons(scene);
+    for (const Track& track : tracks) {
+      all[track.balloon]->position = track.path.after(time_s * film.track_speed).position;
+      all[track.balloon]->height_above = scene::HeightReference::sea;
+    }
+  }
+
+  /// Returns where the first balloon is at a time, with its height above the sea.
+  dvec3 balloon_at(double time_s) {
+    const bool is_tracked = !tracks.empty() && tracks[0].balloon == 0;
+    return is_tracked ? tracks[0].path.after(time_s * film.track_speed).position
+                      : balloons->place(time_s);
+  }
+
+  /// Returns the scene with the values of the keys at a time, and with the sun of that moment of
+  /// the flight if the scene leaves it open.
+  scene::Scene keyed(double time_s) const {
+    std::vector<scene::Override> changes;
+    if (has_clock) {
+      if (const auto time = tracks[0].path.after(time_s * film.track_speed).time_s) {
+        const auto [date, clock] = staging::date_and_time(*time);
+        changes = {{"/sun/date", date}, {"/sun/time", clock}};
+      }
+    }
+    const auto keys = changes_at(film.keys, time_s);
+    changes.insert(changes.end(), keys.begin(), keys.end());
+    return staged.source.with(changes).scene();
+  }
+
+  double height(double x, double z) {
+    if (!surface) surface.emplace(start, world::Carving::fine, reliefs);
+    return surface->height(x, z);
+  }
+
+  dvec3 eye_of(const scene::Scene& scene) { return world::resolve(scene, reliefs).eye(); }
+
+  /// Returns the scene at a time. `from` is where the eye was at the beginning, or null to leave
+  /// the clouds alone.
+  scene::Scene at(double time_s, const dvec3* from) {
+    scene::Scene scene = keyed(time_s);
+    scene::hold_festival(scene);
+    move_along_tracks(scene, time_s);
+    balloons->move(scene, time_s);
+    rig->move(scene, time_s);
+    scene.film = {};
+    if (from != nullptr) {
+      const dvec3 eye = eye_of(scene);
+      move_clouds_and_waves(film, time_s, eye, eye - *from, scene);
+    }
+    return scene;
+  }
+
+  scene::Film film;
+  staging::Staged staged;
+  terrain::ReliefCache& reliefs;
+  scene::Scene start;
+  std::vector<Track> tracks;
+  bool has_clock = false;  // the first track gives the sun's time
+  std::optional<world::Surface> surface;
+  std::optional<Balloons> balloons;
+  std::optional<CameraRig> rig;
+  dvec3 eye_start{0.0};
+};
+
+Timeline::Timeline(const scene::SceneSource& source, terrain::ReliefCache& reliefs)
+    : state_(std::make_unique<State>(source, reliefs)) {}
+
+Timeline::~Timeline() = default;
+
+const std::vector<std::string>& Timeline::notes() const {
+  return state_->staged.notes;
+}
+
+const scene::Film& Timeline::film() const {
+  return state_->film;
+}
+
+int Timeline::frames() const {
+  return frame_count(state_->film);
+}
+
+double Timeline::time_of(int frame) const {
+  return (frame - 1) / state_->film.fps;
+}
+
+scene::Scene Timeline::scene_at(int frame) {
+  return scene_at_time(time_of(frame));
+}
+
+scene::Scene Timeline::scene_at_time(double time_s) {
+  return state_->at(time_s, &state_->eye_start);
+}
+
+int frame_count(const scene::Film& film) {
+  return std::max(1, static_cast<int>(std::llround(film.duration_s * film.fps)));
+}
+
+}  // namespace aerostat::film

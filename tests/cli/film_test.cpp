@@ -1,0 +1,187 @@
+// Tests films: frames that are kept, made anew and shared, and a film by a script in place of
+// ffmpeg.
+
+#include <chrono>
+#include <csignal>
+#include <filesystem>
+#include <fstream>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "run_process.hpp"
+
+namespace aerostat::test {
+namespace {
+
+namespace fs = std::filesystem;
+
+class Film : public CliTest {
+ protected:
+  /// Returns arguments that make a film of six tiny frames.
+  static std::vector<std::string> small_film(const std::string& output,
+                                             const std::vector<std::string>& more = {}) {
+    std::vector<std::string> arguments{"film", scene_path("sand"), "-o", output};
+    for (const char* change :
+         {"/terrain/cells=32", "/vegetation/enabled=false", "/image/width=32", "/image/height=18",
+          "/image/spp=1", "/film/duration_s=0.6", "/film/fps=10", "/film/meter_s=0.4"}) {
+      arguments.insert(arguments.end(), {"--set", change});
+    }
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    return arguments;
+  }
+
+  std::string frame(const std::string& folder, int number) const {
+    return read_bytes(folder_ / folder / (std::to_string(number) + ".png"));
+  }
+
+  fs::file_time_type time_of(const std::string& name) const {
+    return fs::last_write_time(folder_ / name);
+  }
+
+  /// Makes a script in place of ffmpeg, and returns the environment in which it is found.
+  Environment with_ffmpeg(const std::string& body) const {
+    fs::create_directory(folder_ / "bin");
+    const fs::path script = folder_ / "bin" / "ffmpeg";
+    std::ofstream(script) << "#!/bin/sh\n" << body << "\n";
+    fs::permissions(script, fs::perms::owner_all);
+    return {"PATH=" + (folder_ / "bin").string() + ":/usr/bin:/bin"};
+  }
+};
+
+/// A script that writes its input to the file that its last argument names, and its arguments to a
+/// file beside it.
+constexpr const char* kCopy = "for a; do last=$a; done; echo \"$@\" > arguments; cat > \"$last\"";
+
+TEST_F(Film, FramesAreTheSameAloneInOrderAndInShards) {
+  ASSERT_EQ(run(small_film("all/#.png")).code, 0);
+  for (const char* shard : {"3/4", "1/4", "4/4", "2/4"}) {
+    ASSERT_EQ(run(small_film("parts/#.png", {"--shard", shard})).code, 0);
+  }
+  ASSERT_EQ(run(small_film("alone/#.png", {"--frames", "5"})).code, 0);
+  for (int number = 1; number <= 6; ++number) {
+    EXPECT_EQ(png_size(frame("all", number)), (std::pair{32u, 18u}));
+    EXPECT_EQ(frame("parts", number), frame("all", number)) << number;
+  }
+  EXPECT_EQ(frame("alone", 5), frame("all", 5));
+  EXPECT_NE(frame("all", 1), frame("all", 6));
+  EXPECT_TRUE(fs::exists(folder_ / "all/contact-sheet.png"));
+  EXPECT_FALSE(fs::exists(folder_ / "alone/6.png"));
+}
+
+TEST_F(Film, FramesAreKeptUnlessTheyAreOfAnotherScene) {
+  ASSERT_EQ(run(small_film("f/#.png")).code, 0);
+  const std::string second = frame("f", 2), third = frame("f", 3);
+  const auto first_time = time_of("f/1.png"), second_time = time_of("f/2.png");
+  ASSERT_EQ(run({"render", scene_path("sand"), "--set", "/terrain/cells=32", "--set",
+                 "/vegetation/enabled=false", "--width", "32", "--height", "18", "--spp", "1", "-o",
+                 "f/2.png"})
+                .code,
+            0);
+  std::ofstream(folder_ / "f/3.png") << third.substr(0, third.size() / 2);
+  fs::remove(folder_ / "f/4.png");
+
+  const Outcome bad = run(small_film("f/#.png", {"--verify"}));
+  EXPECT_EQ(bad.code, 65);
+  EXPECT_EQ(bad.out, "foreign 2 f/2.png\nbroken 3 f/3.png\nmissing 4 f/4.png\n");
+
+  const Outcome again = run(small_film("f/#.png"));
+  ASSERT_EQ(again.code, 0) << again.err;
+  EXPECT_TRUE(contains(again.err, "6 frames: 3 rendered, 3 kept"));
+  EXPECT_TRUE(contains(again.err, "1 frames were made from another scene"));
+  EXPECT_TRUE(contains(again.err, "1 files of frames are damaged"));
+  EXPECT_EQ(time_of("f/1.png"), first_time);
+  EXPECT_NE(time_of("f/2.png"), second_time);
+  EXPECT_EQ(frame("f", 2), second);
+  EXPECT_EQ(frame("f", 3), third);
+
+  const Outcome good = run(small_film("f/#.png", {"--verify"}));
+  EXPECT_EQ(good.code, 0);
+  EXPECT_EQ(good.out, "");
+  // Another sun makes all frames foreign.
+  EXPECT_EQ(run(small_film("f/#.png", {"--verify", "--set", "/sun/elevation_deg=31"})).code, 65);
+}
+
+TEST_F(Film, StopsAtItsTimeLimitAndGoesOn) {
+  const Outcome stopped = run(small_film("f/#.png", {"--time-limit", "0.001s"}));
+  EXPECT_EQ(stopped.code, 75);
+  EXPECT_TRUE(contains(stopped.err, "1 frames made and 5 left"));
+  ASSERT_EQ(run(small_film("f/#.png", {"--time-limit", "10m"})).code, 0);
+}
+
+TEST_F(Film, WhatIsKilledLeavesWholeFramesOnly) {
+  Process process(small_film("f/#.png", {"--set", "/film/duration_s=60"}), folder_, {});
+  const auto deadline = std::chrono::steady_clock::now() + std::chrono::seconds(60);
+  while (!fs::exists(folder_ / "f/2.png") && std::chrono::steady_clock::now() < deadline) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(5));
+  }
+  process.send(SIGKILL);
+  process.wait();
+  const Outcome outcome = run(small_film("f/#.png", {"--set", "/film/duration_s=60", "--verify"}));
+  EXPECT_TRUE(contains(outcome.err, "0 broken, 0 foreign"));
+  EXPECT_FALSE(contains(outcome.err, "0 of 600 frames are there"));
+}
+
+TEST_F(Film, FilmsAreEncodedFromTheirFrames) {
+  const Environment environment = with_ffmpeg(kCopy);
+  const Outcome outcome = run(small_film("x.mp4"), environment);
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_EQ(files(),
+            (std::vector<std::string>{"arguments", "bin", "x-sheet.png", "x.frames", "x.mp4"}));
+  // Six frames of 32 x 18 pixels of three bytes.
+  EXPECT_EQ(read_bytes(folder_ / "x.mp4").size(), 6u * 32u * 18u * 3u);
+  const std::string arguments = read_bytes(folder_ / "arguments");
+  EXPECT_TRUE(contains(arguments, "-video_size 32x18 -framerate 10 "));
+  EXPECT_TRUE(contains(arguments, "-c:v libx264"));
+  EXPECT_TRUE(contains(arguments, "out_range=tv"));
+  EXPECT_TRUE(contains(arguments, "-colorspace bt709 -color_range tv"));
+  // The frames are kept, and the film is the same.
+  const std::string film = read_bytes(folder_ / "x.mp4");
+  const Outcome again = run(small_film("x.mp4"), environment);
+  EXPECT_TRUE(contains(again.err, "0 rendered, 6 kept"));
+  EXPECT_EQ(read_bytes(folder_ / "x.mp4"), film);
+}
+
+TEST_F(Film, WithoutFfmpegTheFramesAreMade) {
+  fs::create_directory(folder_ / "empty");
+  const Outcome outcome = run(small_film("x.mp4"), {"PATH=" + (folder_ / "empty").string()});
+  EXPECT_EQ(outcome.code, 69);
+  EXPECT_TRUE(contains(outcome.err, "apt install ffmpeg"));
+  EXPECT_TRUE(fs::exists(folder_ / "x.frames/00006.png"));
+  EXPECT_FALSE(fs::exists(folder_ / "x.mp4"));
+}
+
+TEST_F(Film, WordsOfFfmpegAreTold) {
+  std::ofstream(folder_ / "x.mp4") << "older";
+  const Outcome outcome =
+      run(small_film("x.mp4"), with_ffmpeg("echo 'Unknown encoder libx264' >&2; exit 3"));
+  EXPECT_EQ(outcome.code, 74);
+  EXPECT_TRUE(contains(outcome.err, "exit code 3"));
+  EXPECT_TRUE(contains(outcome.err, "Unknown encoder libx264"));
+  EXPECT_EQ(read_bytes(folder_ / "x.mp4"), "older");
+  EXPECT_TRUE(fs::exists(folder_ / "x.frames/00006.png"));
+}
+
+TEST_F(Film, MistakesAreOneClearLineAndCode64) {
+  const std::pair<std::vector<std::string>, std::string> mistakes[] = {
+      {{"-o", "x.gif"}, "'x.gif'"},
+      {{"-o", "frame.png"}, "one run of #"},
+      {{"-o", "-"}, "--output"},
+      {{"--frames", "7"}, "--frames: the film has 6 frames"},
+      {{"--frames", "a"}, "--frames: found 'a'"},
+      {{"--shard", "5/4"}, "--shard: found '5/4'"},
+      {{"--time-limit", "soon"}, "--time-limit: 'soon'"},
+      {{"--codec", "vp9"}, "--codec: vp9"},
+      {{"--codec", "prores"}, "prores goes into .mov, .mkv"},
+      {{"--width", "31"}, "even sides"},
+  };
+  for (const auto& [arguments, part] : mistakes) {
+    const Outcome outcome = run(small_film("x.mp4", arguments));
+    EXPECT_EQ(outcome.code, 64) << part;
+    EXPECT_TRUE(contains(outcome.err, part));
+    EXPECT_EQ(files(), std::vector<std::string>{});
+  }
+}
+
+}  // namespace
+}  // namespace aerostat::test

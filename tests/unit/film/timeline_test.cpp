@@ -1,0 +1,159 @@
+// Tests scenes in time: frames depend on their number alone, and things move as the film says.
+#include "film/timeline.hpp"
+
+#include <cmath>
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include "model/balloon.hpp"
+#include "scene/io.hpp"
+#include "scene/scene.hpp"
+#include "world/resolve.hpp"
+#include "world/surface.hpp"
+
+namespace aerostat::film {
+namespace {
+
+scene::SceneSource source(const std::string& film, const std::string& more = "") {
+  return scene::SceneSource::from_text(
+      R"({"version": 1, "biome": "sand", "terrain": {"cells": 32}, "film": {)" + film + "}" + more +
+          "}",
+      "x.json");
+}
+
+class TimelineTest : public testing::Test {
+ protected:
+  terrain::ReliefCache reliefs_;
+};
+
+TEST_F(TimelineTest, CountsItsFrames) {
+  Timeline timeline(source(R"("duration_s": 2.5, "fps": 10)"), reliefs_);
+  EXPECT_EQ(timeline.frames(), 25);
+  EXPECT_EQ(timeline.time_of(1), 0.0);
+  EXPECT_EQ(timeline.time_of(11), 1.0);
+  EXPECT_EQ(frame_count(source(R"("duration_s": 0.001)").scene().film), 1);
+}
+
+TEST_F(TimelineTest, FramesDependOnTheirNumberAlone) {
+  const auto film = source(
+      R"("wind": [{"height_m": 0, "speed_m_s": 2, "from_deg": 200}, {"height_m": 400, "speed_m_s": 9}],
+         "keys": [{"value": "/balloon/position/1", "keys": [{"time_s": 0, "is": 10}, {"time_s": 9, "is": 300}]},
+                  {"value": "/sun/elevation_deg", "keys": [{"time_s": 0, "is": 3}, {"time_s": 9, "is": 40}]}],
+         "camera": {"mode": "chase"})",
+      R"(, "festival": {"count": 3})");
+  Timeline forth(film, reliefs_), back(film, reliefs_), alone(film, reliefs_);
+  std::vector<std::string> texts;
+  for (int frame = 1; frame <= 120; frame += 17) {
+    texts.push_back(scene::write_text(forth.scene_at(frame)));
+  }
+  for (int i = 7; i >= 0; --i) {
+    EXPECT_EQ(scene::write_text(back.scene_at(1 + 17 * i)), texts[static_cast<std::size_t>(i)]);
+  }
+  EXPECT_EQ(scene::write_text(alone.scene_at(103)), texts[6]);
+  EXPECT_NE(texts[0], texts[1]);
+}
+
+TEST_F(TimelineTest, TheFirstFrameIsTheScene) {
+  const auto film = source(R"("fps": 25)");
+  Timeline timeline(film, reliefs_);
+  const auto still = world::resolve(film.scene(), reliefs_);
+  const auto first = world::resolve(timeline.scene_at(1), reliefs_);
+  EXPECT_EQ(first.eye(), still.eye());
+  EXPECT_EQ(first.target(), still.target());
+  EXPECT_EQ(first->balloon.position, still->balloon.position);
+}
+
+TEST_F(TimelineTest, TheWindCarriesBalloonsAndClouds) {
+  Timeline timeline(
+      source(R"("fps": 10, "turn_deg_s": 3, "wind": [{"speed_m_s": 5, "from_deg": 270}])",
+             R"(, "balloon": {"position": [0, 900, 0], "height_above": "sea"})"),
+      reliefs_);
+  const scene::Scene start = timeline.scene_at(1), later = timeline.scene_at(41);
+  const dvec3 way = later.balloon.position - start.balloon.position;
+  EXPECT_NEAR(glm::distance(way, dvec3(20.0, 0.0, 0.0)), 0.0, 1e-9);
+  EXPECT_NEAR(later.balloon.heading_deg - start.balloon.heading_deg, 12.0, 1e-9);
+  EXPECT_NEAR(later.sky.cumulus.drift_m.x - start.sky.cumulus.drift_m.x, 20.0, 1e-9);
+  EXPECT_NEAR(later.sky.cloud_drift_m.x - start.sky.cloud_drift_m.x, 20.0, 1e-9);
+  EXPECT_EQ(later.biome.water.time_s, 4.0);
+  Timeline still(source(R"("fps": 10, "wind": [])"), reliefs_);
+  EXPECT_EQ(still.scene_at(1).balloon.position, still.scene_at(90).balloon.position);
+}
+
+TEST_F(TimelineTest, BalloonsStayAboveTheGround) {
+  const auto film = source(R"("duration_s": 600, "fps": 1, "wind": [{"speed_m_s": 8}])",
+                           R"(, "balloon": {"position": [0, 1, 0]})");
+  Timeline timeline(film, reliefs_);
+  const world::Surface ground(film.scene());
+  for (int frame = 1; frame <= 600; frame += 40) {
+    const dvec3 at = timeline.scene_at(frame).balloon.position;
+    EXPECT_GE(at.y, ground.height(at.x, at.z) - 1e-9) << frame;
+  }
+}
+
+TEST_F(TimelineTest, KeysTakeABalloonOutOfTheWind) {
+  Timeline timeline(source(R"("fps": 10, "keys": [{"value": "/balloon/position", "ease": "linear",
+                "keys": [{"time_s": 0, "is": [0, 30, 0]}, {"time_s": 10, "is": [100, 30, 50]}]}])"),
+                    reliefs_);
+  const dvec3 at = timeline.scene_at(51).balloon.position;
+  EXPECT_EQ(at.x, 50.0);
+  EXPECT_EQ(at.z, 25.0);
+}
+
+TEST_F(TimelineTest, OrbitsCircleTheBalloon) {
+  Timeline timeline(
+      source(
+          R"("fps": 10, "camera": {"mode": "orbit", "radius_m": 50, "height_m": 12, "from_deg": 90,
+                                      "turn_deg_s": 45})",
+          R"(, "balloon": {"position": [0, 2000, 0], "height_above": "sea"})"),
+      reliefs_);
+  const scene::Scene start = timeline.scene_at(1), later = timeline.scene_at(21);
+  const dvec3 east = *start.camera.position - start.balloon.position;
+  EXPECT_NEAR(glm::distance(east, dvec3(50.0, 12.0, 0.0)), 0.0, 1e-9);
+  const dvec3 south = *later.camera.position - later.balloon.position;
+  EXPECT_NEAR(glm::distance(south, dvec3(0.0, 12.0, 50.0)), 0.0, 1e-9);
+  EXPECT_EQ(later.camera.target->x, later.balloon.position.x);
+  EXPECT_GT(later.camera.target->y, later.balloon.position.y + 5.0);
+}
+
+TEST_F(TimelineTest, CamerasFlyAlongPaths) {
+  Timeline timeline(source(R"("duration_s": 8, "fps": 10,
+                "camera": {"mode": "path", "look": "ahead", "path": [
+                  {"position": [0, 900, 0]}, {"position": [80, 900, 0]}, {"position": [160, 900, 0]}]})",
+                           R"(, "camera": {"height_above": "sea"})"),
+                    reliefs_);
+  const scene::Camera camera = timeline.scene_at(41).camera;
+  EXPECT_NEAR(glm::distance(*camera.position, dvec3(80.0, 900.0, 0.0)), 0.0, 1e-9);
+  EXPECT_NEAR(glm::distance(*camera.target, dvec3(180.0, 900.0, 0.0)), 0.0, 1e-6);
+}
+
+TEST_F(TimelineTest, PassengersRideAlong) {
+  Timeline timeline(source(R"("fps": 10, "camera": {"mode": "basket"})"), reliefs_);
+  const scene::Scene later = timeline.scene_at(61);
+  EXPECT_FALSE(later.camera.position);
+  EXPECT_EQ(world::resolve(later, reliefs_).eye(), model::basket_eye(later.balloon));
+}
+
+TEST_F(TimelineTest, ObserversStandOnTheGround) {
+  const auto film = source(R"("fps": 10, "camera": {"mode": "ground"})",
+                           R"(, "camera": {"position": [120, 40, 200]})");
+  Timeline timeline(film, reliefs_);
+  const dvec3 eye = *timeline.scene_at(31).camera.position;
+  EXPECT_EQ(eye.x, 120.0);
+  EXPECT_NEAR(eye.y, world::Surface(film.scene()).height(120.0, 200.0) + 1.7, 1e-9);
+}
+
+TEST_F(TimelineTest, ThinCloudsHangInTheWorld) {
+  // The camera flies and there is no wind: the clouds go back over it as far as it goes on.
+  Timeline timeline(source(R"("duration_s": 10, "fps": 10, "wind": [],
+                "camera": {"mode": "path", "path": [{"position": [0, 900, 0]}, {"position": [300, 900, 40]}]})",
+                           R"(, "camera": {"height_above": "sea"})"),
+                    reliefs_);
+  const scene::Scene last = timeline.scene_at_time(10.0);
+  EXPECT_NEAR(last.sky.cloud_drift_m.x, -300.0, 1e-9);
+  EXPECT_NEAR(last.sky.cloud_drift_m.y, -40.0, 1e-9);
+  EXPECT_EQ(last.sky.cumulus.drift_m, dvec2(0.0));
+}
+
+}  // namespace
+}  // namespace aerostat::film
