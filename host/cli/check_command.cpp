@@ -7,6 +7,8 @@
 #include "cli/scene_input.hpp"
 #include "cli/track_report.hpp"
 #include "core/error.hpp"
+#include "film/timeline.hpp"
+#include "film/way.hpp"
 #include "staging/stage.hpp"
 #include "track/read.hpp"
 #include "world/scene_models.hpp"
@@ -45,6 +47,10 @@ int check(const CheckOptions& options) {
                 fmt::format("--json: '{}' is no track and has no elevation data; only these have a "
                             "report in JSON",
                             name));
+  }
+  if (staged.source.gives("/film") && !options.json) {
+    film::Timeline timeline(staged.source, reliefs);
+    write_stdout(film::way_text(timeline));
   }
   fmt::print(stderr, "{}: ok\n", name);
   return 0;

@@ -155,6 +155,10 @@ scene::Scene Timeline::scene_at(int frame) {
   return scene_at_time(time_of(frame));
 }
 
+double Timeline::ground_at(double x, double z) {
+  return state_->height(x, z);
+}
+
 scene::Scene Timeline::scene_at_time(double time_s) {
   return state_->at(time_s, &state_->eye_start);
 }

@@ -40,6 +40,9 @@ class Timeline {
   /// count from the sea.
   scene::Scene scene_at(int frame);
 
+  /// Returns the height above the sea on which one stands at a place.
+  double ground_at(double x, double z);
+
   /// Returns the scene at a time in seconds.
   scene::Scene scene_at_time(double time_s);
 

@@ -14,4 +14,14 @@ struct Obstacle {
   bool operator==(const Obstacle&) const = default;
 };
 
+/// The side in metres of the squares in plan by which the plants around an obstacle are chosen. An
+/// obstacle that moves within its square needs no other plants.
+inline constexpr double kObstacleSquare_m = 16.0;
+
+/// Returns the middle of the square in which an obstacle is, in world coordinates.
+inline dvec2 square_of(const Obstacle& obstacle) {
+  const dvec2 place(obstacle.position.x, obstacle.position.z);
+  return kObstacleSquare_m * (glm::floor(place / kObstacleSquare_m) + 0.5);
+}
+
 }  // namespace aerostat::scatter

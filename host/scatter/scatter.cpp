@@ -26,12 +26,19 @@ std::vector<plant::ModelKey> all_models() {
   return models;
 }
 
+/// Returns the height of an object's foot above the ground. The y of `place` may count from there.
+double height_above(const Surface& surface, const dvec3& place, bool counts_from_ground = false) {
+  if (counts_from_ground) return place.y;
+  return place.y - static_cast<double>(surface.height(place.x, place.z));
+}
+
 std::vector<KeepOut> kept_out(const scene::ResolvedScene& scene, const Surface& surface,
                               std::span<const Obstacle> obstacles) {
   std::vector<KeepOut> circles;
   const auto add = [&](const dvec3& at, double radius_m, bool above_ground = false) {
-    const double ground = above_ground ? 0.0 : static_cast<double>(surface.height(at.x, at.z));
-    if (at.y - ground < kClearM) circles.push_back({{at.x, at.z}, radius_m});
+    if (height_above(surface, at, above_ground) < kClearM) {
+      circles.push_back({{at.x, at.z}, radius_m});
+    }
   };
   add(scene::place_of(*scene, scene.eye()), 5.0);
   for (const Obstacle& obstacle : obstacles) {
@@ -116,6 +123,23 @@ Growth scatter(const scene::ResolvedScene& scene, const mesh::GridMesh& ground, 
   }
   drop_unused(growth);
   return growth;
+}
+
+bool same_room(const scene::ResolvedScene& scene, const mesh::GridMesh& ground,
+               std::span<const Obstacle> now, std::span<const Obstacle> before) {
+  const auto same = [](const Obstacle& a, const Obstacle& b) { return a == b; };
+  if (std::equal(now.begin(), now.end(), before.begin(), before.end(), same)) return true;
+  const Surface surface(ground, scene::place_of(*scene, scene.origin()));
+  const auto hovers = [&](const Obstacle& obstacle) {
+    const dvec3 place = scene::place_of(*scene, obstacle.position);
+    return height_above(surface, place, obstacle.above_ground) >= kClearM;
+  };
+  return std::equal(now.begin(), now.end(), before.begin(), before.end(),
+                    [&](const Obstacle& a, const Obstacle& b) {
+                      if (a == b) return true;
+                      return a.width_m == b.width_m && square_of(a) == square_of(b) && hovers(a) &&
+                             hovers(b);
+                    });
 }
 
 plant::Detail detail_of(const Instance& instance, const plant::ModelKey& model, const dvec3& eye,

@@ -65,4 +65,10 @@ Growth scatter(const scene::ResolvedScene& scene, const mesh::GridMesh& ground,
 plant::Detail detail_of(const Instance& instance, const plant::ModelKey& model, const dvec3& eye,
                         const scene::PixelSize& pixel);
 
+/// Returns whether the plants around some obstacles are also those around others. It is so if each
+/// obstacle stays, or hovers above all plants and stays in its square (obstacle.hpp). `ground`
+/// counts from the scene's origin.
+bool same_room(const scene::ResolvedScene& scene, const mesh::GridMesh& ground,
+               std::span<const Obstacle> now, std::span<const Obstacle> before);
+
 }  // namespace aerostat::scatter

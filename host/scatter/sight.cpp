@@ -5,6 +5,7 @@
 
 #include <tbb/parallel_for.h>
 
+#include "scene/at_rest.hpp"
 #include "scene/key_light.hpp"
 #include "scene/local_frame.hpp"
 #include "scene/scene.hpp"
@@ -92,9 +93,9 @@ class Survey {
 
   bool holds_obstacle(const dvec2& middle) const {
     return std::any_of(obstacles_.begin(), obstacles_.end(), [&](const Obstacle& obstacle) {
-      const dvec3 foot = obstacle.position - origin_;
-      const dvec2 away = glm::abs(middle - dvec2(foot.x, foot.z));
-      return std::max(away.x, away.y) < obstacle.width_m + extent_.aside_m + map_.tile_m;
+      const dvec2 away = glm::abs(middle - (square_of(obstacle) - dvec2(origin_.x, origin_.z)));
+      return std::max(away.x, away.y) <
+             0.5 * kObstacleSquare_m + obstacle.width_m + extent_.aside_m + map_.tile_m;
     });
   }
 
@@ -231,7 +232,8 @@ bool same_sight(const scene::ResolvedScene& now, const scene::ResolvedScene& bef
          a.image.height == b.image.height &&
          scene::key_light(a).direction == scene::key_light(b).direction &&
          a.sun.shadows == b.sun.shadows && a.sky.ambient_occlusion == b.sky.ambient_occlusion &&
-         a.sky.occlusion_m == b.sky.occlusion_m && a.biome.water == b.biome.water && same_lights();
+         a.sky.occlusion_m == b.sky.occlusion_m &&
+         scene::at_rest(a.biome).water == scene::at_rest(b.biome).water && same_lights();
 }
 
 }  // namespace aerostat::scatter

@@ -75,6 +75,8 @@ struct GroupRequest {
   terrain::Carving carving = terrain::Carving::fine;
   /// The obstacles of all kinds of groups.
   std::vector<scatter::Obstacle> obstacles = {};
+  /// The ground while groups that stand on it are compared and built, else null.
+  const mesh::GridMesh* ground = nullptr;
 };
 
 /// The input from which a group is built.

@@ -6,6 +6,7 @@
 #include <oneapi/tbb/parallel_for.h>
 
 #include "scatter/sight.hpp"
+#include "scene/at_rest.hpp"
 #include "scene/local_frame.hpp"
 #include "scene/scene.hpp"
 #include "terrain/cover.hpp"
@@ -118,11 +119,12 @@ bool same(const GroupRequest& now, const GroupRequest& before) {
   if (now.where == scatter::Where::in_sight && !scatter::same_sight(now.scene, before.scene)) {
     return false;
   }
+  if (!scatter::same_room(now.scene, *now.ground, now.obstacles, before.obstacles)) return false;
   const scene::Scene &a = *now.scene, &b = *before.scene;
-  return a.vegetation == b.vegetation && a.biome == b.biome && a.terrain.drape == b.terrain.drape &&
-         a.camera.position == b.camera.position &&
+  return a.vegetation == b.vegetation && scene::at_rest(a.biome) == scene::at_rest(b.biome) &&
+         a.terrain.drape == b.terrain.drape && a.camera.position == b.camera.position &&
          scene::point_of_view(a.camera) == scene::point_of_view(b.camera) &&
-         scene::pixel_size(a) == scene::pixel_size(b) && now.obstacles == before.obstacles;
+         scene::pixel_size(a) == scene::pixel_size(b);
 }
 
 }  // namespace

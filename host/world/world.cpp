@@ -79,6 +79,7 @@ class Builder {
       if (footing != Footing::ground) continue;
       ground_is_kept_ = kept != nullptr;
       ground_ = std::get<HeightGrid>(*groups_[i].shape).mesh.get();
+      request_.ground = ground_;
     }
   }
 

@@ -23,6 +23,31 @@ TEST(Plants, FollowTheCameraAlone) {
   EXPECT_TRUE(same_bits(moved, Session(options()).render(resolved(scene))));
 }
 
+TEST(Plants, StayBelowABalloonThatDriftsAndBesideWavesThatRun) {
+  render::Options single = options();
+  single.use = render::Use::single_picture;
+  Session session(single);
+  auto scene = planted_scene("snow");
+  scene.balloon.position = {4.0, 120.0, 4.0};
+  session.render(resolved(scene));
+  scene.balloon.position += dvec3(0.5, 0.3, 0.2);
+  scene.biome.water.time_s = 2.0;
+  const auto drifted = session.render(resolved(scene));
+  EXPECT_EQ(session.stats().worlds_built, 1) << "only the balloon";
+  EXPECT_TRUE(same_bits(drifted, Session(single).render(resolved(scene))));
+  scene.balloon.position.x += 40.0;
+  const auto far = session.render(resolved(scene));
+  EXPECT_EQ(session.stats().worlds_built, 2) << "another square";
+  EXPECT_TRUE(same_bits(far, Session(single).render(resolved(scene))));
+  // A balloon near the ground keeps plants away.
+  scene.balloon.position.y = 3.0;
+  session.render(resolved(scene));
+  scene.balloon.position.x += 0.5;
+  const auto low = session.render(resolved(scene));
+  EXPECT_EQ(session.stats().worlds_built, 2);
+  EXPECT_TRUE(same_bits(low, Session(single).render(resolved(scene))));
+}
+
 TEST(Plants, MayStayAsTheyStand) {
   Session session(options());
   auto scene = planted_scene("snow");

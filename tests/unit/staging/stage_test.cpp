@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <fstream>
 #include <string>
+#include <utility>
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -13,6 +14,7 @@
 #include "geo/transform.hpp"
 #include "scene/scene.hpp"
 #include "scene/sun_angles.hpp"
+#include "staging/flight_path.hpp"
 #include "staging/map_stage.hpp"
 #include "staging/view_choice.hpp"
 #include "staging/view_map.hpp"
@@ -154,6 +156,34 @@ TEST_F(StageFile, ATrackPutsTheBalloonAndTheSunWhereTheyWere) {
   EXPECT_NEAR(*staged(R"(, "share": 1)").source.scene().terrain.place.latitude_deg, 46.97, 1e-4);
   EXPECT_THROW(staged(R"(, "at": "noon")"), Error);
   fs::remove(track);
+}
+
+TEST_F(StageFile, AFlightGoesOnFromWhereItsTrackBegins) {
+  const fs::path file = file_.string() + ".gpx";
+  std::ofstream(file) << R"(<gpx version="1.1"><trk><trkseg>
+    <trkpt lat="46.95" lon="9.00"><ele>800</ele><time>2023-10-02T07:00:00Z</time></trkpt>
+    <trkpt lat="46.96" lon="9.00"><ele>1200</ele><time>2023-10-02T07:10:00Z</time></trkpt>
+    <trkpt lat="46.97" lon="9.00"><ele>1600</ele><time>2023-10-02T07:20:00Z</time></trkpt>
+    </trkseg></trk></gpx>)";
+  const auto path = [&](const std::string& more) {
+    const auto staged = stage(
+        source({{"/balloon/track", fmt::format(R"({{"file": "{}"{}}})", file.string(), more)}}),
+        reliefs_);
+    const scene::Scene& scene = staged.source.scene();
+    return std::pair{FlightPath(*scene.balloon.track, scene.terrain, reliefs_),
+                     scene.balloon.position};
+  };
+  const auto [given, still] = path(R"(, "at": "2023-10-02T07:10:00Z")");
+  EXPECT_NEAR(glm::distance(given.after(0.0).position, still), 0.0, 0.1);
+  // A minute later it is a tenth of the way to the last fix further north.
+  const dvec3 later = given.after(60.0).position;
+  EXPECT_NEAR(later.z - still.z, -0.001 * 111190.0, 8.0);
+  EXPECT_NEAR(later.y - still.y, 40.0, 8.0);
+  EXPECT_EQ(*given.after(60.0).time_s - *given.after(0.0).time_s, 60.0);
+  EXPECT_EQ(given.after(600.0).position, given.after(1e6).position) << "it has landed";
+  const auto whole = path("").first;
+  EXPECT_EQ(*given.after(0.0).time_s - *whole.after(0.0).time_s, 600.0) << "from the take-off";
+  fs::remove(file);
 }
 
 TEST_F(StageFile, ViewsDiffer) {
