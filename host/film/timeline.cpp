@@ -95,6 +95,15 @@ struct Timeline::State {
     return staged.source.with(changes).scene();
   }
 
+  /// Adds the balloons of the festival as they were at the beginning. Their places depend on where
+  /// the other balloons are, which move.
+  void add_festival(scene::Scene& scene) const {
+    const auto listed = static_cast<std::ptrdiff_t>(scene.balloons.size());
+    scene.balloons.insert(scene.balloons.end(), start.balloons.begin() + listed,
+                          start.balloons.end());
+    scene.festival.count = 0;
+  }
+
   double height(double x, double z) {
     if (!surface) surface.emplace(start, world::Carving::fine, reliefs);
     return surface->height(x, z);
@@ -106,7 +115,7 @@ struct Timeline::State {
   /// the clouds alone.
   scene::Scene at(double time_s, const dvec3* from) {
     scene::Scene scene = keyed(time_s);
-    scene::hold_festival(scene);
+    add_festival(scene);
     move_along_tracks(scene, time_s);
     balloons->move(scene, time_s);
     rig->move(scene, time_s);

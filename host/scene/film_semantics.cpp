@@ -30,7 +30,7 @@ std::optional<FieldRule> rule_at(const std::string& pointer) {
 
 bool is_fixed(std::string_view pointer) {
   for (const char* fixed : {"/film", "/image/width", "/image/height", "/version", "/quality",
-                            "/camera/view", "/biome/kind", "/biome/season", "/mood"}) {
+                            "/camera/view", "/festival", "/biome/kind", "/biome/season", "/mood"}) {
     const std::string_view start(fixed);
     if (pointer == start || (pointer.starts_with(start) && pointer[start.size()] == '/')) {
       return true;

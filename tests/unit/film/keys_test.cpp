@@ -102,6 +102,7 @@ TEST(Keys, MistakesAreTold) {
       {track("/film/fps", "1"), "/film/keys/0/value"},
       {track("/image/width", "64"), "/film/keys/0/value"},
       {track("/terrain/source", "\"a.tif\""), "/film/keys/0/value"},
+      {track("/festival/count", "1"), "/film/keys/0/value"},
       {track("/lights", "1"), "/film/keys/0/value"},
       {track("/image/vignette", "2"),
        "/film/keys/0/keys/0/is: found 2, expected a number from 0 to 0.9"},

@@ -100,6 +100,19 @@ TEST_F(TimelineTest, KeysTakeABalloonOutOfTheWind) {
   EXPECT_EQ(at.z, 25.0);
 }
 
+TEST_F(TimelineTest, AFestivalDoesNotDependOnWhereTheBalloonIs) {
+  // The balloon goes through the middle of the festival, where others would have no room.
+  Timeline timeline(
+      source(
+          R"("wind": [], "keys": [{"value": "/balloon/position", "ease": "linear",
+                "keys": [{"time_s": 0, "is": [-900, 50, 0]}, {"time_s": 10, "is": [900, 50, 0]}]}])",
+          R"(, "festival": {"count": 12, "spread_m": [200, 200], "lowest_m": 40, "highest_m": 60})"),
+      reliefs_);
+  const scene::Scene start = timeline.scene_at_time(0.0), later = timeline.scene_at_time(5.0);
+  ASSERT_EQ(start.balloons.size(), 12u);
+  EXPECT_EQ(start.balloons, later.balloons);
+}
+
 TEST_F(TimelineTest, OrbitsCircleTheBalloon) {
   Timeline timeline(
       source(
