@@ -1752,6 +1752,146 @@
         <source>What the code stands for.</source>
         <translation>Что означает код.</translation>
     </message>
+    <message>
+        <source>Time in seconds at which the waves are seen, 0 to 1000000. A film lets it pass.</source>
+        <translation>Время в секундах, в которое видны волны, от 0 до 1000000. В фильме оно идёт.</translation>
+    </message>
+    <message>
+        <source>How far the wind has carried the thin, high clouds across the sky over the camera, [x, z] in metres, each -1000000 to 1000000. A film moves it by its wind, and against its camera.</source>
+        <translation>Насколько ветер отнёс тонкие высокие облака по небу над камерой, [x, z] в метрах, каждое число от -1000000 до 1000000. В фильме их двигает ветер, а движение камеры возмещается.</translation>
+    </message>
+    <message>
+        <source>How far the wind has carried the clouds, [x, z] in metres, each -1000000 to 1000000. A film moves it by its wind.</source>
+        <translation>Насколько ветер отнёс облака, [x, z] в метрах, каждое число от -1000000 до 1000000. В фильме их двигает ветер.</translation>
+    </message>
+    <message>
+        <source>The film of the scene, which aerostat film makes.</source>
+        <translation>Фильм о сцене, который делает aerostat film.</translation>
+    </message>
+    <message>
+        <source>Length of the film in seconds, above 0 to 86400.</source>
+        <translation>Длительность фильма в секундах, больше 0 и до 86400.</translation>
+    </message>
+    <message>
+        <source>Frames per second, above 0 to 240.</source>
+        <translation>Кадров в секунду, больше 0 и до 240.</translation>
+    </message>
+    <message>
+        <source>Values that move, at most 64 of them.</source>
+        <translation>Значения, которые меняются, не больше 64.</translation>
+    </message>
+    <message>
+        <source>The keys of one value. Before the first key and after the last one, the value stays as they have it.</source>
+        <translation>Ключи одного значения. До первого ключа и после последнего значение остаётся таким, как в них.</translation>
+    </message>
+    <message>
+        <source>JSON pointer of the value that moves, such as /sun/elevation_deg: a number, an array of numbers, a word, or /sun/time. Angles that go full circle take the shorter way.</source>
+        <translation>Указатель JSON на значение, которое меняется, например /sun/elevation_deg: число, массив чисел, слово или /sun/time. Углы полного круга идут более коротким путём.</translation>
+    </message>
+    <message>
+        <source>How the value goes from one key to the next: linear at an even rate, smooth (the default) slowly at both ends, and hold not at all until the next key. Words always hold.</source>
+        <translation>Как значение переходит от ключа к ключу: linear — равномерно, smooth (по умолчанию) — медленно на обоих концах, hold — не меняется до следующего ключа. Слова всегда держатся до следующего ключа.</translation>
+    </message>
+    <message>
+        <source>Keys with rising times, at most 1000.</source>
+        <translation>Ключи с возрастающими временами, не больше 1000.</translation>
+    </message>
+    <message>
+        <source>A key: the value at a time.</source>
+        <translation>Ключ: значение в некоторое время.</translation>
+    </message>
+    <message>
+        <source>Time from the beginning of the film in seconds, 0 to 86400.</source>
+        <translation>Время от начала фильма в секундах, от 0 до 86400.</translation>
+    </message>
+    <message>
+        <source>The value at that time, in the form that the scene has it.</source>
+        <translation>Значение в это время в том виде, в каком оно стоит в сцене.</translation>
+    </message>
+    <message>
+        <source>Profile of the wind: layers with rising heights, at most 32. It carries balloons and clouds along. By default, it blows from the west at 3 m/s. Without any layer, balloons and clouds stand still.</source>
+        <translation>Профиль ветра: слои с возрастающими высотами, не больше 32. Ветер несёт шары и облака. По умолчанию он дует с запада со скоростью 3 м/с. Без слоёв шары и облака стоят на месте.</translation>
+    </message>
+    <message>
+        <source>The wind at a height.</source>
+        <translation>Ветер на некоторой высоте.</translation>
+    </message>
+    <message>
+        <source>Height above the sea in metres, -1000 to 100000.</source>
+        <translation>Высота над морем в метрах, от -1000 до 100000.</translation>
+    </message>
+    <message>
+        <source>Speed of the air in metres per second, 0 to 200.</source>
+        <translation>Скорость воздуха в метрах в секунду, от 0 до 200.</translation>
+    </message>
+    <message>
+        <source>Azimuth from which the wind comes in degrees, -360 to 360: 270 is a west wind, which blows to the east.</source>
+        <translation>Азимут, откуда дует ветер, в градусах, от -360 до 360: 270 — западный ветер, он дует на восток.</translation>
+    </message>
+    <message>
+        <source>Slow turn of balloons in the wind in degrees per second, -360 to 360.</source>
+        <translation>Медленный поворот шаров на ветру в градусах в секунду, от -360 до 360.</translation>
+    </message>
+    <message>
+        <source>How many seconds of the recorded flight of /balloon/track pass in a second of the film, 0 to 100000. The film begins at the moment of the flight that the track names by at or share, or else at its take-off.</source>
+        <translation>Сколько секунд записанного полёта /balloon/track проходит за секунду фильма, от 0 до 100000. Фильм начинается в тот момент полёта, который указан в at или share, а без них — со взлёта.</translation>
+    </message>
+    <message>
+        <source>Seconds between the moments at which the light is metered, above 0 to 86400. The exposure goes evenly from one to the next, so that it never flickers. It does not matter if /image/exposure_ev is given.</source>
+        <translation>Секунды между моментами, в которые измеряется свет, больше 0 и до 86400. Между ними экспозиция меняется равномерно и поэтому не мерцает. Если задано /image/exposure_ev, это значение не действует.</translation>
+    </message>
+    <message>
+        <source>How the camera moves.</source>
+        <translation>Как движется камера.</translation>
+    </message>
+    <message>
+        <source>scene (the default) leaves the camera where the scene and its keys put it. path flies through the points of path. orbit circles the balloon. chase follows the balloon from where the scene has the camera, softly. basket looks from the basket. ground stands on the ground below the scene&apos;s camera.</source>
+        <translation>scene (по умолчанию): камера остаётся там, куда её ставят сцена и ключи. path: летит через точки path. orbit: кружит вокруг шара. chase: мягко следует за шаром с того места, где она стоит в сцене. basket: смотрит из корзины. ground: стоит на земле под камерой сцены.</translation>
+    </message>
+    <message>
+        <source>What the camera looks at: target is the scene&apos;s own, balloon the middle of the balloon, ahead where the camera goes. usual (the default) is the balloon with orbit, chase and ground, ahead with basket, and target with scene and path.</source>
+        <translation>Куда смотрит камера: target — цель камеры сцены, balloon — середина шара, ahead — туда, куда движется камера. usual (по умолчанию) — balloon для orbit, chase и ground, ahead для basket, target для scene и path.</translation>
+    </message>
+    <message>
+        <source>Points of a path, at most 1000; a smooth curve leads through them.</source>
+        <translation>Точки пути, не больше 1000; через них проходит плавная кривая.</translation>
+    </message>
+    <message>
+        <source>A point of the camera&apos;s path.</source>
+        <translation>Точка пути камеры.</translation>
+    </message>
+    <message>
+        <source>Position of the camera. Its height counts from the level that /camera/height_above names, as it is there when the film begins. [x, y, z] in metres, y up.</source>
+        <translation>Положение камеры. Высота отсчитывается от уровня, названного в /camera/height_above, каким он там в начале фильма. [x, y, z] в метрах, y вверх.</translation>
+    </message>
+    <message>
+        <source>Time in seconds at which the camera is there, 0 to 86400. If no point has one, the points share the film&apos;s time evenly.</source>
+        <translation>Время в секундах, в которое камера находится там, от 0 до 86400. Если ни у одной точки его нет, точки делят время фильма поровну.</translation>
+    </message>
+    <message>
+        <source>Whether the camera flies along its path at an even speed, from the first time to the last. The times of the points between do not matter then.</source>
+        <translation>Летит ли камера по пути с постоянной скоростью, от первого времени до последнего. Времена точек между ними тогда не действуют.</translation>
+    </message>
+    <message>
+        <source>Distance of an orbit from the balloon&apos;s axis in metres, 0.1 to 100000.</source>
+        <translation>Расстояние облёта от оси шара в метрах, от 0.1 до 100000.</translation>
+    </message>
+    <message>
+        <source>Height of an orbit above the floor of the basket in metres, -10000 to 100000.</source>
+        <translation>Высота облёта над полом корзины в метрах, от -10000 до 100000.</translation>
+    </message>
+    <message>
+        <source>Azimuth in degrees, seen from the balloon, at which an orbit begins, -360 to 360.</source>
+        <translation>Азимут в градусах, считая от шара, с которого начинается облёт, от -360 до 360.</translation>
+    </message>
+    <message>
+        <source>Turn of an orbit in degrees per second, -360 to 360. Positive turns go from north to east.</source>
+        <translation>Поворот облёта в градусах в секунду, от -360 до 360. Положительный поворот идёт с севера на восток.</translation>
+    </message>
+    <message>
+        <source>Time in seconds by which a chase lags behind the balloon, 0 to 60.</source>
+        <translation>Время в секундах, на которое камера отстаёт от шара, от 0 до 60.</translation>
+    </message>
 </context>
 <context>
     <name>Units</name>
@@ -2165,6 +2305,42 @@
     <message>
         <source>wetland</source>
         <translation>болото</translation>
+    </message>
+    <message>
+        <source>linear</source>
+        <translation>равномерно</translation>
+    </message>
+    <message>
+        <source>smooth</source>
+        <translation>плавно</translation>
+    </message>
+    <message>
+        <source>hold</source>
+        <translation>держать</translation>
+    </message>
+    <message>
+        <source>scene</source>
+        <translation>сцена</translation>
+    </message>
+    <message>
+        <source>orbit</source>
+        <translation>облёт</translation>
+    </message>
+    <message>
+        <source>chase</source>
+        <translation>погоня</translation>
+    </message>
+    <message>
+        <source>usual</source>
+        <translation>обычно</translation>
+    </message>
+    <message>
+        <source>target</source>
+        <translation>цель</translation>
+    </message>
+    <message>
+        <source>ahead</source>
+        <translation>вперёд</translation>
     </message>
 </context>
 <context>
