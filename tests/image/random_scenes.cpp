@@ -180,7 +180,8 @@ class Maker {
     made.erase("objects");
     if (!made.contains("terrain")) return;
     Json& terrain = made["terrain"];
-    for (const char* key : {"source", "place", "image_heights_m", "drape"}) terrain.erase(key);
+    for (const char* key : {"source", "place", "image_heights_m", "drape", "cover"})
+      terrain.erase(key);
     if (terrain.value("kind", "") == "elevation") terrain.erase("kind");
   }
 

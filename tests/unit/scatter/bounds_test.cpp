@@ -38,7 +38,8 @@ TEST_P(Bounds, OfTheChanceHoldWhateverSlopeAndRoughNoiseAre) {
     ++bounded;
     for (int k = 0; k < 3000; ++k) {
       const SurfacePoint point = surface.at(place(random), place(random));
-      Site site{point.position, point.normal, 0.0f, {any(random), any(random), any(random), {}}};
+      Site site{
+          point.position, point.normal, 0.0f, {any(random), any(random), any(random), {}, {}}};
       if (k % 3 == 0) site.position.y = 30.0f * any(random);
       site.above_sea = site.position.y - sea_level(nature);
       const float most = layer.chance_at_most(site);
