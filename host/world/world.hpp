@@ -21,7 +21,7 @@ struct World {
   /// One group of each kind, in the order of the kinds.
   std::vector<Group> groups;
   /// The models from files that the scene places.
-  std::shared_ptr<const SceneModels> models;
+  std::shared_ptr<const SceneModels> models = nullptr;
 };
 
 /// Returns the shape of a group, or null if the world has no group of the kind, its shape was given
