@@ -46,7 +46,7 @@ struct Reading {
   Budget budget;
   Model model;
 
-  void note(std::string sentence) { model.notes.push_back(std::move(sentence)); }
+  void note(std::string_view sentence) { model.notes.emplace_back(sentence); }
 };
 
 /// These functions read files of one format. They throw Error{bad_data} whose message does not name
