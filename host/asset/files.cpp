@@ -68,8 +68,8 @@ fs::path file_like(const fs::path& folder, const fs::path& relative) {
 std::string bytes_of(const fs::path& file, std::uint64_t most) {
   std::error_code failed;
   if (!fs::is_regular_file(file, failed)) {
-    throw Error(ErrorKind::io,
-                fmt::format("{}: {}", file.string(), failed ? failed.message() : "is not a file"));
+    throw Error(ErrorKind::io, fmt::format("{}: cannot be read: {}", file.string(),
+                                           failed ? failed.message() : "it is not a regular file"));
   }
   const std::uint64_t size = fs::file_size(file, failed);
   if (!failed && size > most) {
