@@ -2,10 +2,11 @@
 #include "integrator/path.clh"
 #include "light/see_through.clh"
 
-/* Kernels for scenes with surfaces that let some rays pass. They follow kernels of render.cl and
- * paths.cl, whose rays stop at the first surface, and complete their results. */
+/* Kernels for scenes with surfaces that let some rays through, such as leaves that a texture cuts
+ * out. Rays of the kernels in render.cl and paths.cl stop at the first surface. The first two
+ * kernels here run after those and correct their hits; the other two run in place of them. */
 
-/* Lets the eye rays of a tile go on behind surfaces that they pass. */
+/* Continues the eye rays of a tile behind surfaces that let them through. */
 __kernel void pass_eye_rays(const AeroLaunch launch, __global const AeroScene* scene,
                             __global const uint* texels, __global const AeroBvhNode* nodes,
                             __global const AeroTriangle* triangles,
@@ -30,7 +31,7 @@ __kernel void pass_eye_rays(const AeroLaunch launch, __global const AeroScene* s
   for (uint i = 0u; i < count; ++i) hits[first + i] = seen.hit[i];
 }
 
-/* Lets the paths of a tile go on behind surfaces that they pass. */
+/* Continues the rays of paths behind surfaces that let them through. */
 __kernel void pass_path_rays(const uint blocks, __global const AeroScene* scene,
                              __global const uint* texels, __global const AeroBvhNode* nodes,
                              __global const AeroTriangle* triangles,
@@ -54,7 +55,7 @@ __kernel void pass_path_rays(const uint blocks, __global const AeroScene* scene,
   for (uint i = 0u; i < count; ++i) hits[first + i] = seen.hit[i];
 }
 
-/* Does the work of trace_shadow_rays. Rays go on behind surfaces that they pass. */
+/* Does the same as trace_shadow_rays, but rays continue behind surfaces that let them through. */
 __kernel void trace_shadow_rays_on(const AeroLaunch launch, __global const AeroScene* scene,
                                    __global const uint* texels, __global const AeroBvhNode* nodes,
                                    __global const AeroTriangle* triangles,
@@ -88,7 +89,7 @@ __kernel void trace_shadow_rays_on(const AeroLaunch launch, __global const AeroS
   for (uint i = 0u; i < count; ++i) visible[first + i] = work[i].visible;
 }
 
-/* Does the work of trace_light_rays. Rays go on behind surfaces that they pass. */
+/* Does the same as trace_light_rays, but rays continue behind surfaces that let them through. */
 __kernel void trace_light_rays_on(const uint blocks, const uint light,
                                   __global const AeroScene* scene, __global const uint* texels,
                                   __global const AeroBvhNode* nodes,

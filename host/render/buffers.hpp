@@ -18,7 +18,7 @@ using SceneBuffer = opencl::Buffer<AeroScene>;
 using SkyTableBuffer = opencl::Buffer<AeroSkyCell>;
 using SkyImportanceBuffer = opencl::Buffer<AeroSkyImportance>;
 using CloudChartBuffer = opencl::Buffer<AeroChartWord>;
-/// The texels of all pictures of a scene (pack::Texels).
+/// The texels of the drape, the land cover and the textures of models (pack::Texels).
 using TexelBuffer = opencl::Buffer<std::uint32_t>;
 using NodeBuffer = opencl::Buffer<AeroBvhNode>;
 using TriangleBuffer = opencl::Buffer<AeroTriangle>;

@@ -13,7 +13,7 @@ namespace aerostat::scene {
 struct Image;
 struct Scene;
 
-/// A scene in which nothing is open that depends on the land. All heights count from the sea,
+/// A scene in which all values that depend on the land are settled. All heights count from the sea,
 /// but for models from files that stand on the ground as it is rendered, and the camera has a
 /// position and a target from which it has a view. The scene also has an origin. Only
 /// world::resolve makes a resolved scene, and nothing changes it. It is cheap to copy, because

@@ -38,8 +38,8 @@ class MemoryFile {
   int descriptor_;
 };
 
-/// Runs an action, and puts the name of a file before the message of its error, as readers of whole
-/// files do.
+/// Runs an action. If that throws Error{bad_data}, throws the same error with the file's name in
+/// front of its message, as readers of whole files do.
 template <typename Action>
 void naming_the_file(Action action) {
   try {
