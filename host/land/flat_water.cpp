@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <utility>
 
 #include <tbb/blocked_range.h>
@@ -23,6 +24,7 @@ constexpr int kNearestRing = 3, kFarthestRing = 40;  // cells from the shore to 
 /// Heights without a step that differ by less are the same. Changing the projection of a raster
 /// rounds them.
 constexpr float kSame_m = 0.005f;
+constexpr float kNoLevel = std::numeric_limits<float>::quiet_NaN();
 
 class FlatWaterFinder {
  public:
@@ -42,6 +44,7 @@ class FlatWaterFinder {
       if (rule_.has_sea && heights_[start] <= 0.0f) continue;
       grow(start);
       if (is_water()) keep();
+      forget();
     }
     return std::move(found_);
   }
@@ -58,30 +61,32 @@ class FlatWaterFinder {
             for (std::size_t i = 1; i + 1 < width_; ++i) {
               const std::size_t at = static_cast<std::size_t>(j) * width_ + i;
               const float* here = heights_.data() + at;
-              bool level = true;
+              // Without branches, this is done for many cells at once.
+              int level = 1;
               for (const std::size_t step : {std::size_t{1}, width_ - 1, width_, width_ + 1}) {
-                level = level && same(here[step], *here) && same(*(here - step), *here);
+                level &= static_cast<int>(same(here[step], *here)) &
+                         static_cast<int>(same(*(here - step), *here));
               }
-              inner_[at] = level ? 1 : 0;
+              inner_[at] = static_cast<std::uint8_t>(level);
             }
         });
   }
 
   /// Collects the area around a cell, and what its shore is like.
   void grow(std::size_t start) {
-    ++number_;
     level_ = heights_[start];
     area_.assign(1, start);
-    seen_[start] = number_;
+    seen_[start] = 1;
     shore_.clear();
+    rings_.clear();
     inner_count_ = falling_ = rising_ = 0;
     for (std::size_t k = 0; k < area_.size(); ++k) {
       inner_count_ += inner_[area_[k]];
       inner_[area_[k]] = 0;  // the area is looked at once
       visit_neighbours(area_[k], width_, heights_.size(), [&](std::size_t next) {
-        if (seen_[next] == number_) return;
+        if (seen_[next] != 0) return;
         if (same(heights_[next], level_)) {
-          seen_[next] = number_;
+          seen_[next] = 1;
           area_.push_back(next);
         } else if (!std::isnan(heights_[next])) {
           ++(heights_[next] < level_ ? falling_ : rising_);
@@ -109,17 +114,18 @@ class FlatWaterFinder {
     for (int k = 1; k < ring; ++k) {
       next_shore_.clear();
       for (const std::size_t at : shore_) {
-        if (seen_[at] == number_) continue;
-        seen_[at] = number_;
+        if (seen_[at] != 0) continue;
+        seen_[at] = 1;
+        rings_.push_back(at);
         visit_neighbours(at, width_, heights_.size(), [&](std::size_t next) {
-          if (seen_[next] != number_ && !std::isnan(heights_[next])) next_shore_.push_back(next);
+          if (seen_[next] == 0 && !std::isnan(heights_[next])) next_shore_.push_back(next);
         });
       }
       shore_.swap(next_shore_);
     }
     double sum = 0.0, count = 0.0;
     for (const std::size_t at : shore_) {
-      if (seen_[at] == number_) continue;
+      if (seen_[at] != 0) continue;
       sum += static_cast<double>(heights_[at]) - static_cast<double>(level_);
       count += 1.0;
     }
@@ -127,10 +133,15 @@ class FlatWaterFinder {
   }
 
   void keep() {
-    if (found_.area_of.empty()) found_.area_of.assign(heights_.size(), -1);
-    const auto area = static_cast<std::int32_t>(found_.areas.size());
-    for (const std::size_t at : area_) found_.area_of[at] = area;
+    if (found_.level_m.empty()) found_.level_m.assign(heights_.size(), kNoLevel);
+    for (const std::size_t at : area_) found_.level_m[at] = level_;
     found_.areas.push_back({level_, area_.size()});
+  }
+
+  /// Makes all cells unseen again.
+  void forget() {
+    for (const auto* cells : {&area_, &rings_})
+      for (const std::size_t at : *cells) seen_[at] = 0;
   }
 
   std::size_t width_;
@@ -140,11 +151,10 @@ class FlatWaterFinder {
   float same_m_;
   FlatWaters found_;
   std::vector<std::uint8_t> inner_;
-  std::vector<std::uint32_t> seen_;  // for each cell the last area that it was looked at for
   // The area that is looked at.
-  std::uint32_t number_ = 0;
+  std::vector<std::uint8_t> seen_;  // cells that belong to it or to the rings around it
   float level_ = 0.0f;
-  std::vector<std::size_t> area_, shore_, next_shore_;
+  std::vector<std::size_t> area_, rings_, shore_, next_shore_;
   std::size_t inner_count_ = 0, falling_ = 0, rising_ = 0;
 };
 

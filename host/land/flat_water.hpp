@@ -14,7 +14,7 @@ struct FlatWater {
 /// The level areas of a raster.
 struct FlatWaters {
   std::vector<FlatWater> areas;
-  std::vector<std::int32_t> area_of;  // for each cell its area, or -1; empty if there is no area
+  std::vector<float> level_m;  // for each cell that of its area, or NaN; empty if there is no area
 };
 
 /// What is known of the heights of a raster.

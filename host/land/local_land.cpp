@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <utility>
 
@@ -32,6 +33,7 @@ class LocalLand::Lattice {
       hold_all();
       if (nodes_ >= kMostNodes || error(grid, middle) <= kLatticeError) break;
     }
+    if (pyramid.water() != nullptr) find_cells_near_water();
   }
 
   /// A place in the raster, and how it changes by metres to the east and to the south.
@@ -87,6 +89,17 @@ class LocalLand::Lattice {
             static_cast<float>(columns * seen.by_south.x + rows * seen.by_south.y)};
   }
 
+  /// Returns whether water of the raster may be near a point of the local frame.
+  bool is_near_water(double east_m, double south_m) const {
+    if (near_water_.empty()) return false;
+    const double step = 2.0 * reach_m_ / (nodes_ - 1);
+    const double u = (east_m + reach_m_) / step, v = (south_m + reach_m_) / step;
+    const double last = nodes_ - 1.0;
+    if (!(u >= 0.0 && u < last && v >= 0.0 && v < last)) return true;  // not looked at
+    return near_water_[static_cast<std::size_t>(v) * static_cast<std::size_t>(nodes_ - 1) +
+                       static_cast<std::size_t>(u)] != 0;
+  }
+
   /// Returns the water of the raster, which must have some.
   WaterPoint water(const Seen& seen, double spacing_m) const {
     const double scale = std::sqrt(std::max(samples_per_area(seen), 1e-18));
@@ -106,6 +119,16 @@ class LocalLand::Lattice {
   const dvec2& node(int i, int j) const {
     return places_[static_cast<std::size_t>(j) * static_cast<std::size_t>(nodes_) +
                    static_cast<std::size_t>(i)];
+  }
+
+  void find_cells_near_water() {
+    for (int j = 0; j + 1 < nodes_; ++j)
+      for (int i = 0; i + 1 < nodes_; ++i) {
+        const dvec2 a = node(i, j), b = node(i + 1, j), c = node(i, j + 1), d = node(i + 1, j + 1);
+        const bool near = pyramid_.water()->is_near(glm::min(glm::min(a, b), glm::min(c, d)),
+                                                    glm::max(glm::max(a, b), glm::max(c, d)));
+        near_water_.push_back(near ? 1 : 0);
+      }
   }
 
   /// Puts nodes that have no place in the raster far outside of it.
@@ -138,7 +161,8 @@ class LocalLand::Lattice {
   const Pyramid& pyramid_;
   double reach_m_;
   int nodes_ = 0;
-  std::vector<dvec2> places_;  // columns and rows, row by row
+  std::vector<dvec2> places_;             // columns and rows, row by row
+  std::vector<std::uint8_t> near_water_;  // cells between nodes; empty if there is no water
 };
 
 LocalLand::LocalLand(const Land& land, const LandPoint& point, double reach_m) {
@@ -198,9 +222,14 @@ void LocalLand::find_water(const WaterSamples& samples) const {
   for (std::size_t k = 0; k < samples.east_m.size(); ++k) {
     samples.level_m[k] = std::numeric_limits<float>::quiet_NaN();
     samples.shore_m[k] = -std::numeric_limits<float>::infinity();
+    const double east_m = samples.east_m[k], south_m = samples.south_m[k];
+    const bool near = std::any_of(lattices_.begin(), lattices_.end(), [&](const auto& lattice) {
+      return lattice->is_near_water(east_m, south_m);
+    });
+    if (!near) continue;
     // The first raster that has a height at the place counts.
     for (const auto& lattice : lattices_) {
-      const Lattice::Seen seen = lattice->at(samples.east_m[k], samples.south_m[k]);
+      const Lattice::Seen seen = lattice->at(east_m, south_m);
       if (!(lattice->share(seen.place) > 0.0)) continue;
       if (lattice->pyramid().water() == nullptr) break;
       const WaterPoint water = lattice->water(seen, samples.spacing_m[k]);

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <limits>
 #include <mutex>
 #include <utility>
 
@@ -98,13 +97,8 @@ void Pyramid::find_water(const Patch& base) {
   FlatWaters found =
       find_flat_water(base.width, base.height, base.heights, {step_, show_sea(statistics_)});
   if (found.areas.empty()) return;
-  WetCells cells{base.width, base.height, 1 << base_, {}};
-  cells.level_m.assign(base.heights.size(), std::numeric_limits<float>::quiet_NaN());
-  for (std::size_t at = 0; at < cells.level_m.size(); ++at) {
-    const std::int32_t area = found.area_of[at];
-    if (area >= 0) cells.level_m[at] = found.areas[static_cast<std::size_t>(area)].level_m;
-  }
-  water_ = std::make_unique<const WaterMap>(cells);
+  water_ = std::make_unique<const WaterMap>(
+      WetCells{base.width, base.height, 1 << base_, std::move(found.level_m)});
   flat_waters_ = std::move(found.areas);
 }
 

@@ -4,8 +4,10 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <limits>
 #include <utility>
+#include <vector>
 
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
@@ -23,6 +25,80 @@ constexpr float kLevelReach = 4.0f;
 /// across a straight shore is that of a normal distribution of one cell.
 constexpr float kOutlineSlope = 0.39894228f;                 // 1 / sqrt(2 pi)
 constexpr float kOutlineReach = 1.0f, kDistanceFrom = 3.0f;  // cells
+
+constexpr float kFar = 1000.0f;  // distances from the shore are held within this, in cells
+
+/// Cells along a side of the tiles that tell where water may be near. Water is known at least so
+/// many cells from the shore, which is enough for meshes whose cells are 16 times as wide.
+constexpr int kTile = 64;
+
+/// A rectangle of tiles. `right` and `bottom` are beyond it.
+struct TileBox {
+  int left, top, right, bottom;
+
+  bool meets(const TileBox& other) const {
+    return left < other.right && other.left < right && top < other.bottom && other.top < bottom;
+  }
+  void cover(const TileBox& other) {
+    left = std::min(left, other.left);
+    top = std::min(top, other.top);
+    right = std::max(right, other.right);
+    bottom = std::max(bottom, other.bottom);
+  }
+};
+
+bool has_water(const WetCells& cells, int tile_column, int tile_row) {
+  const int right = std::min((tile_column + 1) * kTile, cells.width);
+  const int bottom = std::min((tile_row + 1) * kTile, cells.height);
+  for (int j = tile_row * kTile; j < bottom; ++j)
+    for (int i = tile_column * kTile; i < right; ++i) {
+      const std::size_t at = static_cast<std::size_t>(j) * static_cast<std::size_t>(cells.width) +
+                             static_cast<std::size_t>(i);
+      if (!std::isnan(cells.level_m[at])) return true;
+    }
+  return false;
+}
+
+/// Returns rectangles that do not meet and hold all water, with a tile around it.
+std::vector<TileBox> boxes_around_water(const WetCells& cells, int across, int down) {
+  std::vector<TileBox> boxes;
+  const auto add = [&boxes](TileBox box) {
+    for (std::size_t k = 0; k < boxes.size();) {
+      if (!boxes[k].meets(box)) {
+        ++k;
+        continue;
+      }
+      box.cover(boxes[k]);
+      boxes[k] = boxes.back();
+      boxes.pop_back();
+      k = 0;  // the larger box may meet those that the smaller one did not
+    }
+    boxes.push_back(box);
+  };
+  for (int j = 0; j < down; ++j)
+    for (int i = 0; i < across; ++i) {
+      if (!has_water(cells, i, j)) continue;
+      add({std::max(i - 1, 0), std::max(j - 1, 0), std::min(i + 2, across), std::min(j + 2, down)});
+    }
+  return boxes;
+}
+
+/// Returns the cells of a rectangle of tiles.
+WetCells cut_out(const WetCells& cells, const TileBox& box) {
+  const int left = box.left * kTile, top = box.top * kTile;
+  WetCells part{std::min(box.right * kTile, cells.width) - left,
+                std::min(box.bottom * kTile, cells.height) - top,
+                cells.samples_a_cell,
+                {}};
+  for (int j = top; j < top + part.height; ++j) {
+    const auto row = cells.level_m.begin() +
+                     static_cast<std::ptrdiff_t>(static_cast<std::size_t>(j) *
+                                                     static_cast<std::size_t>(cells.width) +
+                                                 static_cast<std::size_t>(left));
+    part.level_m.insert(part.level_m.end(), row, row + part.width);
+  }
+  return part;
+}
 
 /// For each cell the distance to the nearest source in cells, within 8 %, and that source.
 struct Nearest {
@@ -123,18 +199,28 @@ void spread_levels(int width, int height, float reach, std::vector<float>& level
   }
 }
 
+/// The cell of a place along one axis, and the share of the way from its middle to the next one's.
+struct CellShare {
+  int cell;
+  float share;
+};
+
+CellShare cell_share(double place, int count) {
+  const double held = std::clamp(place, 0.0, static_cast<double>(count - 1));
+  const int cell = static_cast<int>(held);
+  return {cell, static_cast<float>(held - cell)};
+}
+
 /// The four cells around a place along one axis with the weights of a smoothing spline.
 struct Around {
   std::array<int, 4> cells;
   std::array<float, 4> weights;
 };
 
-Around around(double place, int count) {
-  const double held = std::clamp(place, 0.0, static_cast<double>(count - 1));
-  const int cell = static_cast<int>(held);
-  const SplineWeights w = spline_weights(static_cast<float>(held - cell));
+Around around(const CellShare& place, int count) {
+  const SplineWeights w = spline_weights(place.share);
   Around found{{}, {w.w0, w.w1, w.w2, w.w3}};
-  for (int k = 0; k < 4; ++k) found.cells[k] = std::clamp(cell + k - 1, 0, count - 1);
+  for (int k = 0; k < 4; ++k) found.cells[k] = std::clamp(place.cell + k - 1, 0, count - 1);
   return found;
 }
 
@@ -143,11 +229,28 @@ Around around(double place, int count) {
 WaterMap::WaterMap(const WetCells& cells)
     : samples_a_cell_(cells.samples_a_cell),
       width_(cells.width * cells.samples_a_cell),
-      height_(cells.height * cells.samples_a_cell) {
-  layers_.push_back(first_layer(cells));
-  while (std::max(layers_.back().width, layers_.back().height) > 1) {
-    layers_.push_back(coarser(layers_.back()));
-  }
+      height_(cells.height * cells.samples_a_cell),
+      tiles_across_((cells.width + kTile - 1) / kTile),
+      tiles_down_((cells.height + kTile - 1) / kTile) {
+  const std::vector<TileBox> boxes = boxes_around_water(cells, tiles_across_, tiles_down_);
+  part_of_.assign(static_cast<std::size_t>(tiles_across_) * static_cast<std::size_t>(tiles_down_),
+                  -1);
+  parts_.resize(boxes.size());
+  tbb::parallel_for(std::size_t{0}, boxes.size(), [&](std::size_t k) {
+    const TileBox& box = boxes[k];
+    Part& part = parts_[k];
+    part.column = box.left * kTile;
+    part.row = box.top * kTile;
+    part.layers.push_back(first_layer(cut_out(cells, box)));
+    while (std::max(part.layers.back().width, part.layers.back().height) > 1) {
+      part.layers.push_back(coarser(part.layers.back()));
+    }
+    for (int j = box.top; j < box.bottom; ++j)
+      for (int i = box.left; i < box.right; ++i) {
+        part_of_[static_cast<std::size_t>(j) * static_cast<std::size_t>(tiles_across_) +
+                 static_cast<std::size_t>(i)] = static_cast<std::int32_t>(k);
+      }
+  });
 }
 
 WaterMap::Layer WaterMap::first_layer(const WetCells& cells) {
@@ -165,7 +268,7 @@ WaterMap::Layer WaterMap::first_layer(const WetCells& cells) {
     const float outline = (layer.shore[at] - 0.5f) / kOutlineSlope;
     const float share = smooth_step(kOutlineReach, kDistanceFrom, std::abs(distance));
     const float shore = outline + share * (distance - outline);
-    layer.shore[at] = std::clamp(shore, -1000.0f, 1000.0f);
+    layer.shore[at] = std::clamp(shore, -kFar, kFar);
   }
   spread_levels(cells.width, cells.height, kLevelReach, layer.level_m);
   return layer;
@@ -194,18 +297,20 @@ WaterMap::Layer WaterMap::coarser(const Layer& fine) {
   return layer;
 }
 
-WaterPoint WaterMap::layer_at(std::size_t number, double column, double row) const {
-  const Layer& layer = layers_[number];
+WaterPoint WaterMap::layer_at(const Part& part, std::size_t number, double column,
+                              double row) const {
+  const Layer& layer = part.layers[number];
   const double cell = std::ldexp(static_cast<double>(samples_a_cell_), static_cast<int>(number));
-  const Around u = around((column + 0.5) / cell - 0.5, layer.width);
-  const Around v = around((row + 0.5) / cell - 0.5, layer.height);
-  const auto middle = static_cast<std::size_t>(v.cells[1]) * static_cast<std::size_t>(layer.width) +
-                      static_cast<std::size_t>(u.cells[1]);
+  const CellShare across = cell_share((column + 0.5) / cell - 0.5, layer.width);
+  const CellShare down = cell_share((row + 0.5) / cell - 0.5, layer.height);
+  const auto middle = static_cast<std::size_t>(down.cell) * static_cast<std::size_t>(layer.width) +
+                      static_cast<std::size_t>(across.cell);
   // Most of the land is far from water, where the distance need not be exact.
   if (std::isnan(layer.level_m[middle]) &&
       layer.shore[middle] < -std::ldexp(kLevelReach + 3.0f, static_cast<int>(number))) {
     return {layer.shore[middle] * static_cast<float>(samples_a_cell_), kNoLevel};
   }
+  const Around u = around(across, layer.width), v = around(down, layer.height);
   float shore = 0.0f, level = 0.0f, weights = 0.0f;
   for (std::size_t k = 0; k < 4; ++k)
     for (std::size_t l = 0; l < 4; ++l) {
@@ -222,14 +327,38 @@ WaterPoint WaterMap::layer_at(std::size_t number, double column, double row) con
   return {shore * static_cast<float>(samples_a_cell_), known};
 }
 
+int WaterMap::tile_of(double place, int tiles) const {
+  const double tile = (place + 0.5) / (static_cast<double>(samples_a_cell_) * kTile);
+  return static_cast<int>(std::clamp(tile, 0.0, tiles - 1.0));
+}
+
+bool WaterMap::is_near(const dvec2& least, const dvec2& most) const {
+  const int right = tile_of(most.x, tiles_across_), bottom = tile_of(most.y, tiles_down_);
+  for (int j = tile_of(least.y, tiles_down_); j <= bottom; ++j)
+    for (int i = tile_of(least.x, tiles_across_); i <= right; ++i) {
+      if (part_of_[static_cast<std::size_t>(j) * static_cast<std::size_t>(tiles_across_) +
+                   static_cast<std::size_t>(i)] >= 0) {
+        return true;
+      }
+    }
+  return false;
+}
+
 WaterPoint WaterMap::at(double column, double row, double samples) const {
+  const std::int32_t number = part_of_[static_cast<std::size_t>(tile_of(row, tiles_down_)) *
+                                           static_cast<std::size_t>(tiles_across_) +
+                                       static_cast<std::size_t>(tile_of(column, tiles_across_))];
+  if (number < 0) return {-kFar * static_cast<float>(samples_a_cell_), kNoLevel};
+  const Part& part = parts_[static_cast<std::size_t>(number)];
+  const double u = column - static_cast<double>(part.column) * samples_a_cell_;
+  const double v = row - static_cast<double>(part.row) * samples_a_cell_;
   const double size = std::max(samples / samples_a_cell_, 1.0);
-  const double detail = std::min(std::log2(size), static_cast<double>(layers_.size()) - 1.0);
+  const double detail = std::min(std::log2(size), static_cast<double>(part.layers.size()) - 1.0);
   const auto finer = static_cast<std::size_t>(detail);
   const auto share = static_cast<float>(detail - static_cast<double>(finer));
-  WaterPoint point = layer_at(finer, column, row);
+  WaterPoint point = layer_at(part, finer, u, v);
   if (share > 0.0f) {
-    const WaterPoint coarse = layer_at(finer + 1, column, row);
+    const WaterPoint coarse = layer_at(part, finer + 1, u, v);
     point.shore += share * (coarse.shore - point.shore);
     if (std::isnan(point.level_m)) {
       point.level_m = coarse.level_m;

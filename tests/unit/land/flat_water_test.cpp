@@ -39,8 +39,8 @@ TEST(FlatWater, FindsALakeInABowlWithItsLevel) {
     ASSERT_EQ(found.areas.size(), 1u);
     EXPECT_EQ(found.areas[0].level_m, 500.0f);
     EXPECT_NEAR(static_cast<double>(found.areas[0].cells), 3.14159 * 144.0, 25.0);
-    EXPECT_EQ(found.area_of[60 * kSide + 60], 0);
-    EXPECT_EQ(found.area_of[60 * kSide + 75], -1);
+    EXPECT_EQ(found.level_m[60 * kSide + 60], 500.0f);
+    EXPECT_TRUE(std::isnan(found.level_m[60 * kSide + 75]));
   }
 }
 
@@ -90,7 +90,7 @@ TEST(FlatWater, VoidsAreNoShoreAndNoWater) {
   for (std::size_t i = 0; i < 6; ++i) heights[60 * kSide + 57 + i] = std::nanf("");
   const FlatWaters found = find_flat_water(kSide, kSide, heights, {1.0f, false});
   ASSERT_EQ(found.areas.size(), 1u);
-  EXPECT_EQ(found.area_of[60 * kSide + 58], -1);
+  EXPECT_TRUE(std::isnan(found.level_m[60 * kSide + 58]));
 }
 
 }  // namespace

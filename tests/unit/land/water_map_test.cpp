@@ -71,5 +71,38 @@ TEST(WaterMap, EndsAtTheRimOfTheRaster) {
   EXPECT_LT(map.at(100.0, 260.0, 1.0).shore, 0.0f);
 }
 
+// Tests that waters far from each other are parts of one map, and what lies between them.
+TEST(WaterMap, KnowsNothingFarFromWater) {
+  constexpr int kWidth = 640, kHeight = 320;
+  WetCells cells{kWidth, kHeight, 2, {}};
+  for (int j = 0; j < kHeight; ++j)
+    for (int i = 0; i < kWidth; ++i) {
+      const bool west = std::hypot(i - 40.0, j - 50.0) < 12.0;
+      const bool east = std::hypot(i - 600.0, j - 280.0) < 9.0;
+      cells.level_m.push_back(west ? 300.0f : east ? 500.0f : kDry);
+    }
+  const WaterMap map(cells);
+  const auto at = [&](double column, double row, double spacing) {
+    return map.at(2.0 * column + 0.5, 2.0 * row + 0.5, 2.0 * spacing);
+  };
+  EXPECT_FLOAT_EQ(at(40.0, 50.0, 1.0).level_m, 300.0f);
+  EXPECT_FLOAT_EQ(at(600.0, 280.0, 1.0).level_m, 500.0f);
+  EXPECT_NEAR(at(40.0, 50.0, 1.0).shore, 24.0, 3.0);
+  EXPECT_NEAR(at(600.0, 280.0, 1.0).shore, 18.0, 3.0);
+  for (const double spacing : {1.0, 4.0, 16.0, 1000.0}) {
+    EXPECT_TRUE(std::isnan(at(320.0, 160.0, spacing).level_m)) << spacing;
+    EXPECT_LT(at(320.0, 160.0, spacing).shore, -100.0f) << spacing;
+  }
+  // A mesh of cells 16 times as wide finds the shore of the lake in the west.
+  EXPECT_FLOAT_EQ(at(40.0 + 12.0 + 48.0, 50.0, 16.0).level_m, 300.0f);
+  const auto is_near = [&](dvec2 least, dvec2 most) {
+    return map.is_near(2.0 * least, 2.0 * most);
+  };
+  EXPECT_TRUE(is_near({0.0, 0.0}, {40.0, 50.0}));
+  EXPECT_TRUE(is_near({590.0, 200.0}, {1000.0, 1000.0}));
+  EXPECT_TRUE(is_near({30.0, 0.0}, {31.0, 319.0}));
+  EXPECT_FALSE(is_near({300.0, 0.0}, {400.0, 319.0}));
+}
+
 }  // namespace
 }  // namespace aerostat::land
