@@ -4,16 +4,13 @@
 #include <vector>
 
 #include "core/math.hpp"
+#include "core/smooth_curve.hpp"
 
 namespace aerostat::film {
 
-/// A smooth curve through points, by time. The curve is the centripetal Catmull-Rom spline (P. J.
-/// Barry and R. N. Goldman, "A recursive evaluation algorithm for a class of Catmull-Rom splines",
-/// SIGGRAPH 1988; C. Yuksel, S. Schaefer and J. Keyser, "Parameterization and applications of
-/// Catmull-Rom curves", 2011), which makes neither loops nor cusps between two points. The way
-/// along it follows the times of the points by a monotone cubic (F. N. Fritsch and R. E. Carlson,
-/// "Monotone piecewise cubic interpolation", 1980), so that the speed has no jumps and nothing
-/// ever goes back.
+/// A smooth curve through points, by time. The way along it follows the times of the points by a
+/// monotone cubic (F. N. Fritsch and R. E. Carlson, "Monotone piecewise cubic interpolation",
+/// 1980), so that the speed has no jumps and nothing ever goes back.
 class Curve {
  public:
   /// Takes points with rising times, one or more. With `constant_speed`, only the first and the
@@ -24,12 +21,11 @@ class Curve {
   dvec3 at(double time_s) const;
 
  private:
-  dvec3 at_knot(double knot) const;
   double knot_at(double time_s) const;
   void measure();
 
-  std::vector<dvec3> points_;
-  std::vector<double> times_, knots_, slopes_;
+  SmoothCurve curve_;
+  std::vector<double> times_, slopes_;
   std::vector<double> lengths_;  // from the start to even steps of the knots; empty: by times
 };
 

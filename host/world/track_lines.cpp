@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <vector>
 
+#include "core/smooth_curve.hpp"
 #include "core/stop_scope.hpp"
 #include "geo/transform.hpp"
 #include "model/shapes.hpp"
@@ -49,18 +50,16 @@ Way way_of(const scene::FlightTrack& track, const scene::Scene& local, double sh
   return way;
 }
 
-/// Returns a way that goes through the points as a Catmull-Rom spline.
+/// Returns a way that goes through the points as a smooth curve, in steps of about a length.
 Way curved(const Way& points, double step_m) {
+  const SmoothCurve curve(points);
+  const std::vector<double>& knots = curve.knots();
   Way way;
   for (std::size_t i = 0; i + 1 < points.size(); ++i) {
-    const dvec3 &from = points[i], &to = points[i + 1];
-    const dvec3 begin = 0.5 * (to - points[i == 0 ? 0 : i - 1]);
-    const dvec3 end = 0.5 * (points[std::min(i + 2, points.size() - 1)] - from);
-    const int steps = std::max(1, static_cast<int>(glm::distance(from, to) / step_m));
+    const double length_m = glm::distance(points[i], points[i + 1]);
+    const int steps = std::max(1, static_cast<int>(length_m / step_m));
     for (int k = 0; k < steps; ++k) {
-      const double t = static_cast<double>(k) / steps, u = 1.0 - t;
-      way.push_back((1.0 + 2.0 * t) * u * u * from + t * u * u * begin +
-                    t * t * (3.0 - 2.0 * t) * to - t * t * u * end);
+      way.push_back(curve.at(glm::mix(knots[i], knots[i + 1], static_cast<double>(k) / steps)));
     }
   }
   way.push_back(points.back());
