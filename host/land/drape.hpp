@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <memory>
+#include <string>
 #include <vector>
 
 #include "core/math.hpp"
@@ -25,6 +26,10 @@ struct DrapeOptions {
   elevation::PictureOptions picture;
   LandPoint middle;      // the middle of the local frame
   double reach_m = 0.0;  // half of the side of the square around it that is looked at
+  /// By how much the picture's light and shade are taken out, 0 to 1. More than 0 needs the land
+  /// below.
+  double lift_shadows = 0.0;
+  std::shared_ptr<const Land> land{};
 
   bool operator==(const DrapeOptions&) const = default;
 };
@@ -55,7 +60,14 @@ class Drape {
   /// filtered over a footprint in metres. Kernels compute the same.
   vec4 at(double east_m, double south_m, double footprint_m) const;
 
+  /// Sentences for the user on what was guessed about the file, which name it.
+  const std::vector<std::string>& notes() const { return notes_; }
+
  private:
+  /// Takes the picture's own light and shade out.
+  void lift(const DrapeOptions& options);
+
+  std::vector<std::string> notes_;
   NestedLevels levels_;
 };
 

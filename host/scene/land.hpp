@@ -81,10 +81,11 @@ struct DrapeCorners {
 
 /// A picture that lies over the ground of elevation data, such as an orthophoto.
 struct Drape {
-  std::string file;      // empty: none
-  double blend = 1.0;    // how much it counts beside the ground's own colours, 0 to 1
-  std::string crs;       // coordinate reference system; empty: as the file says
-  DrapeCorners corners;  // for pictures that do not say where they lie
+  std::string file;           // empty: none
+  double blend = 1.0;         // how much it counts beside the ground's own colours, 0 to 1
+  std::string crs;            // coordinate reference system; empty: as the file says
+  DrapeCorners corners;       // for pictures that do not say where they lie
+  double lift_shadows = 0.0;  // by how much its own light and shade are taken out, 0 to 1
 
   bool operator==(const Drape&) const = default;
 };

@@ -102,7 +102,13 @@ inline constexpr auto kTable<Drape> = table(
     field("crs", &Drape::crs,
           text("Coordinate reference system of the picture, such as EPSG:3857, which wins over "
                "what the file says.")),
-    field("corners", &Drape::corners));
+    field("corners", &Drape::corners),
+    field("lift_shadows", &Drape::lift_shadows,
+          number(0, 1,
+                 "By how much the light and shade of the sun that shone when the picture was taken "
+                 "are taken out of it, {from} (not at all, the default) to {to}. The sun is found "
+                 "from the shape of the land.")
+              .slider(EditGroup::ground, "Shadows of the picture lifted", 0, 1, 2)));
 
 template <>
 inline constexpr auto kTable<Terrain> = table(

@@ -4,6 +4,8 @@
 #include <optional>
 
 #include "core/math.hpp"
+#include "scene/geo_point.hpp"
+#include "scene/height_reference.hpp"
 
 /// The light of a scene and the air that it goes through.
 namespace aerostat::scene {
@@ -45,6 +47,8 @@ struct PointLight {
   vec3 color{1.0f};
   double intensity = 100.0;  // irradiance times the square of the distance
   bool shadows = true;
+  HeightReference height_above = HeightReference::sea;
+  std::optional<GeoPoint> at{};  // in place of position
 };
 
 /// Heaped fair-weather clouds over flat bases. Their shadows fall on the land.

@@ -3,6 +3,7 @@
 #include <string>
 
 #include "scene/field.hpp"
+#include "scene/geo_point_fields.hpp"
 #include "scene/light.hpp"
 
 /// The sun, lamps, sky and air.
@@ -100,20 +101,26 @@ inline constexpr auto kTable<Stars> = table(
               .slider(EditGroup::night, "Milky Way", 0, 4, 1)));
 
 template <>
-inline constexpr auto kTable<PointLight> =
-    table("A point light.",
-          field("position", &PointLight::position,
-                place("Position of the light. Its height is measured from the sea.")
-                    .boxes(EditGroup::lamps, "Place", 1)
-                    .required()),
-          field("color", &PointLight::color,
-                color("Colour of the light.").control(EditGroup::lamps, "Colour")),
-          field("intensity", &PointLight::intensity,
-                number(0, 1000000000,
-                       "Irradiance times the square of the distance in metres, {from} to {to}.")
-                    .slider(EditGroup::lamps, "Intensity", 1, 1000000, 0, Scale::logarithmic)),
-          field("shadows", &PointLight::shadows,
-                truth("Whether the light casts shadows.").control(EditGroup::lamps, "Shadows")));
+inline constexpr auto kTable<PointLight> = table(
+    "A point light.",
+    field("position", &PointLight::position,
+          place("Position of the light. Each light needs either this or a place on the Earth.")
+              .boxes(EditGroup::lamps, "Place", 1)),
+    field("height_above", &PointLight::height_above,
+          word("Level from which the y of the position is measured: the sea (the default), or "
+               "the ground below the light. The height of a place on the Earth is measured "
+               "from the ground by default.")
+              .words(2)
+              .control(EditGroup::lamps, "Heights count from")),
+    field("at", &PointLight::at),
+    field("color", &PointLight::color,
+          color("Colour of the light.").control(EditGroup::lamps, "Colour")),
+    field("intensity", &PointLight::intensity,
+          number(0, 1000000000,
+                 "Irradiance times the square of the distance in metres, {from} to {to}.")
+              .slider(EditGroup::lamps, "Intensity", 1, 1000000, 0, Scale::logarithmic)),
+    field("shadows", &PointLight::shadows,
+          truth("Whether the light casts shadows.").control(EditGroup::lamps, "Shadows")));
 
 template <>
 inline constexpr auto kTable<Cumulus> = table(

@@ -87,6 +87,17 @@ void check_balloons(const Scene& scene, const std::string& name) {
                    kMostFurtherBalloons - listed, listed, kMostFurtherBalloons));
 }
 
+/// Checks that each light has a place.
+void check_lights(const Json& document, Faults& faults) {
+  const auto lights = document.find("lights");
+  if (lights == document.end()) return;
+  for (std::size_t i = 0; i < lights->size(); ++i) {
+    if ((*lights)[i].contains("position") || (*lights)[i].contains("at")) continue;
+    faults.add({"lights", std::to_string(i), "position"}, "nothing",
+               "a position in metres, or a place on the Earth in at");
+  }
+}
+
 /// Checks that each model has a file.
 void check_objects(const Scene& scene, const std::string& name) {
   for (std::size_t i = 0; i < scene.objects.size(); ++i) {
@@ -125,6 +136,9 @@ void check_geo_points(const Scene& scene, const std::string& name) {
   for (std::size_t i = 0; i < scene.balloons.size(); ++i) {
     refuse(scene.balloons[i].at.has_value(), {"balloons", std::to_string(i), "at"});
     refuse(scene.balloons[i].track.has_value(), {"balloons", std::to_string(i), "track"});
+  }
+  for (std::size_t i = 0; i < scene.lights.size(); ++i) {
+    refuse(scene.lights[i].at.has_value(), {"lights", std::to_string(i), "at"});
   }
   for (std::size_t i = 0; i < scene.objects.size(); ++i) {
     refuse(scene.objects[i].at.has_value(), {"objects", std::to_string(i), "at"});
@@ -188,6 +202,7 @@ void check_semantics(const Json& document, const Scene& scene, Faults& faults) {
     check_date(*sun, faults);
     check_direction(*sun, faults);
   }
+  check_lights(document, faults);
   faults.gather([&] { check_camera(scene.camera, name); });
   faults.gather([&] { check_balloons(scene, name); });
   faults.gather([&] { check_objects(scene, name); });

@@ -12,12 +12,13 @@
 #include "scene/enum_names.hpp"
 #include "scene/scene.hpp"
 #include "scene/sun_angles.hpp"
-#include "scene/sun_position.hpp"
 #include "staging/climate.hpp"
 #include "staging/flight_point.hpp"
+#include "staging/moment.hpp"
 #include "staging/view_choice.hpp"
 #include "staging/view_map.hpp"
 #include "terrain/cover.hpp"
+#include "terrain/drape.hpp"
 #include "terrain/real_land.hpp"
 
 namespace aerostat::staging {
@@ -25,9 +26,7 @@ namespace {
 
 using scene::Override;
 
-// The morning that is chosen where a scene gives no sun. Heights of the sun were chosen by eye.
-constexpr const char* kUsualDate = "2024-09-12";
-constexpr double kMorningSun_deg = 21.0;
+// Chosen by eye.
 constexpr geo::Place kSomePlace{46.0, 10.0};   // whose climate land of unknown place has
 constexpr double kSomeSunAzimuth_deg = 112.0;  // for land whose place is unknown
 
@@ -47,41 +46,6 @@ dvec3 towards(double azimuth_deg) {
 
 std::string list_of(const dvec3& v) {
   return fmt::format("[{:.1f}, {:.1f}, {:.1f}]", v.x, v.y, v.z);
-}
-
-/// A date and time of the sun.
-struct Moment {
-  std::string date, time;
-  double azimuth_deg = 0.0;
-};
-
-/// Returns the morning at which the sun is as high as kMorningSun_deg, or the moment of the day at
-/// which it is highest.
-Moment morning_at(const geo::Place& place) {
-  Moment best{kUsualDate, "12:00Z", 180.0};
-  double least = 1e9;
-  for (int minute = 0; minute < 1440; minute += 5) {
-    const std::string time = fmt::format("{:02}:{:02}Z", minute / 60, minute % 60);
-    const auto days = scene::detail::days_from_2000(kUsualDate, time);
-    const auto sun =
-        scene::detail::sun_angles_at(days.value(), place.latitude_deg, place.longitude_deg);
-    // In the afternoon the sun is in the west on both hemispheres.
-    const bool morning = std::remainder(sun.azimuth_deg, 360.0) > 0.0;
-    const double off = std::abs(sun.elevation_deg - kMorningSun_deg) + (morning ? 0.0 : 1000.0);
-    if (off >= least) continue;
-    least = off;
-    best = {kUsualDate, time, sun.azimuth_deg};
-  }
-  return best;
-}
-
-/// Returns the date and time of a flight, and where the sun stood.
-Moment moment_of(double time_s, const geo::Place& place) {
-  auto [date, time] = date_and_time(time_s);
-  const auto days = scene::detail::days_from_2000(date, time);
-  if (!days) return morning_at(place);  // a year for which the sun is not computed
-  const auto sun = scene::detail::sun_angles_at(*days, place.latitude_deg, place.longitude_deg);
-  return {std::move(date), std::move(time), sun.azimuth_deg};
 }
 
 class Stage {
@@ -107,7 +71,7 @@ class Stage {
       one.apply(view);
       all.push_back(one.finished());
     }
-    add_cover_notes(all.front());
+    add_overlay_notes(all.front());
     return all;
   }
 
@@ -165,6 +129,7 @@ class Stage {
       if (!object.at) continue;
       put(fmt::format("/objects/{}/position", i), *object.at, object.height_above);
     }
+    settle_lights();
     settle_camera();
   }
 
@@ -172,6 +137,18 @@ class Stage {
   void anchor_to_objects() {
     for (const scene::PlacedModel& object : scene_.objects) {
       if (object.at) return anchor({object.at->latitude_deg, object.at->longitude_deg});
+    }
+  }
+
+  void settle_lights() {
+    for (std::size_t i = 0; i < scene_.lights.size(); ++i) {
+      const scene::PointLight& light = scene_.lights[i];
+      if (!light.at) continue;
+      const std::string pointer = fmt::format("/lights/{}", i);
+      const bool given = gives(pointer + "/height_above");
+      const auto reference = given ? light.height_above : scene::HeightReference::ground;
+      set(pointer + "/height_above", "ground");
+      put(pointer + "/position", *light.at, reference);
     }
   }
 
@@ -239,16 +216,6 @@ class Stage {
       set("/sun/azimuth_deg", kSomeSunAzimuth_deg);
       set("/sun/elevation_deg", kMorningSun_deg);
     }
-  }
-
-  /// Returns the month of a date such as "2024-09-12", with the share of the month that is over.
-  /// The date has been checked.
-  static double month_of(const std::string& date) {
-    const std::size_t year = date.find("-");
-    const auto two_digits = [&date](std::size_t at) {
-      return 10.0 * (date[at] - '0') + (date[at + 1] - '0');
-    };
-    return two_digits(year + 1) + (two_digits(year + 4) - 1.0) / 31.0;
   }
 
   /// Returns the side of the area of the files around the middle in metres.
@@ -335,11 +302,15 @@ class Stage {
     return {source_.with(changes_), std::move(notes_), std::move(changes_), land_};
   }
 
-  /// Says how the codes of land cover were taken. What it says does not depend on the view.
-  void add_cover_notes(Staged& staged) const {
-    const auto cover = terrain::cover_of(staged.source.scene().terrain, reliefs_);
-    if (!cover) return;
-    staged.notes.insert(staged.notes.end(), cover->notes().begin(), cover->notes().end());
+  /// Adds what was guessed about the land cover and the picture over the land, which does not
+  /// depend on the view.
+  void add_overlay_notes(Staged& staged) const {
+    const auto add = [&staged](const auto& overlay) {
+      if (!overlay) return;
+      staged.notes.insert(staged.notes.end(), overlay->notes().begin(), overlay->notes().end());
+    };
+    add(terrain::cover_of(staged.source.scene().terrain, reliefs_));
+    add(terrain::drape_of(staged.source.scene().terrain, reliefs_));
   }
 
   void choose_size() {

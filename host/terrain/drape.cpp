@@ -30,6 +30,8 @@ std::shared_ptr<const land::Drape> drape_of(const scene::Terrain& terrain, Relie
   }
   options.middle = middle_point(terrain, *land);
   options.reach_m = kReach * terrain.size_m;
+  options.lift_shadows = from.lift_shadows;
+  if (from.lift_shadows > 0.0) options.land = land;
   return cache.drapes.get(options, [&] { return std::make_shared<const land::Drape>(options); });
 }
 

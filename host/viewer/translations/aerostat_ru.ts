@@ -703,6 +703,10 @@
         <source>Lakes and rivers</source>
         <translation>Озёра и реки</translation>
     </message>
+    <message>
+        <source>Shadows of the picture lifted</source>
+        <translation>Тени на снимке убраны</translation>
+    </message>
 </context>
 <context>
     <name>NumberBox</name>
@@ -1135,10 +1139,6 @@
     <message>
         <source>A point light.</source>
         <translation>Точечный источник света.</translation>
-    </message>
-    <message>
-        <source>Position of the light. Its height is measured from the sea. [x, y, z] in metres, y up.</source>
-        <translation>Где он находится; высота над морем. [x, y, z] в метрах, y вверх.</translation>
     </message>
     <message>
         <source>Colour of the light. Linear Rec. 709 [red, green, blue], each 0 to 1.</source>
@@ -1891,6 +1891,18 @@
     <message>
         <source>Time in seconds by which a chase lags behind the balloon, 0 to 60.</source>
         <translation>Время в секундах, на которое камера отстаёт от шара, от 0 до 60.</translation>
+    </message>
+    <message>
+        <source>By how much the light and shade of the sun that shone when the picture was taken are taken out of it, 0 (not at all, the default) to 1. The sun is found from the shape of the land.</source>
+        <translation>Насколько из снимка убраны свет и тени солнца, светившего во время съёмки: от 0 (совсем нет, по умолчанию) до 1. Положение солнца находится по форме земли.</translation>
+    </message>
+    <message>
+        <source>Position of the light. Each light needs either this or a place on the Earth. [x, y, z] in metres, y up.</source>
+        <translation>Положение источника света. Каждому источнику нужно либо оно, либо место на Земле. [x, y, z] в метрах, y направлена вверх.</translation>
+    </message>
+    <message>
+        <source>Level from which the y of the position is measured: the sea (the default), or the ground below the light. The height of a place on the Earth is measured from the ground by default.</source>
+        <translation>Уровень, от которого отсчитывается y положения: море (по умолчанию) или земля под источником света. Высота места на Земле по умолчанию отсчитывается от земли.</translation>
     </message>
 </context>
 <context>

@@ -2,10 +2,12 @@
 
 #include <cmath>
 #include <string>
+#include <vector>
 
 #include "core/error.hpp"
 #include "geo/transform.hpp"
 #include "support/drape_files.hpp"
+#include "unit/elevation/tiff_files.hpp"
 
 namespace aerostat::land {
 namespace {
@@ -124,6 +126,24 @@ TEST_F(DrapeTest, ALevelGivesWayWithoutAStep) {
     EXPECT_NEAR(now, before, 0.008f) << east;
     before = now;
   }
+}
+
+TEST_F(DrapeTest, TellsWhatIsGuessedAboutItsFile) {
+  write(grey);
+  EXPECT_TRUE(Drape(options_).notes().empty());
+  elevation::TiffPageSpec page = elevation::page_at(32632, kEast, kNorth, 2.0);
+  page.bits = 8;
+  page.format = 1;
+  page.bands = 3;
+  page.photometric = 2;  // RGB
+  page.pixel_scale = page.tiepoints = {};
+  options_.file = folder_.write("b.tfw", "2\n0\n0\n-2\n500001\n5199999\n");
+  options_.file.replace_extension(".tif");
+  options_.picture.crs = "";
+  elevation::write_tiff(options_.file, {page});
+  EXPECT_EQ(
+      Drape(options_).notes(),
+      std::vector<std::string>{"b.tif: The place of the file is from the world file beside it."});
 }
 
 TEST_F(DrapeTest, AFileThatIsMissingIsNamed) {

@@ -55,7 +55,6 @@ TEST(SceneFaults, AreToldAllAtOnce) {
                 "x.json:6:14: /camera/up: found [0, 0, 0]",
                 "x.json:6:31: /camera/fov_y_deg: found \"wide\"",
                 "x.json:7:3: /colour: found an unknown key",
-                "x.json:8:39: /lights/1/position: found nothing",
                 "x.json:8:40: /lights/1/intensity: found -1",
             }));
 }

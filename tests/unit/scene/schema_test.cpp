@@ -44,7 +44,7 @@ void walk(const json& rule, const json& root, const std::string& path,
 
 Scene full_scene() {
   Scene scene = defaults(BiomeKind::snow, View::outside);
-  scene.lights.emplace_back();
+  scene.lights.emplace_back().at = GeoPoint{};
   scene.balloon.at = scene.camera.at = scene.camera.look_at = GeoPoint{};
   scene.balloon.track = FlightTrack{"flight.igc", "", 0.5, 0, "", 1.0, TrackLine{}};
   scene.balloons.push_back(scene.balloon);
@@ -125,7 +125,9 @@ TEST(SceneSchema, AcceptsEveryWordThatItNames) {
       const std::string text = path.starts_with("/film/") ? kFilm
                                : needs_source ? R"({"version": 1, "terrain": {"source": "a.tif"}})"
                                : needs_file   ? R"({"version": 1, "objects": [{"file": "a.obj"}]})"
-                                              : R"({"version": 1})";
+                               : path.starts_with("/lights/")
+                                   ? R"({"version": 1, "lights": [{"position": [0, 0, 0]}]})"
+                                   : R"({"version": 1})";
       const Scene scene = read_text(text, "x.json", {{path, word.dump()}});
       const json dump = json::parse(write_text(scene));
       // A biome that is left open becomes the first one.
@@ -140,7 +142,7 @@ TEST(SceneSchema, AcceptsEveryWordThatItNames) {
 TEST(SceneSchema, BoundsAreEnforcedAtBothEnds) {
   const json root = schema();
   walk(root, root, "", [](const std::string& path, const json& rule) {
-    if (path.starts_with("/lights/") || rule.contains("enum")) return;
+    if (rule.contains("enum")) return;
     if (rule["type"] != "number" && rule["type"] != "integer") return;
     std::string text = R"({"version": 1})";
     // Some fields need others beside them.
@@ -155,12 +157,16 @@ TEST(SceneSchema, BoundsAreEnforcedAtBothEnds) {
     if (path == "/terrain/place/easting" || path == "/terrain/place/northing") {
       text = R"({"version": 1, "terrain": {"place": {"easting": 0, "northing": 0}}})";
     }
+    if (path.starts_with("/lights/")) {
+      text = R"({"version": 1, "lights": [{"position": [0, 0, 0]}]})";
+    }
     if (path.starts_with("/objects/")) text = R"({"version": 1, "objects": [{"file": "a.obj"}]})";
     if (path.find("at/") != std::string::npos || path.find("/track/") != std::string::npos) {
       text = R"({"version": 1, "terrain": {"source": "a.tif"},
                  "balloon": {"at": {"latitude_deg": 0, "longitude_deg": 0}, "track": {"file": "a.igc"}},
                  "balloons": [{"at": {"latitude_deg": 0, "longitude_deg": 0},
                                "track": {"file": "a.igc"}}],
+                 "lights": [{"at": {"latitude_deg": 0, "longitude_deg": 0}}],
                  "objects": [{"file": "a.obj", "at": {"latitude_deg": 0, "longitude_deg": 0}}],
                  "camera": {"at": {"latitude_deg": 0, "longitude_deg": 0},
                             "look_at": {"latitude_deg": 0, "longitude_deg": 0}}})";

@@ -122,7 +122,10 @@ TEST_F(StageFile, PlacesOnTheEarthBecomePositions) {
   };
   const Staged staged = stage(source({{"/balloon/at", text(middle, 120.0)},
                                       {"/camera/at", text(north, 30.0)},
-                                      {"/camera/look_at", text(middle, 100.0)}}),
+                                      {"/camera/look_at", text(middle, 100.0)},
+                                      {"/lights/0/at", text(north, 12.0)},
+                                      {"/lights/1/at", text(north, 1300.0)},
+                                      {"/lights/1/height_above", "sea"}}),
                               reliefs_);
   const scene::Scene& scene = staged.source.scene();
   EXPECT_NEAR(*scene.terrain.place.latitude_deg, middle.latitude_deg, 1e-7);
@@ -131,6 +134,12 @@ TEST_F(StageFile, PlacesOnTheEarthBecomePositions) {
   EXPECT_NEAR(scene.camera.position->x, 100.0, 0.02);
   EXPECT_NEAR(scene.camera.position->z, -3000.0, 0.02);
   EXPECT_EQ(scene.camera.height_above, scene::HeightReference::ground);
+  EXPECT_LT(glm::distance(scene.lights[0].position, dvec3(100.0, 12.0, -3000.0)), 0.02);
+  EXPECT_EQ(scene.lights[0].height_above, scene::HeightReference::ground);
+  EXPECT_LT(glm::distance(scene.lights[1].position,
+                          dvec3(100.0, 1300.0 - geo::curvature_drop(3000.0), -3000.0)),
+            0.05);
+  EXPECT_EQ(scene.lights[1].height_above, scene::HeightReference::sea);
   EXPECT_EQ(stage(staged.source, reliefs_).source.text(), staged.source.text());
 }
 

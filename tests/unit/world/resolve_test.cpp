@@ -35,7 +35,8 @@ scene::Scene seen_from(const dvec3& eye, const dvec2& center) {
 
 TEST(Resolve, CountsAllHeightsFromTheSea) {
   const scene::Scene given = small_land(
-      R"(, "camera": {"height_above": "ground", "position": [50, 20, -70], "target": [900, 10, 0]})");
+      R"(, "camera": {"height_above": "ground", "position": [50, 20, -70], "target": [900, 10, 0]},
+        "lights": [{"height_above": "ground", "position": [40, 6, 30]}, {"position": [40, 6, 30]}])");
   const world::Surface surface(given);
   const scene::ResolvedScene scene = world::resolve(given, surface);
   const dvec3& balloon = given.balloon.position;
@@ -44,6 +45,9 @@ TEST(Resolve, CountsAllHeightsFromTheSea) {
   EXPECT_EQ(scene.target(), dvec3(900.0, 10.0 + surface.height(900.0, 0.0), 0.0));
   EXPECT_EQ(scene->balloon.height_above, HeightReference::sea);
   EXPECT_EQ(scene->camera.height_above, HeightReference::sea);
+  EXPECT_EQ(scene->lights[0].position, dvec3(40.0, 6.0 + surface.height(40.0, 30.0), 30.0));
+  EXPECT_EQ(scene->lights[0].height_above, HeightReference::sea);
+  EXPECT_EQ(scene->lights[1].position, dvec3(40.0, 6.0, 30.0));
 }
 
 TEST(Resolve, OfAResolvedSceneChangesNothing) {
