@@ -1,4 +1,7 @@
 #include <cstdio>
+#include <filesystem>
+#include <memory>
+#include <string>
 
 #include <fmt/format.h>
 
@@ -9,13 +12,26 @@
 #include "core/error.hpp"
 #include "film/timeline.hpp"
 #include "film/way.hpp"
+#include "scene/scene.hpp"
+#include "staging/flight_of.hpp"
 #include "staging/stage.hpp"
+#include "terrain/real_land.hpp"
 #include "track/read.hpp"
 #include "world/scene_models.hpp"
 
 namespace aerostat::cli {
 
 namespace {
+
+/// Returns the land of a file or folder, null without a name.
+std::shared_ptr<const land::Land> land_below(const std::filesystem::path& file) {
+  if (file.empty()) return nullptr;
+  terrain::RealLandCache lands;
+  const auto land = terrain::real_land(staging::scene_around(file).scene().terrain, lands);
+  if (land->has_place()) return land;
+  throw Error(ErrorKind::bad_data,
+              fmt::format("--land: '{}' does not say where on the Earth it lies", file.string()));
+}
 
 int check_track(const CheckOptions& options) {
   if (!options.input.overrides.empty()) {
@@ -25,7 +41,14 @@ int check_track(const CheckOptions& options) {
   }
   const std::string name = options.input.scene.string();
   const track::Cleaned cleaned = track::clean(track::read_file(options.input.scene));
-  const track::Flight flight = track::fit_heights(cleaned.track, {});
+  const std::shared_ptr<const land::Land> land = land_below(options.land);
+  track::Ground ground;
+  if (land != nullptr) {
+    ground = staging::ground_around(*land, cleaned.track.segments.front().front().place);
+  }
+  track::FitOptions fit;
+  fit.clearance_m = staging::kClearance_m;
+  const track::Flight flight = track::fit_heights(cleaned.track, ground, fit);
   write_stdout(options.json ? track_json(name, cleaned, flight)
                             : track_text(name, cleaned, flight));
   return 0;
@@ -35,6 +58,11 @@ int check_track(const CheckOptions& options) {
 
 int check(const CheckOptions& options) {
   if (track::is_track(options.input.scene)) return check_track(options);
+  if (!options.land.empty()) {
+    throw Error(ErrorKind::usage, fmt::format("--land: '{}' is no track; only these are laid over "
+                                              "elevation data",
+                                              options.input.scene.string()));
+  }
   const std::string name = name_of_scene(options.input);
   world::ReliefCache reliefs;
   const staging::Staged staged = read_staged(options.input, reliefs);

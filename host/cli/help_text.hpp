@@ -81,9 +81,10 @@ inline constexpr const char* kCheckFooter = R"(Examples:
   aerostat check my.json --set /image/width=800
   aerostat check flight.igc
   aerostat check flight.gpx --json
+  aerostat check flight.igc --land davos.tif
   aerostat check davos.tif
 
-Prints to stderr that the scene is right, or a line for each of its faults. For elevation data, it prints files, extent, heights, gaps, and what was guessed and chosen. For a track (IGC, GPX, KML or KMZ, told by its content) it prints fixes, take-off, landing, heights, gaps and what was mended. Of a scene with a film it prints the way of the balloon: where the wind carries it, how high above the ground, and the wind there.)";
+Prints to stderr that the scene is right, or a line for each of its faults. For elevation data, it prints files, extent, heights, gaps, and what was guessed and chosen. For a track (IGC, GPX, KML or KMZ, told by its content) it prints fixes, take-off, landing, heights, gaps and what was mended; with --land, also how high above the ground it was. Of a scene with a film it prints the way of the balloon: where the wind carries it, how high above the ground, and the wind there.)";
 
 inline constexpr const char* kDumpFooter = R"(Examples:
   aerostat dump scenes/snow.json

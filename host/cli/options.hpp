@@ -93,6 +93,7 @@ struct DevicesOptions {
 struct CheckOptions {
   SceneOptions input;  // or a track instead of a scene
   bool json = false;
+  std::filesystem::path land;  // elevation data below a track
 };
 
 struct DumpOptions {

@@ -25,8 +25,9 @@ track::ReadOptions read_options(const scene::FlightTrack& track) {
   return options;
 }
 
-/// Returns the heights of the land over the sea, where a file has them.
-track::Ground ground_of(const land::Land& land, const geo::Place& middle) {
+}  // namespace
+
+track::Ground ground_around(const land::Land& land, const geo::Place& middle) {
   const auto local = land.around({middle, {}}, kReach_m);
   const auto cell = static_cast<float>(land.cell_m());
   return [local, middle, cell](const geo::Place& place) -> std::optional<double> {
@@ -40,8 +41,6 @@ track::Ground ground_of(const land::Land& land, const geo::Place& middle) {
   };
 }
 
-}  // namespace
-
 FlightOverLand flight_of(const scene::FlightTrack& track, const land::Land& land) {
   if (!land.has_place()) {
     throw Error(ErrorKind::bad_data,
@@ -52,7 +51,7 @@ FlightOverLand flight_of(const scene::FlightTrack& track, const land::Land& land
   const geo::Place first = cleaned.track.segments.front().front().place;
   track::FitOptions options;
   options.clearance_m = kClearance_m;
-  FlightOverLand found{track::fit_heights(cleaned.track, ground_of(land, first), options), {}};
+  FlightOverLand found{track::fit_heights(cleaned.track, ground_around(land, first), options), {}};
   const std::string name = std::filesystem::path(track.file).filename().string();
   for (const auto* notes : {&cleaned.track.notes, &found.flight.fit().notes}) {
     for (const std::string& note : *notes) found.notes.push_back(name + ": " + note);

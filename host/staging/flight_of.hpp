@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "geo/place.hpp"
 #include "land/land.hpp"
 #include "scene/geo_point.hpp"
 #include "track/flight.hpp"
@@ -17,6 +18,10 @@ struct FlightOverLand {
   track::Flight flight;
   std::vector<std::string> notes;
 };
+
+/// Returns the heights of land over the sea where its files have them, within 150 km of a place.
+/// The land must have a place on the Earth and live as long as what is returned.
+track::Ground ground_around(const land::Land& land, const geo::Place& middle);
 
 /// Reads the track of a scene and fits its heights to the land. Throws Error{bad_data} or
 /// Error{usage} of the track's reader, and Error{bad_data} if it is unknown where the land lies.

@@ -13,7 +13,7 @@ _aerostat_options() {
     new) echo "$scene --output --view" ;;
     scenes) echo "$common --folder" ;;
     devices) echo "$common --json" ;;
-    check) echo "$scene --json" ;;
+    check) echo "$scene --json --land" ;;
     dump) echo "$scene --view" ;;
     export) echo "$scene --output --format --plants --most-triangles" ;;
     *) echo "$common --version" ;;

@@ -71,6 +71,7 @@ complete -c aerostat -n '__fish_seen_subcommand_from film' -x -l height -d 'Pixe
 complete -c aerostat -n '__fish_seen_subcommand_from scenes' -l folder -d 'Print only the folder of the scenes'
 complete -c aerostat -n '__fish_seen_subcommand_from devices' -l json -d 'Print JSON'
 complete -c aerostat -n '__fish_seen_subcommand_from check' -l json -d 'Print the report on elevation data or a track as JSON'
+complete -c aerostat -n '__fish_seen_subcommand_from check' -l land -r -d 'Elevation data below a track'
 complete -c aerostat -n '__fish_seen_subcommand_from dump' -l view -d 'Print what another renderer needs beside triangles'
 complete -c aerostat -n '__fish_seen_subcommand_from export' -x -l plants -a 'none seen all' -d 'Plants to write'
 complete -c aerostat -n '__fish_seen_subcommand_from export' -x -l most-triangles -d 'Write nothing if there are more triangles'

@@ -60,6 +60,44 @@ TEST_F(Track, CheckPrintsJson) {
   EXPECT_TRUE(json["notes"].is_array());
 }
 
+/// Returns elevation data around the flight: an ESRI grid in degrees with ground at 420 m, from
+/// 45.9 N 8.9 E over 0.4 degrees.
+std::string plain_asc() {
+  std::string text =
+      "ncols 40\nnrows 40\nxllcorner 8.9\nyllcorner 45.9\ncellsize 0.01\nNODATA_value -9999\n";
+  for (int i = 0; i < 40 * 40; ++i) text += i % 40 == 39 ? "420\n" : "420 ";
+  return text;
+}
+
+TEST_F(Track, CheckFitsHeightsToTheLandBelow) {
+  const std::string track = write("flight.igc", igc()), land = write("plain.asc", plain_asc());
+  write("plain.prj", "Projection GEOGRAPHIC\nDatum WGS84\nUnits DD\n");
+  const Outcome outcome = run({"check", track, "--land", land, "--json"});
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  const auto json = nlohmann::json::parse(outcome.out);
+  EXPECT_TRUE(json["heights"]["has_ground"].get<bool>());
+  EXPECT_NEAR(json["heights"]["gnss_over_ground_start_m"].get<double>(), 80.0, 2.0);
+  EXPECT_NEAR(json["takeoff"]["ground_m"].get<double>(), 420.0, 0.5);
+  const Outcome text = run({"check", track, "--land", land});
+  EXPECT_TRUE(contains(text.out, "over the ground at the start")) << text.out;
+  EXPECT_FALSE(contains(text.out, "not tested"));
+}
+
+TEST_F(Track, CheckRefusesLandThatIsNoneOrLiesNowhere) {
+  const std::string track = write("flight.igc", igc());
+  const Outcome missing = run({"check", track, "--land", "nowhere.tif"});
+  EXPECT_EQ(missing.code, 74) << missing.err;
+  EXPECT_TRUE(contains(missing.err, "nowhere.tif"));
+  std::string metres = plain_asc();
+  metres.replace(metres.find("cellsize 0.01"), 13, "cellsize 30.0");
+  const Outcome unplaced = run({"check", track, "--land", write("metres.asc", metres)});
+  EXPECT_EQ(unplaced.code, 65) << unplaced.err;
+  EXPECT_TRUE(contains(unplaced.err, "does not say where on the Earth it lies"));
+  const Outcome scene = run({"check", scene_path("snow"), "--land", "plain.asc"});
+  EXPECT_EQ(scene.code, 64);
+  EXPECT_TRUE(contains(scene.err, "is no track"));
+}
+
 TEST_F(Track, CheckSaysWhatIsMissing) {
   const Outcome outcome = run({"check", write("walk.gpx", gpx(""))});
   EXPECT_EQ(outcome.code, 0) << outcome.err;
