@@ -12,10 +12,8 @@
 #include "core/error.hpp"
 #include "film/timeline.hpp"
 #include "film/way.hpp"
-#include "scene/scene.hpp"
 #include "staging/flight_of.hpp"
 #include "staging/stage.hpp"
-#include "terrain/real_land.hpp"
 #include "track/read.hpp"
 #include "world/scene_models.hpp"
 
@@ -26,8 +24,7 @@ namespace {
 /// Returns the land of a file or folder, null without a name.
 std::shared_ptr<const land::Land> land_below(const std::filesystem::path& file) {
   if (file.empty()) return nullptr;
-  terrain::RealLandCache lands;
-  const auto land = terrain::real_land(staging::scene_around(file).scene().terrain, lands);
+  auto land = staging::land_of(file);
   if (land->has_place()) return land;
   throw Error(ErrorKind::bad_data,
               fmt::format("--land: '{}' does not say where on the Earth it lies", file.string()));

@@ -367,4 +367,9 @@ scene::SceneSource scene_around(const std::filesystem::path& file) {
       {{"/terrain/source", std::filesystem::absolute(file).lexically_normal().string()}});
 }
 
+std::shared_ptr<const land::Land> land_of(const std::filesystem::path& file) {
+  terrain::RealLandCache lands;
+  return terrain::real_land(scene_around(file).scene().terrain, lands);
+}
+
 }  // namespace aerostat::staging

@@ -43,4 +43,7 @@ std::vector<Staged> stage_views(const scene::SceneSource& source, terrain::Relie
 /// Returns a scene around a file or folder of elevation data that gives nothing but its source.
 scene::SceneSource scene_around(const std::filesystem::path& file);
 
+/// Reads the land of a file or folder of elevation data. Throws the errors of terrain::real_land().
+std::shared_ptr<const land::Land> land_of(const std::filesystem::path& file);
+
 }  // namespace aerostat::staging

@@ -1,4 +1,5 @@
 // Tests that the light and shade of a picture of land are found and taken out.
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
