@@ -5,6 +5,7 @@
 #include "core/log.hpp"
 #include "opencl/device.hpp"
 #include "render/scene_cache.hpp"
+#include "render/self_test.hpp"
 #include "render/session.hpp"
 #include "scene/scene.hpp"
 #include "world/resolve.hpp"
@@ -56,7 +57,11 @@ render::Options render_options(const SessionOptions& options) {
                                       "; expected 0, 1, 4, 8 or 16");
   }
   render::Options result;
-  result.devices = opencl::select_devices(opencl::effective_selector(options.device));
+  const std::string selector = opencl::effective_selector(options.device);
+  render::SelfTest test;
+  test.lanes = options.lanes;
+  result.devices =
+      options.self_test ? render::select_tested(selector, test) : opencl::select_devices(selector);
   result.lanes = options.lanes;
   result.memory_limit_bytes = options.memory_limit_bytes;
   result.use = options.interactive ? render::Use::interactive : render::Use::single_picture;

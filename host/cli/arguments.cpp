@@ -12,6 +12,7 @@
 #include "cli/help_layout.hpp"
 #include "cli/help_text.hpp"
 #include "cli/parse.hpp"
+#include "cli/render_arguments.hpp"
 #include "cli/scene_input.hpp"
 #include "cli/validators.hpp"
 #include "core/error.hpp"
@@ -124,6 +125,7 @@ class Arguments {
                   "Take the noise out of the picture with Open Image Denoise 2, which must be "
                   "installed");
     add_labels(sub);
+    add_long_render(sub, render_);
     add_device(sub, render_.device);
     add_quiet(sub, render_.quiet);
     sub->add_flag("--stats", render_.stats, "Report rays, times and memory on stderr");
@@ -184,25 +186,6 @@ class Arguments {
 
   static void add_quiet(CLI::App* sub, bool& quiet) {
     sub->add_flag("--quiet,-q", quiet, "Print only errors");
-  }
-
-  static void add_device(CLI::App* sub, DeviceOptions& options) {
-    sub->add_option("--device", options.selector,
-                    "platform:device, part of a name, cpu, gpu or auto; or several, 0:0,1:0; all; "
-                    "or parts of one, 0:0/2 (below)")
-        ->type_name("SEL");
-    sub->add_option("--lanes", options.lanes,
-                    "Rays per work-item, 1, 4, 8 or 16; by default what the device prefers")
-        ->check(one_of({"1", "4", "8", "16"}))
-        ->type_name("N");
-    sub->add_option_function<std::string>(
-           "--memory-limit",
-           [&options](const std::string& text) {
-             options.memory_limit_bytes = parse_byte_size(text);
-           },
-           "Most memory to take on each device: whole bytes, or a number with K, M, G or T (powers "
-           "of 1024), such as 1.5G")
-        ->type_name("SIZE");
   }
 
   void add_contact_sheet() {

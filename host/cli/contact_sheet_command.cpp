@@ -155,9 +155,11 @@ int contact_sheet(const ContactSheetOptions& options) {
 
   const auto cache = std::make_shared<render::SceneCache>();
   const std::vector<Tile> tiles = tiles_of(options, cache->reliefs);
-  const scene::Image& image = tiles[0].scene.image;
+  const scene::Scene& first = tiles[0].scene;
+  const scene::Image& image = first.image;
   const image::SheetLayout layout = layout_of(options, image, tiles.size());
-  render::Options session_options = session_options_of(options.device);
+  render::Options session_options =
+      session_options_of(options.device, self_test_of(first.light, interrupt.token(), bar));
   session_options.cache = cache;
   SheetRender sheet_render(session_options, bar);
   const image::Sheet sheet = sheet_render.render(options.input, tiles, layout, interrupt.token());

@@ -306,7 +306,8 @@ int make_film(const FilmOptions& options) {
   tell_remade(frames);
   std::optional<Error> failure;
   const auto encoding = begin_encoding(encoder, outputs, numbers, failure);
-  render::Options session = session_options_of(options.device);
+  render::Options session = session_options_of(
+      options.device, self_test_of(source.scene().light, interrupt.token(), bar));
   session.cache = cache;
   film::FrameMaker maker(timeline, session, outputs.format);
   FrameRun run(maker, outputs, bar, interrupt.token());

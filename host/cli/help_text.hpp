@@ -20,6 +20,8 @@ Environment:
   AEROSTAT_KERNEL_DIR  reads the kernels from this folder instead of the program
   AEROSTAT_KERNEL_BINARIES
                        on or off: whether compiled programs are kept in the user's cache folder; by default for drivers that keep none themselves
+  AEROSTAT_DEVICE_TIMEOUT
+                       how long a device may take for a launch before it is given up, such as 10m; by default 300s, 0 for never
   AEROSTAT_OIDN_DIR    the folder of Open Image Denoise's library for --denoise, if the system's loader does not find it
   POCL_CACHE_DIR       where PoCL keeps compiled kernels; by default aerostat/pocl in the user's cache folder
   NO_COLOR             if set, nothing is coloured

@@ -18,7 +18,6 @@ namespace aerostat::cli {
 namespace {
 
 constexpr std::array kSignals{SIGINT, SIGTERM};
-constexpr int kGraceMilliseconds = 1000;
 constexpr char kStop = 's';
 constexpr char kEnd = 'e';
 
@@ -87,7 +86,8 @@ void Interrupt::watch(int pipe) {
   bool in_time = true;
   if (receive(pipe, -1, in_time) == kStop) {
     source_.request_stop();
-    receive(pipe, kGraceMilliseconds, in_time);
+    receive(pipe, grace_ms_, in_time);
+    if (!in_time && grace_ms_ == kNoLimit) receive(pipe, kNoLimit, in_time);
     if (!in_time) {
       // Other threads still work, so that only an end without their clean-up is safe. Files are
       // written in such a way that nothing of them is left behind.

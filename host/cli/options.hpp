@@ -22,6 +22,7 @@ struct DeviceOptions {
   std::string selector;
   int lanes = 0;
   std::uint64_t memory_limit_bytes = 0;
+  bool skip_self_test = false;
 };
 
 struct RenderOptions {
@@ -34,6 +35,10 @@ struct RenderOptions {
   std::optional<int> width, height, spp;
   std::optional<std::uint32_t> seed;
   std::optional<render::Crop> crop;
+  double time_limit_s = 0.0;         // 0: none
+  bool save_partial = false;         // of an interrupted render
+  std::filesystem::path checkpoint;  // empty: none
+  double checkpoint_every_s = 60.0;
   DeviceOptions device;
   std::filesystem::path labels;       // places to name in the picture; empty: none
   std::filesystem::path labels_json;  // "-" stands for standard output; empty: none

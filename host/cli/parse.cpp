@@ -121,7 +121,7 @@ std::uint64_t parse_byte_size(const std::string& text) {
   return static_cast<std::uint64_t>(bytes);
 }
 
-double parse_duration(const std::string& text) {
+double parse_duration(const std::string& text, const char* option) {
   double number = 0.0;
   const char* const end = text.data() + text.size();
   const auto [rest, error] = std::from_chars(text.data(), end, number);
@@ -129,9 +129,9 @@ double parse_duration(const std::string& text) {
   const bool is_unit = unit.empty() || unit == "s" || unit == "m" || unit == "h";
   if (error != std::errc{} || !is_unit || !(number > 0.0) || !std::isfinite(number)) {
     throw Error(ErrorKind::usage,
-                fmt::format("--time-limit: '{}' is not a time; expected seconds, or a number with "
-                            "s, m or h, such as 90s",
-                            text));
+                fmt::format("{}: '{}' is not a time; expected seconds, or a number with s, m or h, "
+                            "such as 90s",
+                            option, text));
   }
   return number * (unit == "h" ? 3600.0 : unit == "m" ? 60.0 : 1.0);
 }

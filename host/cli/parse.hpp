@@ -24,8 +24,8 @@ void require_inside(const render::Crop& crop, int width, int height);
 std::uint64_t parse_byte_size(const std::string& text);
 
 /// Returns the seconds of a time such as "90", "90s", "10m" or "1.5h". Throws Error{usage} if the
-/// text is no time above 0.
-double parse_duration(const std::string& text);
+/// text is no time above 0. The message names the option.
+double parse_duration(const std::string& text, const char* option = "--time-limit");
 
 inline constexpr int kMostTiles = 1000;
 

@@ -1,11 +1,16 @@
 #include "cli/picture.hpp"
 
 #include <cstdio>
+#include <cstdlib>
 #include <map>
 #include <utility>
 
 #include <fmt/format.h>
 
+#include "cli/parse.hpp"
+#include "cli/progress_text.hpp"
+#include "core/environment.hpp"
+#include "core/error.hpp"
 #include "opencl/device.hpp"
 #include "render/development.hpp"
 
@@ -25,12 +30,55 @@ WarningsAbove::~WarningsAbove() {
   set_log_sink(std::move(former_));
 }
 
-render::Options session_options_of(const DeviceOptions& options) {
+namespace {
+
+constexpr const char* kTimeoutVariable = "AEROSTAT_DEVICE_TIMEOUT";
+
+/// Returns the seconds after which a device counts as lost, or 0 for never.
+double device_timeout_s() {
+  const auto text = environment_variable(kTimeoutVariable);
+  if (!text) return render::Options().device_timeout_s;
+  if (*text == "0") return 0.0;
+  return parse_duration(*text, kTimeoutVariable);
+}
+
+/// Ends the process. Threads of the driver may hang, so that nothing else is certain to end it.
+/// Files are written in such a way that nothing of them is left behind.
+[[noreturn]] void give_up_device(double seconds) {
+  print_stderr(
+      fmt::format("aerostat: the device has not answered for {} and is given up; nothing "
+                  "more is written ({} changes the time)\n",
+                  duration_text(seconds), kTimeoutVariable));
+  std::_Exit(static_cast<int>(ErrorKind::exhausted));
+}
+
+}  // namespace
+
+render::Options session_options_of(const DeviceOptions& options, const render::SelfTest& test) {
   render::Options session;
-  session.devices = opencl::select_devices(opencl::effective_selector(options.selector));
+  const std::string selector = opencl::effective_selector(options.selector);
+  render::SelfTest own = test;
+  own.lanes = options.lanes;
+  session.devices = options.skip_self_test ? opencl::select_devices(selector)
+                                           : render::select_tested(selector, own);
   session.lanes = options.lanes;
+  session.device_timeout_s = device_timeout_s();
+  if (session.device_timeout_s > 0.0) {
+    session.on_device_timeout = [seconds = session.device_timeout_s] { give_up_device(seconds); };
+  }
   session.memory_limit_bytes = options.memory_limit_bytes;
   return session;
+}
+
+render::SelfTest self_test_of(scene::Integrator integrator, const std::stop_token& stop,
+                              ProgressBar& bar) {
+  render::SelfTest test;
+  test.integrator = integrator;
+  test.stop = stop;
+  test.progress = [&bar](const render::Progress& progress) {
+    if (progress.stage == render::Stage::kernels) bar.update(progress);
+  };
+  return test;
 }
 
 std::string names_of(const std::vector<opencl::Device>& devices) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <stop_token>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -9,6 +10,7 @@
 #include "cli/progress_bar.hpp"
 #include "core/log.hpp"
 #include "image/write.hpp"
+#include "render/self_test.hpp"
 #include "render/session.hpp"
 #include "scene/picture.hpp"
 
@@ -30,9 +32,14 @@ class WarningsAbove {
   LogSink former_;
 };
 
-/// Returns the options of a session that renders each view once. Finds the devices of the
-/// options, or else those of the environment. Throws the errors of opencl::select_devices.
-render::Options session_options_of(const DeviceOptions& options);
+/// Returns the options of a session that renders each view once. Finds the devices of the options,
+/// or else those of the environment, and tests those that are used for the first time. Throws the
+/// errors of render::select_tested.
+render::Options session_options_of(const DeviceOptions& options, const render::SelfTest& test);
+
+/// Returns a self-test that shows on the bar that kernels are being compiled.
+render::SelfTest self_test_of(scene::Integrator integrator, const std::stop_token& stop,
+                              ProgressBar& bar);
 
 /// Returns each name once, with the number of devices that have it.
 std::string names_of(const std::vector<opencl::Device>& devices);

@@ -8,9 +8,11 @@
 #include "cli/commands.hpp"
 #include "cli/interrupt.hpp"
 #include "cli/label_files.hpp"
+#include "cli/long_render.hpp"
 #include "cli/parse.hpp"
 #include "cli/picture.hpp"
 #include "cli/progress_bar.hpp"
+#include "cli/progress_text.hpp"
 #include "cli/report.hpp"
 #include "cli/scene_input.hpp"
 #include "core/error.hpp"
@@ -97,18 +99,27 @@ struct Opened {
   double seconds = 0.0;  // time that finding the devices took
 };
 
+/// Returns what the film of a file of this format holds.
+render::Contents contents_of(PictureFormat format) {
+  return format == PictureFormat::exr ? render::Contents::layers : render::Contents::picture;
+}
+
+bool has_guides(const RenderOptions& options, PictureFormat format) {
+  return format == PictureFormat::exr || options.denoise;
+}
+
 /// Opens a session, which begins to load or compile its kernels.
-Opened open_session(const RenderOptions& options, PictureFormat format, scene::Integrator light,
+Opened open_session(const RenderOptions& options, PictureFormat format,
+                    const render::SelfTest& test,
                     const std::shared_ptr<render::SceneCache>& cache) {
   const Stopwatch watch;
-  render::Options session_options = session_options_of(options.device);
+  render::Options session_options = session_options_of(options.device, test);
   session_options.cache = cache;
-  session_options.contents =
-      format == PictureFormat::exr ? render::Contents::layers : render::Contents::picture;
-  session_options.guides = format == PictureFormat::exr || options.denoise;
+  session_options.contents = contents_of(format);
+  session_options.guides = has_guides(options, format);
   Opened opened{std::make_unique<render::Session>(session_options), session_options.devices,
                 watch.seconds()};
-  opened.session->begin_kernels(light);
+  opened.session->begin_kernels(test.integrator);
   return opened;
 }
 
@@ -119,10 +130,23 @@ void keep_to_the_end(std::unique_ptr<render::Session> session) {
   [[maybe_unused]] static const render::Session* const kept = session.release();
 }
 
-std::string summary(const fs::path& output, const image::Film& film, int spp,
+/// Returns the samples per pixel in words.
+std::string samples_text(const LongRender& course, const RenderOptions& options, int spp) {
+  if (course.missing().empty()) return fmt::format("{} spp", spp);
+  if (options.time_limit_s <= 0.0) return course.missing();
+  return fmt::format("{} in the time limit of {}", course.missing(),
+                     duration_text(options.time_limit_s));
+}
+
+/// Returns a line about the picture.
+std::string summary(const fs::path& output, const image::Film& film, const std::string& samples,
                     const std::vector<opencl::Device>& devices, double seconds) {
-  return fmt::format("wrote {} ({} x {}, {} spp) in {:.1f} s on {}", name_of_output(output),
-                     film.width, film.height, spp, seconds, names_of(devices));
+  return fmt::format("wrote {} ({} x {}, {}) in {:.1f} s on {}", name_of_output(output), film.width,
+                     film.height, samples, seconds, names_of(devices));
+}
+
+fs::path name_of_picture(const RenderOptions& options) {
+  return options.output.empty() ? default_picture(options.input.scene) : options.output;
 }
 
 /// Starts oneTBB before drivers are loaded in another thread. Otherwise the libraries that it
@@ -139,14 +163,14 @@ void print_stats(const render::Session& session, const CommandSeconds& seconds) 
 
 int render(const RenderOptions& options) {
   const Stopwatch watch;
-  const fs::path named =
-      options.output.empty() ? default_picture(options.input.scene) : options.output;
+  const fs::path named = name_of_picture(options);
   const PictureFormat format = picture_format(named, options.format);
   const fs::path output = output_file(named, options.input, true);
   LabelFiles labels(options, output, format);
-  const Interrupt interrupt;
+  Interrupt interrupt;
   ProgressBar bar(stderr_style(options.quiet), print_stderr);
   const WarningsAbove warnings(bar, options.quiet);
+  LongRender course(options, output, interrupt, bar, watch);
 
   CommandSeconds seconds;
   Stopwatch phase;
@@ -156,35 +180,35 @@ int render(const RenderOptions& options) {
   require_encodable(options, scene.image, format);
   start_threads();
   // Drivers are loaded while the ground is laid out.
-  auto opening = std::async(std::launch::async, [&, light = scene.light] {
-    return open_session(options, format, light, cache);
-  });
+  const render::SelfTest test = self_test_of(scene.light, interrupt.token(), bar);
+  auto opening =
+      std::async(std::launch::async, [&] { return open_session(options, format, test, cache); });
   const scene::ResolvedScene resolved = resolve_scene(scene, options.input, cache->reliefs);
   labels.find(resolved, cache->reliefs);
   const std::optional<MapFile> map = map_file(options, format, resolved, cache->reliefs);
   seconds.placing = phase.seconds();
   Opened opened = opening.get();
   seconds.device = opened.seconds;
-  image::Film film = opened.session->render(
-      resolved, interrupt.token(),
-      [&bar](const render::Progress& progress) { bar.update(progress); }, options.crop);
+  image::Film film =
+      course.render(*opened.session, resolved, contents_of(format), has_guides(options, format));
   bar.clear();
   warn_of_nan(film);
   phase.restart();
-  if (options.denoise) denoise::denoise(film, {.stop = interrupt.token()});
+  if (options.denoise) denoise::denoise(film, {.stop = course.token()});
   seconds.denoising = phase.restart();
   const auto bytes = encode(film, format, scene.image, map);
   seconds.encoding = phase.restart();
-  stop_if_asked(interrupt.token());
+  stop_if_asked(course.token());
   write_file(output, bytes);
   labels.write(film, bytes);
   seconds.writing = phase.seconds();
-
+  const std::string samples = samples_text(course, options, scene.image.spp);
   if (!options.quiet) {
-    bar.message(summary(output, film, scene.image.spp, opened.devices, watch.seconds()));
+    bar.message(summary(output, film, samples, opened.devices, watch.seconds()));
   }
   if (options.stats) print_stats(*opened.session, seconds);
   keep_to_the_end(std::move(opened.session));
+  course.finish(name_of_output(output));
   return 0;
 }
 

@@ -1,13 +1,9 @@
 #include "core/file.hpp"
 
-#include <atomic>
 #include <cerrno>
 #include <charconv>
-#include <chrono>
-#include <csignal>
 #include <optional>
 #include <string>
-#include <string_view>
 #include <system_error>
 #include <utility>
 
@@ -17,6 +13,7 @@
 #include <unistd.h>
 
 #include "core/error.hpp"
+#include "core/leftovers.hpp"
 
 namespace aerostat {
 
@@ -65,37 +62,8 @@ fs::path folder_of(const fs::path& path) {
   return parent.empty() ? fs::path(".") : parent;
 }
 
-constexpr std::string_view kTemporary = ".aerostat-";
-
-fs::path temporary_name(const fs::path& folder) {
-  static std::atomic<unsigned> counter{0};
-  return folder / fmt::format("{}{}-{}.tmp", kTemporary, ::getpid(), counter++);
-}
-
-/// Returns the id of the process that wrote the temporary file `name`, or nothing if `name` is
-/// not the name of a temporary file.
-std::optional<pid_t> owner_of(const std::string& name) {
-  if (!name.starts_with(kTemporary) || !name.ends_with(".tmp")) return std::nullopt;
-  pid_t process = 0;
-  const char* const first = name.data() + kTemporary.size();
-  const auto [end, error] = std::from_chars(first, name.data() + name.size(), process);
-  if (error != std::errc{} || *end != '-' || process <= 0) return std::nullopt;
-  return process;
-}
-
-// Removes the temporary files of runs that were killed while they wrote. A file must also be an
-// hour old, because processes of another container or host cannot be seen from here.
-void remove_leftovers(const fs::path& folder) {
-  std::error_code error;
-  const auto old = fs::file_time_type::clock::now() - std::chrono::hours(1);
-  for (fs::directory_iterator at(folder, error), end; !error && at != end; at.increment(error)) {
-    const auto process = owner_of(at->path().filename().string());
-    if (!process || ::kill(*process, 0) == 0 || errno != ESRCH) continue;
-    std::error_code ignored;
-    const auto written = at->last_write_time(ignored);
-    if (!ignored && written < old) fs::remove(at->path(), ignored);
-  }
-}
+/// The parts of a file, one behind the other.
+using Parts = std::span<const std::span<const std::uint8_t>>;
 
 constexpr mode_t kMode = 0666;  // the process's umask takes bits away
 
@@ -125,12 +93,14 @@ Descriptor create_temporary(const fs::path& path) {
   return file;
 }
 
-void write_all(int fd, std::span<const std::uint8_t> bytes, const fs::path& path) {
-  while (!bytes.empty()) {
-    const ssize_t written = ::write(fd, bytes.data(), bytes.size());
-    if (written < 0 && errno == EINTR) continue;
-    if (written <= 0) fail(path, reason(written < 0 ? errno : ENOSPC));
-    bytes = bytes.subspan(static_cast<std::size_t>(written));
+void write_all(int fd, Parts parts, const fs::path& path) {
+  for (std::span<const std::uint8_t> bytes : parts) {
+    while (!bytes.empty()) {
+      const ssize_t written = ::write(fd, bytes.data(), bytes.size());
+      if (written < 0 && errno == EINTR) continue;
+      if (written <= 0) fail(path, reason(written < 0 ? errno : ENOSPC));
+      bytes = bytes.subspan(static_cast<std::size_t>(written));
+    }
   }
 }
 
@@ -171,12 +141,12 @@ fs::path behind_links(const fs::path& path) {
   return target;
 }
 
-void write_special(const fs::path& path, std::span<const std::uint8_t> bytes) {
+void write_special(const fs::path& path, Parts parts) {
   const auto number = open_file_of(path);
   const int fd = number ? ::dup(*number) : ::open(path.c_str(), O_WRONLY | O_NOCTTY | O_CLOEXEC);
   if (fd < 0) fail(path, reason(errno));
   Descriptor file(fd);
-  write_all(file.fd(), bytes, path);
+  write_all(file.fd(), parts, path);
   if (const int code = file.close()) fail(path, reason(code));
 }
 
@@ -206,11 +176,10 @@ void keep_rights(int fd, const struct stat& older) {
   ::fchmod(fd, older.st_mode & 07777);
 }
 
-void write_beside(const fs::path& path, std::span<const std::uint8_t> bytes,
-                  const std::optional<struct stat>& older) {
+void write_beside(const fs::path& path, Parts parts, const std::optional<struct stat>& older) {
   Descriptor file = create_temporary(path);
   if (older) keep_rights(file.fd(), *older);
-  write_all(file.fd(), bytes, path);
+  write_all(file.fd(), parts, path);
   if (::fsync(file.fd()) != 0) fail(path, reason(errno));
   const bool is_placed = !file.is_named() && !older && link_as(file, path, path);
   if (!is_placed && !file.is_named()) name_temporary(file, path);
@@ -267,12 +236,16 @@ Place place_of(const fs::path& path) {
 }  // namespace
 
 void write_file(const fs::path& path, std::span<const std::uint8_t> bytes) {
+  write_file_of(path, std::span(&bytes, 1));
+}
+
+void write_file_of(const fs::path& path, Parts parts) {
   const Place place = place_of(path);
   try {
     if (place.is_special) {
-      write_special(place.path, bytes);
+      write_special(place.path, parts);
     } else {
-      write_beside(place.path, bytes, place.status);
+      write_beside(place.path, parts, place.status);
     }
   } catch (const Error& error) {
     if (place.path == path) throw;

@@ -20,6 +20,10 @@ namespace aerostat {
 /// - Of an older file with several names (hard links), only this name gets the new content.
 void write_file(const std::filesystem::path& path, std::span<const std::uint8_t> bytes);
 
+/// Writes parts one behind the other into one file, as write_file does.
+void write_file_of(const std::filesystem::path& path,
+                   std::span<const std::span<const std::uint8_t>> parts);
+
 /// Throws the Error that write_file would throw, before work is done for nothing. `path` cannot
 /// be written if its folder is missing or read-only, or if it is a folder or read-only itself.
 void require_writable(const std::filesystem::path& path);

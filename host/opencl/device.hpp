@@ -71,6 +71,12 @@ int lanes_for(DeviceType type, unsigned native_width, unsigned preferred_width);
 /// fits none and PoCL was left out, throws Error{io} that tells how to mend the cache folder.
 std::vector<Device> pick(const DeviceList& list, const std::string& selector);
 
+/// Returns whether a selector leaves the choice of a device open: whether it is empty or "auto".
+bool is_automatic(const std::string& selector);
+
+/// Returns the devices of `list` in the order in which "auto" prefers them.
+std::vector<Device> in_order_of_choice(const DeviceList& list);
+
 /// Returns a line such as "0:1  name (cpu)".
 std::string describe(const Device& device);
 

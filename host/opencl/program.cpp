@@ -35,14 +35,22 @@ std::string options_with(int lanes, const std::vector<std::string>& defines) {
   return options;
 }
 
+/// Returns what the driver says about a build that failed.
+std::string build_log(const cl::Program& program, const cl::Device& device) {
+  try {
+    return program.getBuildInfo<CL_PROGRAM_BUILD_LOG>(device);
+  } catch (const cl::Error&) {
+    return "(the driver gives no log)";
+  }
+}
+
 [[noreturn]] void throw_build_error(const Device& device, const std::string& entry,
-                                    const std::string& options, const cl::BuildError& error) {
-  std::string log;
-  for (const auto& part : error.getBuildLog()) log += part.second;
-  throw Error(ErrorKind::internal,
-              fmt::format("the kernels of {} do not build for {} {} with {} ({}):\n{}", entry,
-                          device.selector(), device.name, options, status_name(error.err()),
-                          shortened(log)));
+                                    const std::string& options, int status,
+                                    const std::string& log) {
+  throw Error(
+      ErrorKind::internal,
+      fmt::format("the kernels of {} do not build for {} {} with {} ({}):\n{}", entry,
+                  device.selector(), device.name, options, status_name(status), shortened(log)));
 }
 
 }  // namespace
@@ -93,12 +101,14 @@ void Program::build(const Context& context, const std::string& text, const std::
   const auto doing = fmt::format("building the kernels of {}", entry_);
   guarded(doing.c_str(), [&] {
     program_ = std::make_shared<cl::Program>(context.handle(), text);
-    try {
-      program_->build({*context.device().handle}, options.c_str());
-    } catch (const cl::BuildError& error) {
-      if (is_exhaustion(error.err())) throw;
-      throw_build_error(context.device(), entry_, options, error);
-    }
+    const cl::Device& device = *context.device().handle;
+    // The bindings' own build() would lose the status if the driver gives no log.
+    const cl_device_id id = device();
+    const cl_int status =
+        ::clBuildProgram((*program_)(), 1, &id, options.c_str(), nullptr, nullptr);
+    if (status == CL_SUCCESS) return;
+    if (is_exhaustion(status)) throw cl::Error(status, "clBuildProgram");
+    throw_build_error(context.device(), entry_, options, status, build_log(*program_, device));
   });
 }
 

@@ -2,6 +2,7 @@
 #include <cctype>
 #include <charconv>
 #include <functional>
+#include <iterator>
 #include <optional>
 #include <string_view>
 #include <system_error>
@@ -40,7 +41,7 @@ Rule of_type(DeviceType type) {
 
 /// Returns the rules by which a device is searched, the most wanted first.
 std::vector<Rule> rules_of(const std::string& wanted) {
-  if (wanted.empty() || wanted == "auto") {
+  if (is_automatic(wanted)) {
     return {of_type(DeviceType::gpu), of_type(DeviceType::cpu), of_type(DeviceType::other)};
   }
   if (wanted == "cpu") return {of_type(DeviceType::cpu)};
@@ -192,6 +193,18 @@ std::vector<Device> pick(const DeviceList& list, const std::string& selector) {
     }
   }
   return picked;
+}
+
+bool is_automatic(const std::string& selector) {
+  return selector.empty() || lower(selector) == "auto";
+}
+
+std::vector<Device> in_order_of_choice(const DeviceList& list) {
+  std::vector<Device> devices;
+  for (const auto& rule : rules_of("auto")) {
+    std::copy_if(list.devices.begin(), list.devices.end(), std::back_inserter(devices), rule);
+  }
+  return devices;
 }
 
 std::vector<Device> select_devices(const std::string& selector) {

@@ -10,8 +10,6 @@
 namespace aerostat::render {
 namespace {
 
-constexpr std::chrono::milliseconds kPatience(20);
-
 /// Ends a pass for all devices when one of them, or the thread that waits for them, gives up.
 struct Closing {
   RowQueue& queue;
@@ -82,7 +80,7 @@ int DeviceTeam::await_programs(const std::function<void(double)>& waiting, doubl
     if (worker.has_programs()) return;
     do {
       waiting(programs_fraction());
-    } while (!worker.await_programs(kPatience));
+    } while (!worker.await_programs(kWaitingEvery));
     built += kProgramCount;
     slowest = std::max(slowest, worker.program_seconds());
   });
@@ -104,10 +102,14 @@ void DeviceTeam::mark_converged(const AeroConvergence& convergence, const RowQue
   on_each([&](DeviceWorker& worker) { worker.mark_converged(convergence); });
 }
 
+void DeviceTeam::set_sums(const FilmSums& sums) {
+  DeviceWorker& first = *workers_.front();
+  on(first, [&] { first.set_sums(sums); });
+}
+
 /// Renders the pass on one thread for each device, while this thread waits for them.
 void DeviceTeam::trace(const Pass& pass, RowQueue& queue, const std::stop_token& stop,
                        const Waiting& waiting) {
-  queue.begin_pass(pass.area.y0, pass.area.y1);
   const auto film_of = [this](int index) -> const DeviceFilm& { return worker(index).film(); };
   std::vector<std::future<void>> running;
   const Closing closing{queue};
@@ -121,7 +123,7 @@ void DeviceTeam::trace(const Pass& pass, RowQueue& queue, const std::stop_token&
   for (auto& one : running) {
     do {
       waiting();
-    } while (one.wait_for(kPatience) != std::future_status::ready);
+    } while (one.wait_for(kWaitingEvery) != std::future_status::ready);
   }
   for (auto& one : running) one.get();
 }
@@ -129,7 +131,8 @@ void DeviceTeam::trace(const Pass& pass, RowQueue& queue, const std::stop_token&
 std::vector<FilmRows> DeviceTeam::film_rows(const RowQueue& queue) const {
   std::vector<FilmRows> parts;
   for (const RowRun& run : queue.held()) {
-    parts.push_back({run.y0, run.y1, &worker(run.holder).film()});
+    // Each device cleared its whole film, so the first one has the rows that nobody holds.
+    parts.push_back({run.y0, run.y1, &worker(std::max(run.holder, 0)).film()});
   }
   return parts;
 }

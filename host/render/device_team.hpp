@@ -1,5 +1,6 @@
 #pragma once
 
+#include <chrono>
 #include <cstdint>
 #include <functional>
 #include <memory>
@@ -7,8 +8,12 @@
 #include <vector>
 
 #include "render/device_worker.hpp"
+#include "render/film_sums.hpp"
 
 namespace aerostat::render {
+
+/// How often a thread that waits for devices is told so.
+inline constexpr std::chrono::milliseconds kWaitingEvery(20);
 
 /// Several devices that work as one. The team has what each device needs for a frame, and shares
 /// out the rows of the frame. If there are several devices, an Error of one of them names it.
@@ -43,12 +48,16 @@ class DeviceTeam {
   /// rows.
   void mark_converged(const AeroConvergence& convergence, const RowQueue& queue);
 
-  /// Renders the pass on all devices. Returns early when `stop` is requested, and launches may
-  /// still be running then.
+  /// Gives the first device the sums of a render that goes on. Call it after `begin_film`, for a
+  /// queue whose rows that device holds.
+  void set_sums(const FilmSums& sums);
+
+  /// Renders the rows that wait in `queue` on all devices, as a part of the pass. Returns early
+  /// when `stop` is requested, and launches may still be running then.
   void trace(const Pass& pass, RowQueue& queue, const std::stop_token& stop,
              const Waiting& waiting);
 
-  /// Returns the films that hold the rows of `queue` after whole passes.
+  /// Returns the films that hold the rows of `queue`. Rows that nobody has rendered are empty.
   std::vector<FilmRows> film_rows(const RowQueue& queue) const;
 
   /// Returns the number of eye rays that are done. It counts those whose light is in the films, and

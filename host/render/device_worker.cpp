@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "render/film_sums.hpp"
+
 namespace aerostat::render {
 namespace {
 
@@ -126,6 +128,13 @@ void DeviceWorker::begin_film(const Crop& window, Layers layers) {
   opencl::launch(context_, built().programs->clear_film, range, frame_.film.pixels, pixels);
   if (!frame_.guides) return;
   opencl::launch(context_, built().programs->clear_guides, range, frame_.film.guides, pixels);
+}
+
+void DeviceWorker::set_sums(const FilmSums& sums) {
+  some_converged_ = std::any_of(sums.pixels.begin(), sums.pixels.end(),
+                                [](const AeroFilmPixel& pixel) { return pixel.converged != 0; });
+  frame_.film.pixels.write(sums.pixels);
+  if (frame_.guides) frame_.film.guides.write(sums.guides);
 }
 
 void DeviceWorker::mark_converged(const AeroConvergence& convergence) {

@@ -21,6 +21,8 @@
 
 namespace aerostat::render {
 
+struct FilmSums;
+
 /// A number of samples for every pixel of an area, which lies inside the window of the film.
 struct Pass {
   AeroFrame frame{};
@@ -69,6 +71,9 @@ class DeviceWorker {
   /// Begins an empty film of these pixels of the image. They must be at most as many as
   /// `begin_frame` allocated. Only a film of all layers has guides.
   void begin_film(const Crop& window, Layers layers);
+
+  /// Fills the film with the sums of a render that goes on. They must fit its window.
+  void set_sums(const FilmSums& sums);
 
   /// Copies the rows y0 <= y < y1 of the image from another device's film of the same window.
   void adopt(int y0, int y1, const DeviceFilm& from);

@@ -38,6 +38,16 @@ Crop PassPlan::area_from(int done) const {
           std::min(crop_.x1 + apron, width_), std::min(crop_.y1 + apron, height_)};
 }
 
+std::uint64_t PassPlan::rays_until(int samples, int rows_left) const {
+  std::uint64_t rays = 0;
+  for (int done = 0; done < samples; done += samples_from(done)) {
+    rays += static_cast<std::uint64_t>(samples_from(done)) * area_from(done).pixels();
+  }
+  const Crop now = area_from(samples);
+  const Crop finished{0, 0, now.x1 - now.x0, std::max(0, now.y1 - now.y0 - rows_left)};
+  return rays + static_cast<std::uint64_t>(samples_from(samples)) * finished.pixels();
+}
+
 std::uint64_t PassPlan::rays() const {
   std::uint64_t rays = 0;
   const int round = adaptive_ ? AERO_LEAST_SAMPLES : samples_;

@@ -30,6 +30,9 @@ class PassPlan {
   Crop area_from(int done) const;
   /// Returns the number of eye rays of all passes if no pixel converges early.
   std::uint64_t rays() const;
+  /// Returns how many of these rays a render has done whose passes have taken `samples` of each
+  /// pixel, and in whose next pass `rows_left` rows still wait.
+  std::uint64_t rays_until(int samples, int rows_left) const;
 
  private:
   int decisions_after(int done) const;

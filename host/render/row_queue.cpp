@@ -11,9 +11,18 @@ RowQueue::RowQueue(int y0, int y1, int devices)
       first_own_(static_cast<std::size_t>(devices), y0) {}
 
 void RowQueue::begin_pass(int y0, int y1) {
+  const RowRange rows{y0, y1};
+  begin_pass(std::span(&rows, 1));
+}
+
+void RowQueue::begin_pass(std::span<const RowRange> waiting) {
   const std::lock_guard lock(mutex_);
-  for (int y = y0_; y < y1_; ++y) row(y).waits = y >= y0 && y < y1;
-  waiting_ = y1 - y0;
+  for (Row& one : rows_) one.waits = false;
+  waiting_ = 0;
+  for (const RowRange& rows : waiting) {
+    for (int y = rows.y0; y < rows.y1; ++y) row(y).waits = true;
+    waiting_ += rows.y1 - rows.y0;
+  }
   std::fill(first_own_.begin(), first_own_.end(), y0_);
 }
 
@@ -34,6 +43,23 @@ std::optional<RowRun> RowQueue::next(int device, int least, int most) {
 void RowQueue::close() {
   const std::lock_guard lock(mutex_);
   waiting_ = 0;
+}
+
+std::vector<RowRange> RowQueue::pause() {
+  const std::lock_guard lock(mutex_);
+  std::vector<RowRange> waiting;
+  for (int y = y0_; y < y1_ && waiting_ > 0; ++y) {
+    if (!row(y).waits) continue;
+    if (waiting.empty() || waiting.back().y1 != y) waiting.push_back({y, y});
+    waiting.back().y1 = y + 1;
+  }
+  waiting_ = 0;
+  return waiting;
+}
+
+void RowQueue::hold_all(int device) {
+  const std::lock_guard lock(mutex_);
+  for (Row& one : rows_) one.holder = device;
 }
 
 /// Returns the first waiting rows that `device` or nobody holds, at most `most`.

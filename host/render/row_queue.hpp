@@ -2,9 +2,15 @@
 
 #include <mutex>
 #include <optional>
+#include <span>
 #include <vector>
 
 namespace aerostat::render {
+
+/// Rows of the image, y0 <= y < y1.
+struct RowRange {
+  int y0 = 0, y1 = 0;
+};
 
 /// Rows of the image, y0 <= y < y1, and the device whose film holds what was rendered of them.
 struct RowRun {
@@ -28,6 +34,8 @@ class RowQueue {
   /// called during a pass.
   void begin_pass() { begin_pass(y0_, y1_); }
   void begin_pass(int y0, int y1);
+  /// Begins a pass, or goes on with a paused one, in which these rows wait.
+  void begin_pass(std::span<const RowRange> waiting);
 
   /// Gives up to `most` rows to `device`, which holds them from now on. The `holder` of the run is
   /// the device that held them before. Returns nothing if no row is left. Several devices get fewer
@@ -37,6 +45,12 @@ class RowQueue {
 
   /// Ends the pass, so that no row is left in it.
   void close();
+  /// Ends the pass and returns the rows that waited, from the top. Rows that devices work on are
+  /// not among them.
+  std::vector<RowRange> pause();
+
+  /// Makes a device the holder of all rows.
+  void hold_all(int device);
 
   /// Returns which device holds which rows, from the top.
   std::vector<RowRun> held() const;

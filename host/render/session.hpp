@@ -25,6 +25,7 @@ struct GroupKind;
 /// refines.
 namespace aerostat::render {
 
+struct Course;
 struct SceneCache;
 struct TestHooks;
 
@@ -71,6 +72,11 @@ struct Options {
   /// The cache of what scenes need beside their geometry. Null means that the session makes its
   /// own. A caller that resolves the scenes gives the cache that it resolves them with.
   std::shared_ptr<SceneCache> cache = nullptr;
+  /// Is called if no launch comes to its end for `device_timeout_s` while rays are traced. A driver
+  /// that hangs cannot be stopped, so that only the end of the process helps. Null means that the
+  /// session waits without limit.
+  std::function<void()> on_device_timeout = nullptr;
+  double device_timeout_s = 300.0;
 };
 
 /// A part of the image. It holds the pixels x0 <= x < x1, y0 <= y < y1.
@@ -165,6 +171,19 @@ class Session {
   image::Film render(const scene::ResolvedScene& scene, std::stop_token stop = {},
                      const ProgressCallback& progress = {}, std::optional<Crop> crop = {},
                      Plants plants = Plants::as_seen, int shrink = 1);
+
+  /// Renders like `render`, but may go on from the sums of a former render, pause, and end early
+  /// with the film so far, as `course` says. The exposure of such a film is that of the whole
+  /// picture. Throws Error{usage} if the sums are not those of this picture.
+  image::Film render_on(const scene::ResolvedScene& scene, const Course& course,
+                        std::stop_token stop = {}, const ProgressCallback& progress = {},
+                        std::optional<Crop> crop = {});
+
+  /// Returns the lanes of the device with the widest packets, by which passes are planned.
+  int lanes() const;
+  /// Returns the pixels that `render` of the crop takes samples of, which are those of the sums of
+  /// a render (film_sums.hpp). Throws Error{usage} if the crop is not inside the image.
+  Crop film_window(const scene::Image& image, std::optional<Crop> crop = {}) const;
 
   /// Returns the film of the passes that are finished, which is empty before the first one. It may
   /// be called from any thread.

@@ -9,6 +9,7 @@
 #include "opencl/device.hpp"
 #include "render/development.hpp"
 #include "render/scene_cache.hpp"
+#include "render/self_test.hpp"
 #include "render/session.hpp"
 #include "scene/scene.hpp"
 #include "world/resolve.hpp"
@@ -66,7 +67,10 @@ void ExportJob::run(const std::stop_token& stop, const scene::Scene& scene, cons
     const std::filesystem::path file = path.toStdString();
     require_writable(file);
     render::Options options;
-    options.devices = opencl::select_devices(opencl::effective_selector(device.toStdString()));
+    render::SelfTest test;
+    test.integrator = scene.light;
+    test.stop = stop;
+    options.devices = render::select_tested(opencl::effective_selector(device.toStdString()), test);
     const bool is_exr =
         QFileInfo(path).suffix().compare(QLatin1String("exr"), Qt::CaseInsensitive) == 0;
     options.contents = is_exr ? render::Contents::layers : render::Contents::picture;

@@ -4,6 +4,7 @@
 
 #include "image/write.hpp"
 #include "opencl/device.hpp"
+#include "render/self_test.hpp"
 #include "scene/scene.hpp"
 #include "viewer/picture.hpp"
 
@@ -104,7 +105,15 @@ void RenderThread::serve(const Request& request, const std::stop_token& stop) {
       selector = selector_;
     }
     render::Options options;
-    options.devices = opencl::select_devices(opencl::effective_selector(selector.toStdString()));
+    // The test is not stopped by edits, because it would have to compile its kernels again.
+    render::SelfTest test;
+    test.integrator = request.scene->light;
+    test.progress = [this](const render::Progress& progress) {
+      if (progress.stage != render::Stage::kernels) return;
+      tell([this, progress] { listener_.progressed(progress); });
+    };
+    options.devices =
+        render::select_tested(opencl::effective_selector(selector.toStdString()), test);
     device_.clear();
     for (const auto& device : options.devices) {
       device_ += (device_.isEmpty() ? "" : " + ") + QString::fromStdString(device.name);

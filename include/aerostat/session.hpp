@@ -27,6 +27,11 @@ struct SessionOptions {
   bool interactive = false;
   /// Whether films hold albedos and normals. Without them, rendering takes less time.
   bool guides = true;
+  /// Whether a device is tested when it is used for the first time with its driver: rays with known
+  /// answers are compared. That takes the time that kernels take to compile. If a device that is
+  /// named fails, the session throws Error{no_device}; in place of one that "auto" stands for, the
+  /// next device is taken.
+  bool self_test = true;
 };
 
 enum class Stage { world, trees, kernels, upload, rays, done };

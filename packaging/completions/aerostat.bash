@@ -3,10 +3,10 @@
 _aerostat_commands='render contact-sheet film new scenes devices check dump export'
 
 _aerostat_options() {
-  local common='--help' scene='--help --set' device='--device --lanes --memory-limit --quiet'
+  local common='--help' scene='--help --set' device='--device --lanes --memory-limit --skip-self-test --quiet'
   case $1 in
     render)
-      echo "$scene $device --output --format --width --height --quality --spp --seed --crop --labels --labels-json --world-file --denoise --stats" ;;
+      echo "$scene $device --output --format --width --height --quality --spp --seed --crop --labels --labels-json --world-file --denoise --time-limit --save-partial --checkpoint --checkpoint-every --stats" ;;
     contact-sheet) echo "$scene $device --seeds --views --output --columns --tile-width --quality" ;;
     film)
       echo "$scene $device --output --codec --frames --shard --time-limit --verify --preview --width --height --quality" ;;
@@ -62,9 +62,10 @@ _aerostat_values() {
     --plants) compgen -W 'none seen all' -- "$word" ;;
     --labels) _aerostat_files "$word" geojson json csv ;;
     --labels-json) _aerostat_files "$word" json ;;
+    --checkpoint) _aerostat_files "$word" checkpoint ;;
     -o | --output) _aerostat_outputs "$command" "$word" ;;
     --set | --width | --height | --spp | --seed | --seeds | --crop | --memory-limit | --columns | --view | --views | \
-      --tile-width | --most-triangles | --frames | --shard | --time-limit) ;;
+      --tile-width | --most-triangles | --frames | --shard | --time-limit | --checkpoint-every) ;;
     *) return 1 ;;
   esac
 }

@@ -35,6 +35,7 @@ complete -c aerostat -n "__fish_seen_subcommand_from $rendering" -x -l quality -
 complete -c aerostat -n "__fish_seen_subcommand_from $rendering" -x -l device -a '(__aerostat_devices)' -d 'OpenCL devices that render'
 complete -c aerostat -n "__fish_seen_subcommand_from $rendering" -x -l lanes -a '1 4 8 16' -d 'Rays per work-item'
 complete -c aerostat -n "__fish_seen_subcommand_from $rendering" -x -l memory-limit -d 'Largest amount of memory to use on each device'
+complete -c aerostat -n "__fish_seen_subcommand_from $rendering" -l skip-self-test -d 'Do not test devices at their first use'
 complete -c aerostat -n "__fish_seen_subcommand_from $rendering" -s q -l quiet -d 'Print only errors'
 
 set -l output 'render contact-sheet film new export'
@@ -51,6 +52,10 @@ complete -c aerostat -n '__fish_seen_subcommand_from render' -r -F -l labels -d 
 complete -c aerostat -n '__fish_seen_subcommand_from render' -r -F -l labels-json -d 'Where the places are in the picture'
 complete -c aerostat -n '__fish_seen_subcommand_from render' -l world-file -d 'Tell programs for maps where the picture lies'
 complete -c aerostat -n '__fish_seen_subcommand_from render' -l denoise -d 'Take the noise out of the picture'
+complete -c aerostat -n '__fish_seen_subcommand_from render' -x -l time-limit -d 'End after this time with the picture so far'
+complete -c aerostat -n '__fish_seen_subcommand_from render' -l save-partial -d 'On Ctrl-C, write the picture so far'
+complete -c aerostat -n '__fish_seen_subcommand_from render' -r -F -l checkpoint -d 'Save the samples to this file and go on with them'
+complete -c aerostat -n '__fish_seen_subcommand_from render' -x -l checkpoint-every -d 'The time between two savings'
 complete -c aerostat -n '__fish_seen_subcommand_from render' -l stats -d 'Report rays, times and memory'
 
 complete -c aerostat -n '__fish_seen_subcommand_from contact-sheet' -x -l seeds -d 'Terrain seeds and ranges of them'

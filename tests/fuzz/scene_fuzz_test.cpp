@@ -17,6 +17,7 @@
 #include "mutate.hpp"
 #include "scene/io.hpp"
 #include "scene/scene.hpp"
+#include "take_scene.hpp"
 
 namespace aerostat::test {
 namespace {
@@ -49,30 +50,6 @@ std::vector<std::string> corpus() {
   return texts;
 }
 
-/// Returns a description of the reader's fault, or an empty string if the reader did as it should.
-std::string fault_of(const std::string& text, const std::vector<std::string>& changes) {
-  bool is_read = false;
-  std::string written;
-  try {
-    std::vector<scene::Override> overrides;
-    for (const std::string& change : changes) overrides.push_back(scene::parse_override(change));
-    written = scene::write_text(scene::read_text(text, "fuzz.json", overrides));
-    is_read = true;
-    const std::string again = scene::write_text(scene::read_text(written, "fuzz.json"));
-    return again == written ? "" : "it reads as another scene than it was written";
-  } catch (const Error& error) {
-    if (is_read) return std::string("what was written is refused: ") + error.what();
-    const bool is_set = error.kind() == ErrorKind::usage && !changes.empty();
-    if (error.kind() != ErrorKind::bad_data && !is_set) return error.what();
-    const std::string message = error.what();
-    const bool says_where = message.find("fuzz.json") != std::string::npos ||
-                            message.find("--set") != std::string::npos;
-    return says_where ? "" : "a message without a place: " + message;
-  } catch (const std::exception& error) {
-    return std::string("not an error of aerostat's own: ") + error.what();
-  }
-}
-
 bool is_scene(const std::string& text) {
   try {
     scene::read_text(text, "fuzz.json");
@@ -95,7 +72,7 @@ TEST(SceneFuzz, AnyBytesAreReadOrRefusedInWords) {
     if (done % 4 == 3) changes.push_back(mutator.next_override());
     // The text is kept in case the reader ends the process.
     if (seconds) std::ofstream("scene-fuzz-last.json", std::ios::binary) << text;
-    const std::string fault = fault_of(text, changes);
+    const std::string fault = fault_of_scene(text, changes);
     if (fault.empty()) {
       good += is_scene(text) ? 1 : 0;
       continue;

@@ -2,12 +2,18 @@
 // available everywhere.
 #include <algorithm>
 #include <atomic>
+#include <chrono>
 #include <cstdlib>
+#include <memory>
 #include <numeric>
+#include <optional>
+#include <thread>
+#include <utility>
 
 #include "core/error.hpp"
 #include "opencl/status.hpp"
 #include "pictures.hpp"
+#include "render/film_sums.hpp"
 #include "render/row_queue.hpp"
 #include "render/test_hooks.hpp"
 
@@ -236,6 +242,32 @@ TEST(Devices, StopTogether) {
       << "nothing is left of it";
 }
 
+TEST(Devices, GoOnTogetherWhereOneHasPaused) {
+  scene::Scene scene = planted_scene("snow", {97, 61, 40, 128});
+  scene.image.adaptive_threshold = 0.02;
+  const image::Film expected = whole().render(resolved(scene));
+  render::Course course;
+  std::optional<render::FilmSums> sums;
+  course.wants_pause = [](const render::Progress& now) { return now.samples_done >= 1; };
+  course.at_pause = [&](const render::Pause& pause) {
+    sums = pause.sums();
+    return false;
+  };
+  auto slow = on(kPocl + "/2");
+  slow.tile_pixels = 1;
+  render::TestHooks hooks;
+  hooks.before_launch = [](const opencl::Device&) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(2));
+  };
+  Session pausing(slow, hooks);
+  pausing.render_on(resolved(scene), course);
+  ASSERT_TRUE(sums);
+  render::Course rest;
+  rest.from = std::make_shared<const render::FilmSums>(std::move(*sums));
+  EXPECT_TRUE(same_bits(expected, halves().render_on(resolved(scene), rest)));
+  EXPECT_TRUE(same_bits(expected, whole().render_on(resolved(scene), rest)));
+}
+
 TEST(Devices, NoneIsAnError) {
   EXPECT_THROW(Session(render::Options{}), Error);
 }
@@ -293,6 +325,23 @@ TEST(RowQueue, LetsDevicesKeepTheirRowsAndTakeOthersAtTheEnd) {
   std::vector<int> holders;
   for (const RowRun& run : queue.held()) holders.insert(holders.end(), {run.y0, run.holder});
   EXPECT_EQ(holders, (std::vector<int>{0, 0, 2, 1, 4, 0, 5, 1}));
+}
+
+TEST(RowQueue, GoesOnWithTheRowsThatWaitedAtAPause) {
+  RowQueue queue(10, 30, 1);
+  queue.begin_pass(12, 28);
+  queue.next(0, 1, 3);
+  const std::vector<render::RowRange> waiting = queue.pause();
+  ASSERT_EQ(waiting.size(), 1u);
+  EXPECT_EQ(std::pair(waiting[0].y0, waiting[0].y1), (std::pair{15, 28}));
+  EXPECT_FALSE(queue.next(0, 1, 3)) << "it is paused";
+  const std::vector<render::RowRange> some{{13, 14}, {20, 22}};
+  queue.hold_all(0);
+  queue.begin_pass(some);
+  EXPECT_EQ(rows_of(queue.next(0, 1, 3)), std::vector<int>{13});
+  EXPECT_EQ(rows_of(queue.next(0, 1, 3)), (std::vector<int>{20, 21}));
+  EXPECT_FALSE(queue.next(0, 1, 3));
+  EXPECT_TRUE(queue.pause().empty());
 }
 
 TEST(RowQueue, IsEmptyWhenClosed) {

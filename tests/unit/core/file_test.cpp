@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <span>
 #include <string>
 #include <thread>
 #include <vector>
@@ -19,6 +20,7 @@
 #include <unistd.h>
 
 #include "core/error.hpp"
+#include "core/leftovers.hpp"
 #include "support/error_of.hpp"
 #include "support/temporary_folder.hpp"
 
@@ -176,6 +178,39 @@ TEST_F(WriteFile, RemovesWhatKilledRunsLeft) {
   put(name(child), 0);
   require_writable(folder_ / "a.png");
   EXPECT_TRUE(fs::exists(name(child))) << "its process may be of another container";
+}
+
+TEST_F(WriteFile, ALeftoverOfThisSystemIsRemovedAtOnce) {
+  const auto names = [this] {
+    std::vector<std::string> found;
+    for (const auto& entry : fs::directory_iterator(folder_)) {
+      found.push_back(entry.path().filename().string());
+    }
+    return found;
+  };
+  const pid_t child = ::fork();
+  if (child == 0) {
+    std::ofstream(temporary_name(folder_)) << "half";
+    ::_exit(0);
+  }
+  ::waitpid(child, nullptr, 0);
+  ASSERT_EQ(names().size(), 1u);
+  const fs::path own = temporary_name(folder_);
+  std::ofstream(own) << "half";
+  // A process that got the number of an older one has begun later.
+  std::string recycled = own.filename().string();
+  recycled.insert(recycled.rfind(".tmp"), "0");
+  std::ofstream(folder_ / recycled) << "half";
+  require_writable(folder_ / "a.png");
+  EXPECT_EQ(names(), std::vector<std::string>{own.filename().string()})
+      << "the file of this process may still be written";
+}
+
+TEST_F(WriteFile, PartsAreWrittenOneBehindTheOther) {
+  const auto first = bytes_of("one "), second = bytes_of("two");
+  const std::vector<std::span<const std::uint8_t>> parts{first, {}, second};
+  write_file_of(folder_ / "a", parts);
+  EXPECT_EQ(read(folder_ / "a"), "one two");
 }
 
 TEST_F(WriteFile, OpenFilesAreWrittenToAndNotReplaced) {

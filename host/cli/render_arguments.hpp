@@ -1,0 +1,16 @@
+#pragma once
+
+#include <CLI/CLI.hpp>
+
+#include "cli/options.hpp"
+
+namespace aerostat::cli {
+
+/// Adds the options of what computes: --device, --lanes, --memory-limit and --skip-self-test.
+void add_device(CLI::App* command, DeviceOptions& options);
+
+/// Adds the options of long renders: --time-limit, --save-partial, --checkpoint and
+/// --checkpoint-every.
+void add_long_render(CLI::App* command, RenderOptions& options);
+
+}  // namespace aerostat::cli
