@@ -114,11 +114,15 @@ void light_by_sun(scene::Scene& scene) {
   scene.sun.irradiance = std::numbers::pi;
   scene.sun.color = vec3(1.0f);
   scene.sun.direction = glm::normalize(dvec3(0.31, 1.0, 0.23));
-  scene.sky.cumulus.cover = 0.0;
+  scene.sky.cumulus.cover = scene.sky.cloud_cover = 0.0;
   scene.air = {0.0, 0.0, vec3(0.0f)};
   scene.haze.visibility_m = 1e12;
   scene.haze.albedo = vec3(0.0f);
   scene.bounces = 0;
+  // Plates that reflect nothing leave the ground the light of the sun alone.
+  scene::Material& plates = scene.material(scene::MaterialId::rim);
+  plates = {};
+  plates.albedo = vec3(0.0f);
 }
 
 scene::Scene scene_of(scene::Integrator integrator) {
