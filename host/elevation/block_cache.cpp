@@ -16,9 +16,10 @@ BlockCache::Block BlockCache::find(const Key& key) {
 void BlockCache::put(const Key& key, Block block) {
   const std::size_t bytes = block->size() * sizeof(float);
   const std::lock_guard lock(mutex_);
-  // A block that is larger than the cache stays alone, because it costs the most to decode.
   if (const auto at = places_.find(key); at != places_.end()) remove(at);
-  while (!entries_.empty() && bytes_ + bytes > most_bytes_)
+  // Two blocks stay, however large they are: what is read often lies on both sides of a border, and
+  // large blocks cost the most to decode.
+  while (entries_.size() > 1 && bytes_ + bytes > most_bytes_)
     remove(places_.find(entries_.back().key));
   entries_.push_front({key, std::move(block)});
   places_[key] = entries_.begin();

@@ -12,7 +12,8 @@
 namespace aerostat::elevation {
 
 /// Decoded strips and tiles of all open files, so that neighbouring windows do not decode them
-/// twice. The least recently used ones go first. It may be used from any thread.
+/// twice. The least recently used ones go first, but two always stay. It may be used from any
+/// thread.
 class BlockCache {
  public:
   /// File, level of detail, and number of the block.

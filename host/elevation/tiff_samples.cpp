@@ -92,18 +92,41 @@ std::optional<T> nodata_as(const std::string& text) {
   }
 }
 
+/// Takes samples one behind the other that are heights in metres. It has no branches, so that many
+/// samples are taken at once.
+template <typename T, bool kHasMark>
+void take_metres(const std::uint8_t* samples, T mark, std::size_t count, float* heights) {
+  constexpr float kVoid = std::numeric_limits<float>::quiet_NaN();
+  for (std::size_t i = 0; i < count; ++i) {
+    const T sample = Plain<T>::load(samples + i * sizeof(T));
+    const auto value = static_cast<float>(sample);
+    const bool is_void = !(std::abs(value) < 1e30f) | (kHasMark && sample == mark);
+    heights[i] = is_void ? kVoid : value;
+  }
+}
+
 template <typename Loader>
 void convert(const HeightRule& rule, const std::uint8_t* samples, std::size_t stride,
              std::size_t count, float* heights) {
   using T = decltype(Loader::load(samples));
-  const std::optional<T> nodata =
-      rule.nodata ? nodata_as<T>(rule.nodata->text) : std::optional<T>();
+  T mark{};  // what stands for no height, if anything does
+  bool has_mark = false;
+  if (rule.nodata) {
+    const std::optional<T> known = nodata_as<T>(rule.nodata->text);
+    has_mark = known.has_value();
+    if (has_mark) mark = *known;
+  }
   const std::size_t step = stride * Loader::kBytes;
   constexpr float kVoid = std::numeric_limits<float>::quiet_NaN();
+  if (sizeof(T) <= 4 && stride == 1 && rule.scale * rule.metres_per_unit == 1.0 &&
+      rule.offset == 0.0) {
+    return has_mark ? take_metres<T, true>(samples, mark, count, heights)
+                    : take_metres<T, false>(samples, mark, count, heights);
+  }
   for (std::size_t i = 0; i < count; ++i) {
     const T sample = Loader::load(samples + i * step);
     const double value = static_cast<double>(sample);
-    if ((nodata && sample == *nodata) || is_no_height(value)) {
+    if ((has_mark && sample == mark) || is_no_height(value)) {
       heights[i] = kVoid;
       continue;
     }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <cmath>
 #include <cstdint>
 #include <functional>
@@ -53,6 +54,15 @@ Samples samples_for(const elevation::Raster& raster, int level) {
   return chosen;
 }
 
+/// Adds some samples that are no voids to a sum, and counts them.
+void add_known(const float* samples, int count, double& sum, int& known) {
+  for (int i = 0; i < count; ++i) {
+    const bool is_known = samples[i] == samples[i];
+    sum += is_known ? static_cast<double>(samples[i]) : 0.0;
+    known += is_known ? 1 : 0;
+  }
+}
+
 /// Averages the samples of a window into cells. The window begins at the corner of a cell.
 void average(const std::vector<float>& samples, const elevation::Window& window, int a_cell,
              float* cells, int cells_stride) {
@@ -65,10 +75,10 @@ void average(const std::vector<float>& samples, const elevation::Window& window,
     for (int j = first; j < std::min(first + a_cell, window.height); ++j) {
       const float* row =
           samples.data() + static_cast<std::size_t>(j) * static_cast<std::size_t>(window.width);
-      for (int i = 0; i < window.width; ++i) {
-        if (std::isnan(row[i])) continue;
-        sums[static_cast<std::size_t>(i / a_cell)] += row[i];
-        ++counts[static_cast<std::size_t>(i / a_cell)];
+      for (int i = 0; i < columns; ++i) {
+        const auto cell = static_cast<std::size_t>(i);
+        add_known(row + i * a_cell, std::min(a_cell, window.width - i * a_cell), sums[cell],
+                  counts[cell]);
       }
     }
     float* out =
@@ -106,8 +116,11 @@ Reduced reduce(const elevation::Raster& raster, int level) {
   std::vector<RasterStatistics> statistics(static_cast<std::size_t>(across) *
                                            static_cast<std::size_t>(down));
   std::vector<std::vector<float>> some(statistics.size());
-  tbb::parallel_for(0, across * down, [&, stop = current_stop()](int chunk) {
+  // Threads take chunks in the order of the file, so that they read the same large blocks.
+  std::atomic<int> next{0};
+  tbb::parallel_for(0, across * down, [&, stop = current_stop()](int) {
     stop_if_asked(stop);
+    const int chunk = next++;
     elevation::Window window{chunk % across * columns, chunk / across * rows, 0, 0};
     window.width = std::min(columns, source.width - window.column);
     window.height = std::min(rows, source.height - window.row);

@@ -31,6 +31,11 @@ void take(float height, std::uint64_t count, float sign, float& end, float& next
 void RasterStatistics::add(const std::vector<float>& heights) {
   for (const float height : heights) {
     ++samples;
+    // Most heights lie between the ends and above the sea.
+    if (height > next_lowest && height < next_highest && height > 0.0f && lowest < next_lowest &&
+        next_highest < highest) {
+      continue;
+    }
     if (std::isnan(height)) {
       ++voids;
       continue;
