@@ -16,9 +16,9 @@
 #include <fmt/ranges.h>
 #include <unistd.h>
 
+#include "core/child_process.hpp"
 #include "core/environment.hpp"
 #include "core/error.hpp"
-#include "elevation/child_process.hpp"
 #include "elevation/gdal_variables.hpp"
 #include "elevation/geotiff.hpp"
 #include "elevation/reading.hpp"
@@ -71,26 +71,6 @@ std::optional<Kind> kind_of(std::span<const std::uint8_t> head, const path& file
     return kind;
   }
   return std::nullopt;
-}
-
-bool is_program(const path& file) {
-  std::error_code code;
-  return std::filesystem::is_regular_file(file, code) && ::access(file.c_str(), X_OK) == 0;
-}
-
-/// Returns where the program gdal_translate is, or an empty path.
-path find_translate() {
-  if (const auto chosen = environment_variable("AEROSTAT_GDAL_TRANSLATE")) {
-    std::error_code code;
-    const path program = std::filesystem::absolute(*chosen, code);
-    return is_program(program) ? program : path();
-  }
-  std::istringstream folders(environment_variable("PATH").value_or("/usr/local/bin:/usr/bin:/bin"));
-  for (std::string folder; std::getline(folders, folder, ':');) {
-    const path program = path(folder) / "gdal_translate";
-    if (program.is_absolute() && is_program(program)) return program;
-  }
-  return {};
 }
 
 /// Returns the environment of GDAL: no network, no files beside the one that it is given, and only
@@ -190,12 +170,8 @@ std::string Conversion::run(const path& program, std::vector<std::string> argume
   if (result.status == 0 && !result.took_too_long) return result.output;
   const std::string name = program.filename().string();
   if (result.took_too_long) refuse(file_, fmt::format("{} took too long and was stopped", name));
-  std::string complaint = result.output.substr(0, result.output.find('\n')).substr(0, 300);
-  std::replace_if(
-      complaint.begin(), complaint.end(), [](unsigned char c) { return c < ' '; }, ' ');
-  refuse(file_, fmt::format("{} cannot read this {} file ({})", name, kind_.name,
-                            complaint.empty() ? fmt::format("it ended with {}", result.status)
-                                              : complaint));
+  refuse(file_,
+         fmt::format("{} cannot read this {} file ({})", name, kind_.name, complaint_of(result)));
 }
 
 /// Returns the name by which GDAL's programs open the raster of heights, which is that of the file
@@ -250,7 +226,7 @@ std::unique_ptr<Raster> open_by_gdal(const path& file, const OpenOptions& option
   head.resize(whole.read(0, head.data(), head.size()));
   const std::optional<Kind> kind = kind_of(head, file);
   if (!kind) refuse(file, "the file changed while it was opened");
-  const path translate = find_translate();
+  const path translate = find_program("gdal_translate", "AEROSTAT_GDAL_TRANSLATE");
   if (translate.empty()) {
     refuse(file, fmt::format("this is a {} file, which only the program gdal_translate of GDAL "
                              "reads, and it was not found. Install it (on Debian and Ubuntu, the "

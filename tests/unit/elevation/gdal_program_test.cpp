@@ -14,8 +14,8 @@
 
 #include <gtest/gtest.h>
 
-#include "elevation/child_process.hpp"
-#include "elevation/confine.hpp"
+#include "core/child_process.hpp"
+#include "core/confine.hpp"
 #include "elevation/gdal_variables.hpp"
 #include "elevation/open.hpp"
 #include "files.hpp"

@@ -1,4 +1,4 @@
-#include "elevation/confine.hpp"
+#include "core/confine.hpp"
 
 #include <cstddef>
 #include <cstdint>
@@ -9,7 +9,7 @@
 #include <sys/syscall.h>
 #include <unistd.h>
 
-namespace aerostat::elevation {
+namespace aerostat {
 
 #if defined(SYS_landlock_create_ruleset)
 
@@ -68,4 +68,4 @@ bool confine_this_thread(const ReachableFiles&) {
 
 #endif
 
-}  // namespace aerostat::elevation
+}  // namespace aerostat

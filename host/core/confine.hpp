@@ -3,7 +3,7 @@
 #include <filesystem>
 #include <vector>
 
-namespace aerostat::elevation {
+namespace aerostat {
 
 /// The only files and folders, with all that is in them, that a program may use.
 struct ReachableFiles {
@@ -17,4 +17,4 @@ struct ReachableFiles {
 /// are left out.
 bool confine_this_thread(const ReachableFiles& files);
 
-}  // namespace aerostat::elevation
+}  // namespace aerostat

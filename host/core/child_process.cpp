@@ -1,4 +1,4 @@
-#include "elevation/child_process.hpp"
+#include "core/child_process.hpp"
 
 #include <algorithm>
 #include <array>
@@ -9,6 +9,7 @@
 #include <cstdlib>
 #include <cstring>
 #include <future>
+#include <sstream>
 #include <system_error>
 #include <thread>
 #include <utility>
@@ -20,9 +21,10 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include "core/environment.hpp"
 #include "core/error.hpp"
 
-namespace aerostat::elevation {
+namespace aerostat {
 namespace {
 
 using Clock = std::chrono::steady_clock;
@@ -148,6 +150,32 @@ ChildResult run_limited(const std::vector<std::string>& command,
   return wait_for(child, ended ? deadline : Clock::now(), std::move(output));
 }
 
+bool is_program(const std::filesystem::path& file) {
+  std::error_code code;
+  return std::filesystem::is_regular_file(file, code) && ::access(file.c_str(), X_OK) == 0;
+}
+
+std::filesystem::path find_program(const char* name, const char* variable) {
+  if (const auto chosen = environment_variable(variable)) {
+    std::error_code code;
+    const std::filesystem::path program = std::filesystem::absolute(*chosen, code);
+    return is_program(program) ? program : std::filesystem::path();
+  }
+  std::istringstream folders(environment_variable("PATH").value_or("/usr/local/bin:/usr/bin:/bin"));
+  for (std::string folder; std::getline(folders, folder, ':');) {
+    const std::filesystem::path program = std::filesystem::path(folder) / name;
+    if (program.is_absolute() && is_program(program)) return program;
+  }
+  return {};
+}
+
+std::string complaint_of(const ChildResult& result) {
+  std::string complaint = result.output.substr(0, result.output.find('\n')).substr(0, 300);
+  std::replace_if(
+      complaint.begin(), complaint.end(), [](unsigned char c) { return c < ' '; }, ' ');
+  return complaint.empty() ? fmt::format("it ended with {}", result.status) : complaint;
+}
+
 PrivateFolder::PrivateFolder() {
   std::error_code code;
   path_ = std::filesystem::temp_directory_path(code);
@@ -164,4 +192,4 @@ PrivateFolder::~PrivateFolder() {
   std::filesystem::remove_all(path_, ignored);
 }
 
-}  // namespace aerostat::elevation
+}  // namespace aerostat

@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
-#include "elevation/confine.hpp"
+#include "core/confine.hpp"
 
-namespace aerostat::elevation {
+namespace aerostat {
 
 /// What a program that is run for us may use.
 struct ChildLimits {
@@ -33,6 +33,16 @@ struct ChildResult {
 ChildResult run_limited(const std::vector<std::string>& command,
                         const std::vector<std::string>& environment, const ChildLimits& limits);
 
+/// Returns whether a file is a program that this user may run.
+bool is_program(const std::filesystem::path& file);
+
+/// Returns where a program is: at the path that the environment variable gives, or else in a folder
+/// of PATH. Returns an empty path if there is no such program, or if the variable names none.
+std::filesystem::path find_program(const char* name, const char* variable);
+
+/// Returns what a program that failed complained about, on one line, or how it ended.
+std::string complaint_of(const ChildResult& result);
+
 /// A new folder that only this user can read. It is removed with all that is in it.
 class PrivateFolder {
  public:
@@ -48,4 +58,4 @@ class PrivateFolder {
   std::filesystem::path path_;
 };
 
-}  // namespace aerostat::elevation
+}  // namespace aerostat
