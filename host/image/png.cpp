@@ -55,21 +55,34 @@ bool png_can_hold(int width, int height) {
   return width > 0 && height > 0 && row * static_cast<std::uint64_t>(height) <= kLargestRawBytes;
 }
 
-std::vector<std::uint8_t> encode_png(const Pixels& pixels) {
-  if (!png_can_hold(pixels.width, pixels.height) ||
-      pixels.rgb.size() !=
-          3 * static_cast<std::size_t>(pixels.width) * static_cast<std::size_t>(pixels.height)) {
+namespace {
+
+std::vector<std::uint8_t> encoded(std::span<const std::uint8_t> samples, int width, int height,
+                                  int channels) {
+  const auto wanted = static_cast<std::size_t>(channels) * static_cast<std::size_t>(width) *
+                      static_cast<std::size_t>(height);
+  if (!png_can_hold(width, height) || samples.size() != wanted || wanted > kLargestRawBytes) {
     throw Error(ErrorKind::internal, fmt::format("encoding a PNG of {} x {} pixels in {} bytes",
-                                                 pixels.width, pixels.height, pixels.rgb.size()));
+                                                 width, height, samples.size()));
   }
   int length = 0;
-  const std::unique_ptr<unsigned char, FreeDeleter> png(stbi_write_png_to_mem(
-      pixels.rgb.data(), 3 * pixels.width, pixels.width, pixels.height, 3, &length));
+  const std::unique_ptr<unsigned char, FreeDeleter> png(
+      stbi_write_png_to_mem(samples.data(), channels * width, width, height, channels, &length));
   if (!png || length <= 0) {
-    throw Error(ErrorKind::internal, fmt::format("encoding a PNG of {} x {} pixels failed",
-                                                 pixels.width, pixels.height));
+    throw Error(ErrorKind::internal,
+                fmt::format("encoding a PNG of {} x {} pixels failed", width, height));
   }
   return {png.get(), png.get() + length};
+}
+
+}  // namespace
+
+std::vector<std::uint8_t> encode_png(const Pixels& pixels) {
+  return encoded(pixels.rgb, pixels.width, pixels.height, 3);
+}
+
+std::vector<std::uint8_t> encode_png(std::span<const std::uint8_t> rgba, int width, int height) {
+  return encoded(rgba, width, height, 4);
 }
 
 }  // namespace aerostat::image

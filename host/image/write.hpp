@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -49,6 +50,10 @@ bool png_can_hold(int width, int height);
 /// Returns the bytes of a PNG file. Throws Error{internal} if the encoder fails or if
 /// png_can_hold returns false.
 std::vector<std::uint8_t> encode_png(const Pixels& pixels);
+
+/// Returns the bytes of a PNG file with opacity: four bytes a pixel, rows from the top on. Throws
+/// Error{internal} if the encoder fails or the number of bytes does not fit the size.
+std::vector<std::uint8_t> encode_png(std::span<const std::uint8_t> rgba, int width, int height);
 
 /// Returns the bytes of an OpenEXR file, compressed without loss (ZIP). It has float channels R G
 /// B A, Z, N.X N.Y N.Z and albedo.R albedo.G albedo.B, and uint channels id and samples. The
