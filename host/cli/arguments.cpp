@@ -15,6 +15,7 @@
 #include "cli/render_arguments.hpp"
 #include "cli/scene_input.hpp"
 #include "cli/validators.hpp"
+#include "cli/world_arguments.hpp"
 #include "core/error.hpp"
 #include "film/encoder.hpp"
 #include "film/frames.hpp"
@@ -26,7 +27,6 @@ namespace {
 constexpr int kLargestSide = 32768;
 constexpr int kMostSamples = 65536;
 constexpr std::int64_t kLargestSeed = 0xffffffffu;
-constexpr std::int64_t kMostTriangles = 0x7fffffff;
 
 /// The command line as a tree of options whose values are written to the structs.
 class Arguments {
@@ -51,6 +51,7 @@ class Arguments {
     add_check();
     add_dump();
     add_export();
+    add_artwork();
   }
 
   /// Returns the command to run. Throws CLI::ParseError.
@@ -65,7 +66,7 @@ class Arguments {
   std::string complaint(const CLI::ParseError& error, int argc, const char* const* argv) {
     if (!app_.get_subcommands().empty()) return error.what();
     const std::string commands =
-        "render, contact-sheet, film, new, scenes, devices, check, dump or export";
+        "render, contact-sheet, film, new, scenes, devices, check, dump, export or artwork";
     if (argc < 2) return fmt::format("no command; expected {}", commands);
     if (argv[1][0] == '-') return error.what();
     return fmt::format("there is no command '{}'; expected {}", argv[1], commands);
@@ -321,23 +322,14 @@ class Arguments {
     CLI::App* sub = add("export", "Write the world's triangles, as they are rendered, to a file",
                         kExportFooter, [this] { return export_world(export_); });
     add_scene(sub, export_.input);
-    sub->add_option("-o,--output", export_.output,
-                    "x.ply (binary; normals, colours, object ids of faces), or x.obj and beside it "
-                    "x.mtl with the materials, or - for standard output")
-        ->required()
-        ->type_name("FILE");
-    add_format(sub, export_.format, {"ply", "obj"},
-               "File format, ply or obj; by default the one that the name ends in, ply for -o -");
-    sub->add_option("--plants", export_.plants,
-                    "none (by default), seen (those that a picture can show or whose shade it can "
-                    "show) or all within /vegetation/reach_m")
-        ->check(one_of({"none", "seen", "all"}))
-        ->type_name("WHICH");
-    sub->add_option("--most-triangles", export_.most_triangles,
-                    "Write nothing if the world has more triangles; by default 20000000, for which "
-                    "some 4 GiB of memory are needed")
-        ->transform(in_range(1, kMostTriangles))
-        ->type_name("N");
+    add_export_options(sub, export_);
+  }
+
+  void add_artwork() {
+    CLI::App* sub = add("artwork", "Write a template for artwork on the envelope", kArtworkFooter,
+                        [this] { return make_artwork(artwork_); });
+    add_artwork_options(sub, artwork_);
+    add_overrides(sub, artwork_.input);
   }
 
   CLI::App app_;
@@ -351,6 +343,7 @@ class Arguments {
   CheckOptions check_;
   DumpOptions dump_;
   ExportOptions export_;
+  ArtworkOptions artwork_;
 };
 
 // Prints the help or the version. CLI11 reports a request for them as an exception.

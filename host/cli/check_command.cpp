@@ -5,11 +5,13 @@
 
 #include <fmt/format.h>
 
+#include "artwork/check.hpp"
 #include "cli/commands.hpp"
 #include "cli/land_report.hpp"
 #include "cli/scene_input.hpp"
 #include "cli/track_report.hpp"
 #include "core/error.hpp"
+#include "core/log.hpp"
 #include "film/timeline.hpp"
 #include "film/way.hpp"
 #include "staging/flight_of.hpp"
@@ -65,6 +67,7 @@ int check(const CheckOptions& options) {
   const staging::Staged staged = read_staged(options.input, reliefs);
   const scene::ResolvedScene scene = resolve_scene(staged.source.scene(), options.input, reliefs);
   world::ModelCache().models_of(*scene);
+  for (const std::string& sentence : artwork::check_pictures(*scene)) warn(sentence);
   if (staged.land != nullptr) {
     write_stdout(options.json ? land_json(name, staged) : land_text(name, staged));
   } else if (options.json) {

@@ -19,5 +19,6 @@ int devices(const DevicesOptions& options);
 int check(const CheckOptions& options);
 int dump(const DumpOptions& options);
 int export_world(const ExportOptions& options);
+int make_artwork(const ArtworkOptions& options);
 
 }  // namespace aerostat::cli

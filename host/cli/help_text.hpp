@@ -95,6 +95,13 @@ inline constexpr const char* kDumpFooter = R"(Examples:
 
 inline constexpr const char* kExportFooter = R"(Examples:
   aerostat export scenes/snow.json -o world.ply
-  aerostat export scenes/sand.json -o dunes.obj --set /terrain/cells=256 --plants seen)";
+  aerostat export scenes/sand.json -o dunes.obj --set /terrain/cells=256 --plants seen
+  aerostat export my.json -o world.glb)";
+
+inline constexpr const char* kArtworkFooter = R"(Examples:
+  aerostat artwork --template -o gores.svg
+  aerostat artwork my.json --template --balloon 2 -o gores.svg
+
+Draw on the template, for example in Inkscape, and name the file in the scene: "artwork": [{"file": "gores.svg", "wrap": "gores"}]. The guides are left out.)";
 
 }  // namespace aerostat::cli

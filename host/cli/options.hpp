@@ -109,9 +109,16 @@ struct DumpOptions {
 struct ExportOptions {
   SceneOptions input;
   std::filesystem::path output;  // "-" stands for standard output
-  std::string format;            // "ply" or "obj"; empty: chosen by the output's name
+  std::string format;            // "ply", "obj", "glb" or "gltf"; empty: by the output's name
   std::string plants = "none";   // "none", "seen" or "all"
   std::uint64_t most_triangles = 20'000'000;
+};
+
+struct ArtworkOptions {
+  SceneOptions input;            // an empty scene stands for all defaults
+  std::filesystem::path output;  // "-" stands for standard output
+  int balloon = 0;               // 0: /balloon; else the number in /balloons, from 1 on
+  bool is_template = false;
 };
 
 }  // namespace aerostat::cli

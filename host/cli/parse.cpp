@@ -173,9 +173,11 @@ MeshFormat mesh_format(const std::filesystem::path& path, const std::string& for
   const std::string ending = ending_of(path, format, ".ply");
   if (ending == ".ply") return MeshFormat::ply;
   if (ending == ".obj") return MeshFormat::obj;
+  if (ending == ".glb") return MeshFormat::glb;
+  if (ending == ".gltf") return MeshFormat::gltf;
   throw Error(ErrorKind::usage,
               fmt::format("--output: '{}' has no ending of a known format; expected a name "
-                          "that ends in .ply or .obj, or --format",
+                          "that ends in .ply, .obj, .glb or .gltf, or --format",
                           path.string()));
 }
 

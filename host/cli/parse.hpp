@@ -42,12 +42,12 @@ enum class PictureFormat { png, exr, geotiff };
 /// .exr, .tif and .tiff.
 PictureFormat picture_format(const std::filesystem::path& path, const std::string& format = {});
 
-enum class MeshFormat { ply, obj };
+enum class MeshFormat { ply, obj, glb, gltf };
 
-/// Returns the format that `format`, "ply" or "obj", names. If `format` is empty, the extension
+/// Returns the format that `format`, such as "ply", names. If `format` is empty, the extension
 /// of the file decides, in upper or lower case. Standard output, and a special file (see
-/// is_special_file) without an extension, get PLY. Throws Error{usage} for any extension but .ply
-/// and .obj.
+/// is_special_file) without an extension, get PLY. Throws Error{usage} for any extension but .ply,
+/// .obj, .glb and .gltf.
 MeshFormat mesh_format(const std::filesystem::path& path, const std::string& format = {});
 
 /// Returns whether a name on the command line is "-". It stands for standard input where a scene

@@ -9,6 +9,7 @@
 #include "model/dimensions.hpp"
 #include "model/envelope.hpp"
 #include "model/fittings.hpp"
+#include "model/passengers.hpp"
 #include "model/rigging.hpp"
 #include "model/rim.hpp"
 
@@ -73,6 +74,10 @@ std::vector<Part> balloon(const scene::Balloon& balloon, const Detail& detail) {
   parts.push_back({ObjectId::frame, MaterialId::frame, build_frame(detail)});
   parts.push_back({ObjectId::cables, MaterialId::cables, build_cables(shape, detail)});
   parts.push_back({ObjectId::floor, MaterialId::floor, build_floor()});
+  if (balloon.passengers > 0) {
+    parts.push_back(
+        {ObjectId::passenger, MaterialId::passenger, build_passengers(balloon.passengers, detail)});
+  }
   if (balloon.burner > 0.0) {
     parts.push_back({ObjectId::flame, MaterialId::flame, build_flame(balloon.burner, detail)});
   }

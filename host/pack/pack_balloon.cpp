@@ -15,20 +15,13 @@ namespace {
 constexpr double kFlameIntensity = 1.6;
 const dvec3 kFlameColor{1.0, 0.72, 0.38};
 
-/// Mean albedo of the palette, by what the pattern shows of each.
-dvec3 mean_cloth(const scene::Scene& scene, const scene::Balloon& balloon) {
-  dvec3 mean(0.0);
-  for (const vec3& color : balloon.colors) mean += dvec3(glm::clamp(color, 0.0f, 1.0f));
-  mean /= std::max<double>(1.0, static_cast<double>(balloon.colors.size()));
-  return mean * dvec3(scene.material(scene::MaterialId::envelope).albedo);
-}
-
 }  // namespace
 
-AeroBalloon pack_balloon(const scene::ResolvedScene& scene, const scene::Balloon& from) {
+AeroBalloon pack_balloon(const scene::ResolvedScene& scene, const scene::Balloon& from,
+                         const PackedArtwork& artwork) {
   AeroBalloon balloon{};
   const scene::Material& cloth = scene->material(scene::MaterialId::envelope);
-  const dvec3 color = mean_cloth(*scene, from);
+  const dvec3 color = artwork.mean_cloth * dvec3(cloth.albedo);
   const dvec3 reflected = glm::min(color * cloth.diffuse, dvec3(0.95));
   const dvec3 kept = 1.0 / (1.0 - reflected);
   const dvec3 share = color * cloth.translucency * kept;
@@ -39,7 +32,12 @@ AeroBalloon pack_balloon(const scene::ResolvedScene& scene, const scene::Balloon
   copy(balloon.glow_flame, flame * reflected * kept / (radius * radius));
   copy(balloon.flame, model::flame_middle(from) - scene.origin());
   copy(balloon.flame_light, flame);
+  balloon.artwork = artwork.place;
   return balloon;
+}
+
+AeroBalloon pack_balloon(const scene::ResolvedScene& scene, const scene::Balloon& balloon) {
+  return pack_balloon(scene, balloon, {0, mean_palette(balloon)});
 }
 
 }  // namespace aerostat::pack

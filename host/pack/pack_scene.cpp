@@ -14,6 +14,7 @@
 #include "ground/ground_numbers.hpp"
 #include "pack/cloud_chart.hpp"
 #include "pack/pack_air.hpp"
+#include "pack/pack_artwork.hpp"
 #include "pack/pack_balloon.hpp"
 #include "pack/pack_cover.hpp"
 #include "pack/pack_materials.hpp"
@@ -113,16 +114,20 @@ AeroPointLight pack_light(const scene::PointLight& from, const dvec3& origin) {
   return light;
 }
 
-/// Packs all balloons that are there, in the order of scene::balloons_of().
-void pack_balloons(const scene::ResolvedScene& scene, AeroScene& numbers) {
+/// Packs all balloons that are there, in the order of scene::balloons_of(), and the pictures on
+/// them.
+void pack_balloons(const scene::ResolvedScene& scene, ArtworkCache& cache, PackedScene& packed) {
+  AeroScene& numbers = packed.numbers;
   const auto balloons = scene::balloons_of(*scene);
   if (balloons.size() > AERO_MAX_BALLOONS) {
     throw Error(ErrorKind::bad_data,
                 fmt::format("/balloons: found {} balloons with the first one, expected at most {}",
                             balloons.size(), AERO_MAX_BALLOONS));
   }
+  const std::vector<PackedArtwork> artwork = pack_artwork(*scene, cache, packed.texels);
   for (std::size_t i = 0; i < balloons.size(); ++i) {
-    numbers.balloons[i] = pack_balloon(scene, *balloons[i]);
+    numbers.balloons[i] = pack_balloon(scene, *balloons[i], artwork[i]);
+    numbers.any_artwork = std::max(numbers.any_artwork, artwork[i].place);
   }
   numbers.balloon_count = static_cast<std::uint32_t>(balloons.size());
 }
@@ -210,7 +215,7 @@ PackedScene pack_scene(const scene::ResolvedScene& scene, PackCache& cache,
   }
   numbers.ground = ground::ground_numbers(*scene);
   numbers.water = pack_water(scene->biome.water);
-  pack_balloons(scene, numbers);
+  pack_balloons(scene, cache.artwork, packed);
   pack_materials(*scene, numbers.materials);
   for (std::size_t i = 0; i < scene->lights.size(); ++i) {
     numbers.lights[i] = pack_light(scene->lights[i], scene.origin());

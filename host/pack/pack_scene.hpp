@@ -10,6 +10,7 @@
 #include "camera.h"
 #include "land/drape.hpp"
 #include "pack/cloud_chart.hpp"
+#include "pack/pack_artwork.hpp"
 #include "pack/pack_models.hpp"
 #include "pack/texels.hpp"
 #include "scene/resolved_scene.hpp"
@@ -43,11 +44,12 @@ struct PackCache {
   air::ScatteringCache air;
   CloudChartCache clouds;
   PackedModelCache models;
+  ArtworkCache artwork;
 };
 
 /// Packs a scene with what caches have of the air, the clouds, the picture on the ground and the
-/// models, and leaves its own there. Throws the errors of ModelCache::models_of() and
-/// pack_models(), too.
+/// models, and leaves its own there. Throws the errors of ModelCache::models_of(), pack_models()
+/// and pack_artwork(), too.
 PackedScene pack_scene(const scene::ResolvedScene& scene, PackCache& cache,
                        terrain::ReliefCache& reliefs, world::ModelCache& models);
 

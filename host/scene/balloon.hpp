@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/math.hpp"
+#include "scene/artwork.hpp"
 #include "scene/geo_point.hpp"
 #include "scene/height_reference.hpp"
 
@@ -44,7 +45,10 @@ struct Balloon {
   double burner = 1.0;  // strength of the burners, 0 (no flame) to 1
   Pattern pattern = Pattern::stripes;
   Palette palette = Palette::ember;
-  std::vector<vec3> colors;  // at least one; the pattern repeats them; default: the palette's
+  std::vector<vec3> colors;        // at least one; the pattern repeats them; default: the palette's
+  std::vector<Artwork> artwork{};  // pictures on the envelope, the later ones over the former
+  std::optional<EnvelopeModel> envelope{};  // a special shape, in place of the usual one
+  int passengers = 0;                       // people in the basket
 
   bool operator==(const Balloon&) const = default;
 };

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "scene/artwork.hpp"
 #include "scene/balloon.hpp"
 #include "scene/field.hpp"
 #include "scene/geo_point_fields.hpp"
@@ -7,6 +8,43 @@
 
 /// Balloons and materials.
 namespace aerostat::scene::detail {
+
+template <>
+inline constexpr auto kTable<Artwork> = table(
+    "Picture on the envelope. Heights count along the cloth from the mouth. Where the picture is "
+    "transparent, the colours of the fabric show.",
+    field("file", &Artwork::file,
+          text("Name of a PNG, JPEG or SVG file, relative to the folder of the scene file.")
+              .required()),
+    field(
+        "wrap", &Artwork::wrap,
+        word("How the picture lies on the cloth: whole (the default) is stretched once around and "
+             "from the mouth to the crown, band goes around between two heights, motif lies at "
+             "a place in its own proportions, and gores was drawn on the template that the "
+             "command artwork writes.")),
+    field(
+        "around_deg", &Artwork::around_deg,
+        number(-360, 360,
+               "Direction in which the middle of the picture lies, in degrees from the heading of "
+               "the balloon, {from} to {to}, clockwise as seen from above. It does not turn a "
+               "picture on the template.")),
+    field("height_m", &Artwork::height_m,
+          number(0, 1000,
+                 "Height of the middle of a motif along the cloth in metres, {from} to {to}, that "
+                 "of the widest place by default.")),
+    field("width_m", &Artwork::width_m,
+          number(0, 1000, "Width of a motif in metres, {from} to {to}, 0.4 diameters by default.")
+              .above()),
+    field("heights_m", &Artwork::heights_m,
+          number(0, 1000,
+                 "Heights of the lower and of the upper edge of a band along the cloth in metres, "
+                 "each {from} to {to}. By default, the band is a fifth of the cloth high, with the "
+                 "widest place in its middle.")),
+    field(
+        "repeat", &Artwork::repeat,
+        number(1, 256,
+               "Number of copies around the envelope, {from} to {to}. By default it is 1, but for "
+               "a band, whose copies keep their proportions as nearly as they close.")));
 
 template <>
 inline constexpr auto kTable<Balloon> = table(
@@ -52,7 +90,14 @@ inline constexpr auto kTable<Balloon> = table(
                  "Colours of the fabric, which replace those of the palette, {from} to {to} of "
                  "them. The pattern repeats them.",
                  "Albedo of one fabric.")
-              .control(EditGroup::envelope, "Colours")));
+              .control(EditGroup::envelope, "Colours")),
+    field("passengers", &Balloon::passengers,
+          number(0, 3, "Number of people in the basket, {from} (nobody, the default) to {to}.")
+              .slider(EditGroup::balloon, "Passengers", 0, 3)
+              .none("nobody")),
+    field("artwork", &Balloon::artwork,
+          list(kMostArtwork,
+               "Pictures on the envelope, at most {to}. Later ones lie over former ones.")));
 
 template <>
 inline constexpr auto kTable<Festival> = table(

@@ -162,4 +162,16 @@ std::span<const char* const> enum_names<UpAxis>() {
   return kNames;
 }
 
+template <>
+std::span<const char* const> enum_names<ArtworkWrap>() {
+  static constexpr const char* kNames[] = {"whole", "band", "motif", "gores"};
+  return kNames;
+}
+
+template <>
+std::span<const char* const> enum_names<PlacedOn>() {
+  static constexpr const char* kNames[] = {"land", "water", "anywhere"};
+  return kNames;
+}
+
 }  // namespace aerostat::scene::detail

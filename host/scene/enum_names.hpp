@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <span>
 
+#include "scene/artwork.hpp"
 #include "scene/balloon.hpp"
 #include "scene/film.hpp"
 #include "scene/land.hpp"
@@ -54,6 +55,10 @@ template <>
 std::span<const char* const> enum_names<Quality>();
 template <>
 std::span<const char* const> enum_names<UpAxis>();
+template <>
+std::span<const char* const> enum_names<ArtworkWrap>();
+template <>
+std::span<const char* const> enum_names<PlacedOn>();
 
 /// Returns the word that scene files use for a value of an enum.
 template <class Enum>

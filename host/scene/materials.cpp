@@ -82,7 +82,8 @@ const std::array<Row, kMaterialCount>& table() {
       {Id::flame, "flame", Kind::plain, false, flame()},
       {Id::plant, "plant", Kind::plain, false, surface(0.02, 12.0, 0.35)},  // leaves
       {Id::stone, "stone", Kind::plain, false, surface(0.02, 12.0)},
-      {Id::track, "track", Kind::plain, false, surface(0.0, 12.0)},  // lines of flights
+      {Id::track, "track", Kind::plain, false, surface(0.0, 12.0)},          // lines of flights
+      {Id::passenger, "passenger", Kind::plain, true, surface(0.03, 12.0)},  // skin and cloth
   }};
   return rows;
 }

@@ -36,6 +36,8 @@ std::string object_name(ObjectId id) {
       return "model";
     case ObjectId::track:
       return "track";
+    case ObjectId::passenger:
+      return "passenger";
     case ObjectId::count:
       break;
   }

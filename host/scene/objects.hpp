@@ -27,6 +27,7 @@ enum class ObjectId : std::uint32_t {
   stone,
   model,
   track,
+  passenger,
   count
 };
 inline constexpr std::size_t kObjectCount = static_cast<std::size_t>(ObjectId::count);
@@ -46,6 +47,7 @@ enum class MaterialId : std::uint32_t {
   plant,
   stone,
   track,
+  passenger,
   count
 };
 inline constexpr std::size_t kMaterialCount = static_cast<std::size_t>(MaterialId::count);

@@ -8,6 +8,34 @@
 namespace aerostat::scene::detail {
 
 template <>
+inline constexpr auto kTable<PlacedArea> = table(
+    "Area over which the instances of a model are strewn, and the rules by which they stand. The "
+    "position of the model is the middle of the area. Where the rules leave no room, there are "
+    "fewer instances.",
+    field("size_m", &PlacedArea::size_m,
+          number(0, 1000000, "Width of the area along x and along z in metres.")),
+    field("seed", &PlacedArea::seed,
+          number(0, 4294967295, "Seed of places, sizes and headings, {from} to {to}.")),
+    field("on", &PlacedArea::on,
+          word("Where instances stand: on land (the default), on water, where they float at its "
+               "level, or anywhere on the ground, wet or dry.")),
+    field("slope_deg", &PlacedArea::slope_deg,
+          number(0, 90, "Least and greatest slope of the ground in degrees, each {from} to {to}.")),
+    field("heights_m", &PlacedArea::heights_m,
+          number(-12000, 12000,
+                 "Least and greatest height of the ground above the sea in metres.")),
+    field("apart_m", &PlacedArea::apart_m,
+          number(0, 10000,
+                 "Least distance from the middle of an instance to those of all other models in "
+                 "metres, {from} to {to}.")),
+    field("sizes", &PlacedArea::sizes,
+          number(0.001, 1000,
+                 "Least and greatest factor on the size of the model, each {from} to {to}.")),
+    field("turned", &PlacedArea::turned,
+          truth("Whether each instance has a heading of its own (the default). Otherwise, all have "
+                "that of the model.")));
+
+template <>
 inline constexpr auto kTable<PlacedModel> = table(
     "Model from a file that stands in the landscape.",
     field("file", &PlacedModel::file,
@@ -35,6 +63,12 @@ inline constexpr auto kTable<PlacedModel> = table(
               .above()),
     field("up", &PlacedModel::up,
           word("Axis of the file that points up. It is always y in glTF, which is the default, and "
-               "often z in files from CAD programs.")));
+               "often z in files from CAD programs.")),
+    field(
+        "count", &PlacedModel::count,
+        number(1, kMostInstances,
+               "Number of instances, {from} to {to}. More than one are strewn over the area. There "
+               "are at most {to} instances in all.")),
+    field("area", &PlacedModel::area));
 
 }  // namespace aerostat::scene::detail

@@ -280,9 +280,16 @@ void name_files_from(const std::filesystem::path& folder, Json& document) {
     const std::filesystem::path path = folder / name.get<std::string>();
     name = std::filesystem::absolute(path).lexically_normal().string();
   };
-  const auto settle_track = [&settle](Json& balloon) {
-    const Json::json_pointer file("/track/file");
-    if (balloon.contains(file)) settle(balloon[file]);
+  const auto settle_list = [&settle](Json& owner, const char* key) {
+    if (!owner.is_object() || !owner.contains(key) || !owner[key].is_array()) return;
+    for (Json& element : owner[key]) {
+      if (element.contains("file")) settle(element["file"]);
+    }
+  };
+  const auto settle_balloon = [&](Json& balloon) {
+    const Json::json_pointer track("/track/file");
+    if (balloon.contains(track)) settle(balloon[track]);
+    settle_list(balloon, "artwork");
   };
   if (has_source(document)) {
     for (Json& name : document["terrain"]["source"]) settle(name);
@@ -292,14 +299,10 @@ void name_files_from(const std::filesystem::path& folder, Json& document) {
     if (document.contains(cover)) settle(document[cover]);
   }
   if (!document.is_object()) return;
-  if (document.contains("objects") && document["objects"].is_array()) {
-    for (Json& object : document["objects"]) {
-      if (object.contains("file")) settle(object["file"]);
-    }
-  }
-  if (document.contains("balloon")) settle_track(document["balloon"]);
+  settle_list(document, "objects");
+  if (document.contains("balloon")) settle_balloon(document["balloon"]);
   if (document.contains("balloons") && document["balloons"].is_array()) {
-    for (Json& balloon : document["balloons"]) settle_track(balloon);
+    for (Json& balloon : document["balloons"]) settle_balloon(balloon);
   }
 }
 

@@ -1,6 +1,7 @@
 #include "scene/semantics.hpp"
 
 #include <algorithm>
+#include <cstdint>
 #include <iterator>
 #include <optional>
 #include <string>
@@ -8,6 +9,7 @@
 
 #include <fmt/format.h>
 
+#include "scene/enum_names.hpp"
 #include "scene/film_semantics.hpp"
 #include "scene/sun_position.hpp"
 
@@ -98,9 +100,70 @@ void check_lights(const Json& document, Faults& faults) {
   }
 }
 
-/// Checks that each model has a file.
+void check_artwork(const Artwork& artwork, const Pointer& pointer, const std::string& name) {
+  const auto fail_at = [&](const char* key, const std::string& found, const std::string& expected) {
+    Pointer at = pointer;
+    at.emplace_back(key);
+    fail(name, at, found, expected);
+  };
+  if (artwork.file.empty()) fail_at("file", "an empty name", "the name of a file");
+  const std::string wrap = word_of(artwork.wrap);
+  const auto belongs = [&](const char* key, bool given, ArtworkWrap to) {
+    if (!given || artwork.wrap == to) return;
+    fail_at(key, fmt::format("a value beside the wrap \"{}\"", wrap),
+            fmt::format("the wrap \"{}\", or no {}", word_of(to), key));
+  };
+  belongs("height_m", artwork.height_m.has_value(), ArtworkWrap::motif);
+  belongs("width_m", artwork.width_m.has_value(), ArtworkWrap::motif);
+  belongs("heights_m", artwork.heights_m.has_value(), ArtworkWrap::band);
+  if (artwork.wrap == ArtworkWrap::gores && artwork.repeat) {
+    fail_at("repeat", "copies of a picture of all gores", "another wrap, or no repeat");
+  }
+  if (artwork.heights_m && !(artwork.heights_m->x < artwork.heights_m->y)) {
+    fail_at("heights_m", fmt::format("[{}, {}]", artwork.heights_m->x, artwork.heights_m->y),
+            "the lower height, and a greater one");
+  }
+}
+
+/// Checks the pictures on all envelopes.
+void check_artworks(const Scene& scene, const std::string& name) {
+  const auto check = [&name](const Balloon& balloon, const Pointer& of_balloon) {
+    for (std::size_t i = 0; i < balloon.artwork.size(); ++i) {
+      Pointer pointer = of_balloon;
+      pointer.insert(pointer.end(), {"artwork", std::to_string(i)});
+      check_artwork(balloon.artwork[i], pointer, name);
+    }
+  };
+  check(scene.balloon, {"balloon"});
+  for (std::size_t i = 0; i < scene.balloons.size(); ++i) {
+    check(scene.balloons[i], {"balloons", std::to_string(i)});
+  }
+}
+
+/// Checks that the ranges of an area begin with the lesser number.
+void check_area(const PlacedArea& area, const std::string& index, const std::string& name) {
+  const auto check = [&](const char* key, const dvec2& range) {
+    if (range.x <= range.y) return;
+    fail(name, {"objects", index, "area", key}, fmt::format("[{}, {}]", range.x, range.y),
+         "the smaller one first");
+  };
+  check("slope_deg", area.slope_deg);
+  check("heights_m", area.heights_m);
+  check("sizes", area.sizes);
+}
+
+/// Checks that each model has a file, and that there are not too many instances.
 void check_objects(const Scene& scene, const std::string& name) {
+  std::int64_t instances = 0;
   for (std::size_t i = 0; i < scene.objects.size(); ++i) {
+    const PlacedModel& placed = scene.objects[i];
+    if (placed.area) check_area(*placed.area, std::to_string(i), name);
+    instances += placed.count;
+    if (instances > kMostInstances) {
+      fail(name, {"objects", std::to_string(i), "count"},
+           fmt::format("{} instances with those before", instances),
+           fmt::format("at most {} in all", kMostInstances));
+    }
     if (!scene.objects[i].file.empty()) continue;
     fail(name, {"objects", std::to_string(i), "file"}, "an empty name", "the name of a file");
   }
@@ -205,6 +268,7 @@ void check_semantics(const Json& document, const Scene& scene, Faults& faults) {
   check_lights(document, faults);
   faults.gather([&] { check_camera(scene.camera, name); });
   faults.gather([&] { check_balloons(scene, name); });
+  faults.gather([&] { check_artworks(scene, name); });
   faults.gather([&] { check_objects(scene, name); });
   faults.gather([&] { check_source(scene.terrain, name); });
   faults.gather([&] { check_geo_points(scene, name); });

@@ -1,13 +1,17 @@
-#include <algorithm>
-#include <array>
 #include <cmath>
-#include <utility>
+#include <cstddef>
+#include <cstdint>
 #include <vector>
 
+#include <fmt/format.h>
+
+#include "core/grouped.hpp"
+#include "core/log.hpp"
 #include "scatter/surface.hpp"
 #include "scene/scene.hpp"
 #include "world/kinds.hpp"
 #include "world/scene_models.hpp"
+#include "world/strewn.hpp"
 
 namespace aerostat::world {
 namespace {
@@ -21,18 +25,13 @@ scatter::Instance instance_of(const scene::PlacedModel& placed, const FileModel&
   return instance;
 }
 
-/// Returns the lowest ground under the corners and the middle of a model's base, so that no side of
-/// it hovers over a slope.
-float lowest_ground(const scatter::Surface& surface, const FileModel& model,
-                    const scatter::Instance& instance) {
-  const scatter::Axes axes = scatter::axes_of(instance);
-  const vec2 least(model.base_least), most(model.base_most), middle = 0.5f * (least + most);
-  float lowest = kInfinity;
-  for (const vec2& corner : {least, most, vec2(least.x, most.y), vec2(most.x, least.y), middle}) {
-    const vec3 at = instance.position + axes.x * corner.x + axes.z * corner.y;
-    lowest = std::min(lowest, surface.height(at.x, at.z));
-  }
-  return lowest;
+/// Says that rules and distances left room for fewer instances than were asked for.
+void tell_of_room(const scene::PlacedModel& placed, const FileModel& model, std::size_t found) {
+  if (found >= static_cast<std::size_t>(placed.count)) return;
+  warn(
+      fmt::format("{}: {} of {} instances stand, because the rules of the area leave no more room.",
+                  model.key.file.filename().string(), grouped(found),
+                  grouped(static_cast<std::uint64_t>(placed.count))));
 }
 
 Shape build(const GroupInput& input) {
@@ -46,6 +45,7 @@ Shape build(const GroupInput& input) {
   const scatter::Surface surface(*input.ground);
   for (std::size_t i = 0; i < local.objects.size(); ++i) {
     const scene::PlacedModel& placed = local.objects[i];
+    if (is_strewn(placed)) continue;
     const FileModel& model = models.model_of(i);
     scatter::Instance instance = instance_of(placed, model);
     if (placed.height_above == scene::HeightReference::ground) {
@@ -54,17 +54,26 @@ Shape build(const GroupInput& input) {
     instance.model = static_cast<std::uint32_t>(models.of_object[i]);
     instances.places.push_back(instance);
   }
+  for (const Strewn& strewn : strew(input, surface)) {
+    tell_of_room(local.objects[strewn.object], models.model_of(strewn.object),
+                 strewn.instances.size());
+    instances.places.insert(instances.places.end(), strewn.instances.begin(),
+                            strewn.instances.end());
+  }
   return instances;
 }
 
 bool same(const GroupRequest& now, const GroupRequest& before) {
-  return now.models == before.models && now.scene->objects == before.scene->objects;
+  return now.models == before.models && now.scene->objects == before.scene->objects &&
+         same_strewn(*now.scene, *before.scene);
 }
 
 std::vector<scatter::Obstacle> obstacles(const GroupRequest& request) {
   const auto& objects = request.scene->objects;
   std::vector<scatter::Obstacle> found;
   for (std::size_t i = 0; i < objects.size(); ++i) {
+    // Plants leave room for strewn models when both stand.
+    if (is_strewn(objects[i])) continue;
     const FileModel& model = request.models->model_of(i);
     const double width_m = scale_of(objects[i], model) * std::hypot(model.size.x, model.size.z);
     found.push_back(

@@ -1,10 +1,12 @@
 #include <algorithm>
+#include <cmath>
 #include <memory>
 #include <utility>
 #include <vector>
 
 #include <oneapi/tbb/parallel_for.h>
 
+#include "scatter/circles.hpp"
 #include "scatter/sight.hpp"
 #include "scene/at_rest.hpp"
 #include "scene/local_frame.hpp"
@@ -13,6 +15,8 @@
 #include "terrain/drape.hpp"
 #include "terrain/height_field.hpp"
 #include "world/kinds.hpp"
+#include "world/scene_models.hpp"
+#include "world/strewn.hpp"
 
 namespace aerostat::world {
 namespace {
@@ -84,6 +88,27 @@ void clear_water(const GroupInput& input, std::vector<scatter::Instance>& instan
   instances.resize(kept);
 }
 
+/// Plants leave room for models that are strewn over an area.
+void clear_strewn(const GroupInput& input, std::vector<scatter::Instance>& instances) {
+  // The room around a model, as a share of its width and in metres. Chosen by eye.
+  constexpr double kShare = 0.6, kMargin_m = 1.0;
+  const auto all = strew(input, scatter::Surface(*input.ground));
+  if (all.empty()) return;
+  scatter::Circles circles;
+  for (const Strewn& strewn : all) {
+    const FileModel& model = input.request.models->model_of(strewn.object);
+    const double width = std::hypot(model.size.x, model.size.z);
+    for (const scatter::Instance& one : strewn.instances) {
+      const double radius_m = kShare * static_cast<double>(one.scale) * width + kMargin_m;
+      circles.add({{one.position.x, one.position.z}, radius_m});
+    }
+  }
+  circles.index();
+  std::erase_if(instances, [&circles](const scatter::Instance& instance) {
+    return circles.hold({instance.position.x, instance.position.z});
+  });
+}
+
 Shape build(const GroupInput& input) {
   const scene::ResolvedScene& scene = input.request.scene;
   const std::shared_ptr<const land::Cover> cover = terrain::cover_of(scene->terrain, input.reliefs);
@@ -92,6 +117,7 @@ Shape build(const GroupInput& input) {
                                             input.request.obstacles, cover ? &lookup : nullptr);
   clear_pictures(input, growth.instances);
   clear_water(input, growth.instances);
+  clear_strewn(input, growth.instances);
   choose_details(scene, growth.models, growth.instances);
   Instances plants;
   plants.places = std::move(growth.instances);
@@ -119,6 +145,7 @@ bool same(const GroupRequest& now, const GroupRequest& before) {
   if (now.where == scatter::Where::in_sight && !scatter::same_sight(now.scene, before.scene)) {
     return false;
   }
+  if (!same_strewn(*now.scene, *before.scene)) return false;
   if (!scatter::same_room(now.scene, *now.ground, now.obstacles, before.obstacles)) return false;
   const scene::Scene &a = *now.scene, &b = *before.scene;
   return a.vegetation == b.vegetation && scene::at_rest(a.biome) == scene::at_rest(b.biome) &&

@@ -143,9 +143,10 @@ typedef struct AeroBalloon {
   aero_float glow_sun[3], glow_sky[3], glow_flame[3];
   aero_float flame[3];       /* position of the burners */
   aero_float flame_light[3]; /* irradiance / pi at a distance of 1 m */
+  aero_uint artwork;         /* place of its pictures (artwork.h) in the buffer of texels, or 0 */
 } AeroBalloon;
 
-AERO_ASSERT_LAYOUT(AeroBalloon, 60);
+AERO_ASSERT_LAYOUT(AeroBalloon, 64);
 
 /* A picture over the ground, in levels of detail: squares around one point with the same number of
  * texels. Each is twice as wide as the one before. The texels lie in the buffer of texels, level by
@@ -205,11 +206,12 @@ typedef struct AeroScene {
   AeroNight night;
   AeroDrape drape;
   aero_uint white_texture; /* place of the texture of materials that have none */
+  aero_uint any_artwork;   /* AeroBalloon::artwork of a balloon that has pictures, or 0 */
   AeroCover cover;
 } AeroScene;
 
-AERO_ASSERT_LAYOUT(AeroScene, (1072 + 32 * 60 + 12) + sizeof(AeroGround) + sizeof(AeroNight) +
-                                  sizeof(AeroDrape) + sizeof(AeroCover) +
-                                  AERO_MAX_MATERIALS * sizeof(AeroMaterial));
+AERO_ASSERT_LAYOUT(AeroScene, (1028 + AERO_MAX_BALLOONS * sizeof(AeroBalloon)) +
+                                  sizeof(AeroGround) + sizeof(AeroNight) + sizeof(AeroDrape) +
+                                  sizeof(AeroCover) + AERO_MAX_MATERIALS * sizeof(AeroMaterial));
 
 #endif

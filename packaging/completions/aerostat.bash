@@ -1,6 +1,6 @@
 # Completion of aerostat's command line for bash.
 
-_aerostat_commands='render contact-sheet film new scenes devices check dump export'
+_aerostat_commands='render contact-sheet film new scenes devices check dump export artwork'
 
 _aerostat_options() {
   local common='--help' scene='--help --set' device='--device --lanes --memory-limit --skip-self-test --quiet'
@@ -16,6 +16,7 @@ _aerostat_options() {
     check) echo "$scene --json --land" ;;
     dump) echo "$scene --view" ;;
     export) echo "$scene --output --format --plants --most-triangles" ;;
+    artwork) echo "$scene --template --balloon --output" ;;
     *) echo "$common --version" ;;
   esac
 }
@@ -43,7 +44,8 @@ _aerostat_devices() {
 
 _aerostat_outputs() {
   case $1 in
-    export) _aerostat_files "$2" ply obj ;;
+    export) _aerostat_files "$2" ply obj glb gltf ;;
+    artwork) _aerostat_files "$2" svg ;;
     contact-sheet) _aerostat_files "$2" png ;;
     film) _aerostat_files "$2" mp4 mov mkv webm ;;
     new) _aerostat_files "$2" json ;;
@@ -57,7 +59,7 @@ _aerostat_values() {
     --device) _aerostat_devices "$program" "$word" ;;
     --quality) compgen -W 'draft standard final' -- "$word" ;;
     --lanes) compgen -W '1 4 8 16' -- "$word" ;;
-    --format) compgen -W "$([[ $command == export ]] && echo ply obj || echo png exr tif)" -- "$word" ;;
+    --format) compgen -W "$([[ $command == export ]] && echo ply obj glb gltf || echo png exr tif)" -- "$word" ;;
     --codec) compgen -W 'h264 av1 prores lossless' -- "$word" ;;
     --plants) compgen -W 'none seen all' -- "$word" ;;
     --labels) _aerostat_files "$word" geojson json csv ;;
@@ -65,7 +67,7 @@ _aerostat_values() {
     --checkpoint) _aerostat_files "$word" checkpoint ;;
     -o | --output) _aerostat_outputs "$command" "$word" ;;
     --set | --width | --height | --spp | --seed | --seeds | --crop | --memory-limit | --columns | --view | --views | \
-      --tile-width | --most-triangles | --frames | --shard | --time-limit | --checkpoint-every) ;;
+      --tile-width | --most-triangles | --balloon | --frames | --shard | --time-limit | --checkpoint-every) ;;
     *) return 1 ;;
   esac
 }

@@ -25,8 +25,9 @@ complete -c aerostat -n __fish_use_subcommand -a devices -d 'List OpenCL platfor
 complete -c aerostat -n __fish_use_subcommand -a check -d 'Validate a scene, or report on elevation data or a flight track'
 complete -c aerostat -n __fish_use_subcommand -a dump -d 'Print the scene with every default filled in'
 complete -c aerostat -n __fish_use_subcommand -a export -d 'Write the triangles of the world to a file'
+complete -c aerostat -n __fish_use_subcommand -a artwork -d 'Write a template for artwork on the envelope'
 
-set -l scene 'render contact-sheet film new check dump export'
+set -l scene 'render contact-sheet film new check dump export artwork'
 complete -c aerostat -n "__fish_seen_subcommand_from $scene" -a '(__aerostat_scenes)'
 complete -c aerostat -n "__fish_seen_subcommand_from $scene" -x -l set -d 'Change the scene: pointer=value'
 
@@ -38,11 +39,11 @@ complete -c aerostat -n "__fish_seen_subcommand_from $rendering" -x -l memory-li
 complete -c aerostat -n "__fish_seen_subcommand_from $rendering" -l skip-self-test -d 'Do not test devices at their first use'
 complete -c aerostat -n "__fish_seen_subcommand_from $rendering" -s q -l quiet -d 'Print only errors'
 
-set -l output 'render contact-sheet film new export'
+set -l output 'render contact-sheet film new export artwork'
 complete -c aerostat -n "__fish_seen_subcommand_from $output" -r -F -s o -l output -d 'The file to write'
 
 complete -c aerostat -n '__fish_seen_subcommand_from render' -x -l format -a 'png exr tif' -d 'Format of the picture'
-complete -c aerostat -n '__fish_seen_subcommand_from export' -x -l format -a 'ply obj' -d 'Format of the mesh'
+complete -c aerostat -n '__fish_seen_subcommand_from export' -x -l format -a 'ply obj glb gltf' -d 'Format of the mesh'
 complete -c aerostat -n '__fish_seen_subcommand_from render' -x -l width -d 'Pixels across'
 complete -c aerostat -n '__fish_seen_subcommand_from render' -x -l height -d 'Pixels down'
 complete -c aerostat -n '__fish_seen_subcommand_from render' -x -l spp -d 'Samples per pixel'
@@ -80,3 +81,5 @@ complete -c aerostat -n '__fish_seen_subcommand_from check' -l land -r -d 'Eleva
 complete -c aerostat -n '__fish_seen_subcommand_from dump' -l view -d 'Print what another renderer needs beside triangles'
 complete -c aerostat -n '__fish_seen_subcommand_from export' -x -l plants -a 'none seen all' -d 'Plants to write'
 complete -c aerostat -n '__fish_seen_subcommand_from export' -x -l most-triangles -d 'Write nothing if there are more triangles'
+complete -c aerostat -n '__fish_seen_subcommand_from artwork' -l template -d 'Draw the unrolled gores, to draw on'
+complete -c aerostat -n '__fish_seen_subcommand_from artwork' -x -l balloon -d 'Which balloon of the scene'

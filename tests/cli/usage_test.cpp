@@ -19,8 +19,8 @@ namespace {
 using Usage = CliTest;
 
 TEST_F(Usage, EveryCommandHelpsWithExamples) {
-  for (const std::string command :
-       {"", "render", "contact-sheet", "film", "scenes", "devices", "check", "dump", "export"}) {
+  for (const std::string command : {"", "render", "contact-sheet", "film", "scenes", "devices",
+                                    "check", "dump", "export", "artwork"}) {
     std::vector<std::string> arguments;
     if (!command.empty()) arguments.push_back(command);
     arguments.push_back("--help");
@@ -49,8 +49,8 @@ std::vector<std::string> words_of(const std::string& text) {
 }
 
 TEST_F(Usage, HelpFitsTheTerminal) {
-  for (const std::string command :
-       {"", "render", "contact-sheet", "film", "scenes", "devices", "check", "dump", "export"}) {
+  for (const std::string command : {"", "render", "contact-sheet", "film", "scenes", "devices",
+                                    "check", "dump", "export", "artwork"}) {
     std::vector<std::string> arguments;
     if (!command.empty()) arguments.push_back(command);
     arguments.push_back("--help");
@@ -110,6 +110,10 @@ TEST_F(Usage, MistakesAreOneClearLineAndCode64) {
       {{"render", scene, "--width", "32768", "--height", "32768"}, "too many for a PNG"},
       {{"export", scene}, "--output is required"},
       {{"export", scene, "-o", "x.stl"}, ".ply"},
+      {{"export", scene, "-o", "-", "--format", "gltf"}, "expected glb"},
+      {{"artwork", "-o", "x.svg"}, "--template is required"},
+      {{"artwork", "--template", "-o", "x.png"}, ".svg"},
+      {{"artwork", scene, "--template", "--balloon", "1", "-o", "x.svg"}, "at most 0"},
       {{"devices", "--json", "more"}, "more"},
       {{"render", scene, "--device", "cpu,cpu"}, "same compute units"},
       {{"render", scene, "--device", "cpu,"}, "before or after a comma"},

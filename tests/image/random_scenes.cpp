@@ -170,7 +170,7 @@ class Maker {
   /// places on the Earth.
   static void settle_terrain(Json& made) {
     const auto settle = [](Json& object) {
-      for (const char* key : {"at", "look_at", "track"}) object.erase(key);
+      for (const char* key : {"at", "look_at", "track", "artwork", "envelope"}) object.erase(key);
     };
     for (const char* key : {"camera", "balloon"}) {
       if (made.contains(key)) settle(made[key]);

@@ -10,7 +10,8 @@ namespace aerostat::viewer {
 /// Returns whether a value is a part of a film, a place, a track or a layout of samples, which are
 /// given in the scene file.
 bool is_named_in_files(const QString& pointer) {
-  static const QRegularExpression kParts("^/film/|/(at|look_at|track|place|raw|objects|cover)/");
+  static const QRegularExpression kParts(
+      "^/film/|/(at|look_at|track|place|raw|objects|artwork|envelope|cover)/");
   return pointer.contains(kParts);
 }
 

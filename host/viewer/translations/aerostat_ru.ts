@@ -707,6 +707,14 @@
         <source>Shadows of the picture lifted</source>
         <translation>Тени на снимке убраны</translation>
     </message>
+    <message>
+        <source>Passengers</source>
+        <translation>Пассажиры</translation>
+    </message>
+    <message>
+        <source>nobody</source>
+        <translation>никого</translation>
+    </message>
 </context>
 <context>
     <name>NumberBox</name>
@@ -1904,6 +1912,86 @@
         <source>Level from which the y of the position is measured: the sea (the default), or the ground below the light. The height of a place on the Earth is measured from the ground by default.</source>
         <translation>Уровень, от которого отсчитывается y положения: море (по умолчанию) или земля под источником света. Высота места на Земле по умолчанию отсчитывается от земли.</translation>
     </message>
+    <message>
+        <source>Number of instances, 1 to 1000000. More than one are strewn over the area. There are at most 1000000 instances in all.</source>
+        <translation>Число экземпляров, от 1 до 1000000. Если их больше одного, они рассеяны по участку. Всего экземпляров не больше 1000000.</translation>
+    </message>
+    <message>
+        <source>Area over which the instances of a model are strewn, and the rules by which they stand. The position of the model is the middle of the area. Where the rules leave no room, there are fewer instances.</source>
+        <translation>Участок, по которому рассеяны экземпляры модели, и правила, по которым они стоят. Положение модели — середина участка. Где правила не оставляют места, экземпляров меньше.</translation>
+    </message>
+    <message>
+        <source>Width of the area along x and along z in metres.</source>
+        <translation>Ширина участка вдоль x и вдоль z в метрах.</translation>
+    </message>
+    <message>
+        <source>Seed of places, sizes and headings, 0 to 4294967295.</source>
+        <translation>Зерно мест, размеров и направлений, от 0 до 4294967295.</translation>
+    </message>
+    <message>
+        <source>Where instances stand: on land (the default), on water, where they float at its level, or anywhere on the ground, wet or dry.</source>
+        <translation>Где стоят экземпляры: land — на суше (по умолчанию), water — на воде, где они плавают на её уровне, anywhere — где угодно на земле, под водой или нет.</translation>
+    </message>
+    <message>
+        <source>Least and greatest slope of the ground in degrees, each 0 to 90.</source>
+        <translation>Наименьший и наибольший уклон земли в градусах, каждый от 0 до 90.</translation>
+    </message>
+    <message>
+        <source>Least and greatest height of the ground above the sea in metres.</source>
+        <translation>Наименьшая и наибольшая высота земли над морем в метрах.</translation>
+    </message>
+    <message>
+        <source>Least distance from the middle of an instance to those of all other models in metres, 0 to 10000.</source>
+        <translation>Наименьшее расстояние от середины экземпляра до середин всех других моделей в метрах, от 0 до 10000.</translation>
+    </message>
+    <message>
+        <source>Least and greatest factor on the size of the model, each 0.001 to 1000.</source>
+        <translation>Наименьший и наибольший множитель размера модели, каждый от 0.001 до 1000.</translation>
+    </message>
+    <message>
+        <source>Whether each instance has a heading of its own (the default). Otherwise, all have that of the model.</source>
+        <translation>Есть ли у каждого экземпляра своё направление (по умолчанию). Иначе у всех направление модели.</translation>
+    </message>
+    <message>
+        <source>Number of people in the basket, 0 (nobody, the default) to 3.</source>
+        <translation>Число людей в корзине, от 0 (никого, по умолчанию) до 3.</translation>
+    </message>
+    <message>
+        <source>Pictures on the envelope, at most 16. Later ones lie over former ones.</source>
+        <translation>Рисунки на оболочке, не больше 16. Более поздние лежат поверх более ранних.</translation>
+    </message>
+    <message>
+        <source>Picture on the envelope. Heights count along the cloth from the mouth. Where the picture is transparent, the colours of the fabric show.</source>
+        <translation>Рисунок на оболочке. Высоты отсчитываются вдоль ткани от горловины. Где рисунок прозрачен, видны цвета ткани.</translation>
+    </message>
+    <message>
+        <source>Name of a PNG, JPEG or SVG file, relative to the folder of the scene file.</source>
+        <translation>Имя файла PNG, JPEG или SVG относительно папки файла сцены.</translation>
+    </message>
+    <message>
+        <source>How the picture lies on the cloth: whole (the default) is stretched once around and from the mouth to the crown, band goes around between two heights, motif lies at a place in its own proportions, and gores was drawn on the template that the command artwork writes.</source>
+        <translation>Как рисунок лежит на ткани: whole (по умолчанию) растянут один раз вокруг и от горловины до вершины, band идёт вокруг между двумя высотами, motif лежит на одном месте со своими пропорциями, а gores нарисован на шаблоне, который пишет команда artwork.</translation>
+    </message>
+    <message>
+        <source>Direction in which the middle of the picture lies, in degrees from the heading of the balloon, -360 to 360, clockwise as seen from above. It does not turn a picture on the template.</source>
+        <translation>Направление, в котором лежит середина рисунка, в градусах от курса шара, от -360 до 360, по часовой стрелке при взгляде сверху. Рисунок на шаблоне оно не поворачивает.</translation>
+    </message>
+    <message>
+        <source>Height of the middle of a motif along the cloth in metres, 0 to 1000, that of the widest place by default.</source>
+        <translation>Высота середины мотива вдоль ткани в метрах, от 0 до 1000, по умолчанию самого широкого места.</translation>
+    </message>
+    <message>
+        <source>Width of a motif in metres, 0 to 1000, 0.4 diameters by default.</source>
+        <translation>Ширина мотива в метрах, от 0 до 1000, по умолчанию 0.4 диаметра.</translation>
+    </message>
+    <message>
+        <source>Heights of the lower and of the upper edge of a band along the cloth in metres, each 0 to 1000. By default, the band is a fifth of the cloth high, with the widest place in its middle.</source>
+        <translation>Высоты нижнего и верхнего края полосы вдоль ткани в метрах, каждая от 0 до 1000. По умолчанию полоса высотой в пятую часть ткани, с самым широким местом посередине.</translation>
+    </message>
+    <message>
+        <source>Number of copies around the envelope, 1 to 256. By default it is 1, but for a band, whose copies keep their proportions as nearly as they close.</source>
+        <translation>Число копий вокруг оболочки, от 1 до 256. По умолчанию 1, но у полосы копий столько, чтобы они смыкались и как можно точнее сохраняли пропорции.</translation>
+    </message>
 </context>
 <context>
     <name>Units</name>
@@ -2353,6 +2441,30 @@
     <message>
         <source>ahead</source>
         <translation>вперёд</translation>
+    </message>
+    <message>
+        <source>anywhere</source>
+        <translation>где угодно</translation>
+    </message>
+    <message>
+        <source>whole</source>
+        <translation>целиком</translation>
+    </message>
+    <message>
+        <source>band</source>
+        <translation>полоса</translation>
+    </message>
+    <message>
+        <source>motif</source>
+        <translation>мотив</translation>
+    </message>
+    <message>
+        <source>gores</source>
+        <translation>клинья</translation>
+    </message>
+    <message>
+        <source>passenger</source>
+        <translation>пассажир</translation>
     </message>
 </context>
 <context>

@@ -97,7 +97,7 @@ INSTANTIATE_TEST_SUITE_P(
              "/materials/rim/specular: found -1, expected a number from 0 to 10"},
         Case{R"("materials": {"sky": {}})",
              "/materials/sky: found an unknown key, expected one of basket, cables, envelope, "
-             "flame, floor, frame, plant, rim, skirt, stone, terrain, track, water"},
+             "flame, floor, frame, passenger, plant, rim, skirt, stone, terrain, track, water"},
         Case{R"("a/b~c\u001b": 5)",
              "/a~1b~0c\\u001b: found an unknown key, expected one of $schema, air, balloon, "
              "balloons, biome, bounces, camera, festival, film, fog, haze, image, light, lights, "

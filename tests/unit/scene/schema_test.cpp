@@ -47,6 +47,10 @@ Scene full_scene() {
   scene.lights.emplace_back().at = GeoPoint{};
   scene.balloon.at = scene.camera.at = scene.camera.look_at = GeoPoint{};
   scene.balloon.track = FlightTrack{"flight.igc", "", 0.5, 0, "", 1.0, TrackLine{}};
+  Artwork& artwork = scene.balloon.artwork.emplace_back();
+  artwork.height_m = artwork.width_m = 5.0;
+  artwork.heights_m = dvec2(1.0, 2.0);
+  artwork.repeat = 2;
   scene.balloons.push_back(scene.balloon);
   scene.image.exposure_ev = 0.0;
   scene.image.white_balance_k = 6504.0;
@@ -61,6 +65,7 @@ Scene full_scene() {
   scene.terrain.cover.classes.emplace_back();
   scene.terrain.place = {46.8, 9.8, 2600000.0, 1200000.0};
   scene.objects.push_back({.file = "a.glb", .at = GeoPoint{}, .height_m = 2.0});
+  scene.objects.back().area = PlacedArea{};
   scene.terrain.drape.corners = {dvec2(46.9, 9.7), dvec2(46.7, 9.9)};
   scene.film.keys = {{"/image/spp", Easing::smooth, {{1.0, {{4.0}, false, ""}}}}};
   scene.film.camera.path.resize(1);
@@ -115,6 +120,15 @@ constexpr const char* kShortFilm = R"({"version": 1, "film": {
     "keys": [{"value": "/image/spp", "keys": [{"time_s": 0, "is": 1}]}],
     "camera": {"path": [{"position": [0, 0, 0]}]}}})";
 
+/// Balloons with a motif each.
+constexpr const char* kArtwork = R"({"version": 1,
+    "balloon": {"artwork": [{"file": "a.png", "wrap": "motif"}]},
+    "balloons": [{"artwork": [{"file": "a.png", "wrap": "motif"}]}]})";
+
+bool is_of_artwork(const std::string& path) {
+  return path.find("/artwork/") != std::string::npos;
+}
+
 TEST(SceneSchema, AcceptsEveryWordThatItNames) {
   const json root = schema();
   int words = 0;
@@ -124,7 +138,8 @@ TEST(SceneSchema, AcceptsEveryWordThatItNames) {
       const bool needs_file = path.starts_with("/objects/");
       const std::string text = path.starts_with("/film/") ? kFilm
                                : needs_source ? R"({"version": 1, "terrain": {"source": "a.tif"}})"
-                               : needs_file   ? R"({"version": 1, "objects": [{"file": "a.obj"}]})"
+                               : is_of_artwork(path) ? kArtwork
+                               : needs_file ? R"({"version": 1, "objects": [{"file": "a.obj"}]})"
                                : path.starts_with("/lights/")
                                    ? R"({"version": 1, "lights": [{"position": [0, 0, 0]}]})"
                                    : R"({"version": 1})";
@@ -157,6 +172,7 @@ TEST(SceneSchema, BoundsAreEnforcedAtBothEnds) {
     if (path == "/terrain/place/easting" || path == "/terrain/place/northing") {
       text = R"({"version": 1, "terrain": {"place": {"easting": 0, "northing": 0}}})";
     }
+    if (is_of_artwork(path)) text = kArtwork;
     if (path.starts_with("/lights/")) {
       text = R"({"version": 1, "lights": [{"position": [0, 0, 0]}]})";
     }

@@ -1,4 +1,5 @@
 // Tests where the group of models puts them, on a ground that is given.
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <memory>
@@ -98,6 +99,75 @@ TEST_F(PlacedPyramids, KeepPlantsAway) {
   EXPECT_TRUE(found[0].above_ground);
   EXPECT_NEAR(found[0].width_m, 16.0 * std::sqrt(2.0), 1e-9) << "twice as large as in the file";
   EXPECT_FALSE(found[1].above_ground);
+}
+
+TEST_F(PlacedPyramids, AreStrewnBySeedAndRules) {
+  scene::PlacedModel& placed = place({10, 0, 5});
+  placed.count = 50;
+  placed.area = scene::PlacedArea();
+  placed.area->size_m = {40.0, 60.0};
+  placed.area->apart_m = 3.0;
+  placed.area->sizes = {0.5, 2.0};
+  const auto found = places();
+  ASSERT_EQ(found.size(), 50u);
+  float least = 10.0f, most = 0.0f;
+  for (std::size_t i = 0; i < found.size(); ++i) {
+    const vec3& at = found[i].position;
+    EXPECT_LE(std::abs(at.x - 10.0f), 20.0f);
+    EXPECT_LE(std::abs(at.z - 5.0f), 30.0f);
+    EXPECT_LT(at.y, 100.0f + 0.25f * at.x) << "its west side stands on the ground";
+    EXPECT_GT(at.y, 100.0f + 0.25f * (at.x - 12.0f));
+    least = std::min(least, found[i].scale);
+    most = std::max(most, found[i].scale);
+    for (std::size_t k = 0; k < i; ++k) {
+      const vec3& other = found[k].position;
+      EXPECT_GE(glm::distance(vec2(at.x, at.z), vec2(other.x, other.z)), 3.0f);
+    }
+  }
+  EXPECT_GE(least, 0.5f);
+  EXPECT_LT(least, 0.7f);
+  EXPECT_GT(most, 1.7f);
+  // The same seed gives the same places, and a greater count adds to them.
+  placed.count = 60;
+  const auto more = places();
+  ASSERT_EQ(more.size(), 60u);
+  for (std::size_t i = 0; i < found.size(); ++i) EXPECT_EQ(more[i].position, found[i].position);
+  placed.area->seed = 2;
+  EXPECT_NE(places()[0].position, found[0].position);
+}
+
+TEST_F(PlacedPyramids, StandOnlyWhereRulesAllow) {
+  scene_.biome.water.enabled = true;
+  scene_.biome.water.level_m = 100.0;
+  scene::PlacedModel& placed = place({0, 0, 0});
+  placed.count = 40;
+  placed.area = scene::PlacedArea();
+  placed.area->size_m = {120.0, 120.0};
+  // The west of the ground lies below the water.
+  for (const scatter::Instance& one : places()) EXPECT_GE(one.position.x, 0.0f);
+  placed.area->on = scene::PlacedOn::water;
+  for (const scatter::Instance& one : places()) {
+    EXPECT_LE(one.position.x, 0.0f);
+    EXPECT_EQ(one.position.y, 100.0f) << "it floats";
+  }
+  placed.area->on = scene::PlacedOn::anywhere;
+  placed.area->heights_m = {104.0, 108.0};
+  auto found = places();
+  EXPECT_EQ(found.size(), 40u);
+  for (const scatter::Instance& one : found) {
+    EXPECT_GE(one.position.x, 16.0f);
+    EXPECT_LE(one.position.x, 32.0f);
+  }
+  // The slope is 14 degrees everywhere.
+  placed.area->slope_deg = {0.0, 13.0};
+  EXPECT_TRUE(places().empty());
+  placed.area->slope_deg = {13.0, 15.0};
+  EXPECT_EQ(places().size(), 40u);
+  // There is no room for 40 pyramids that are 30 m apart.
+  placed.area->apart_m = 30.0;
+  found = places();
+  EXPECT_GT(found.size(), 2u);
+  EXPECT_LT(found.size(), 20u);
 }
 
 }  // namespace

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "core/math.hpp"
+#include "scatter/scatter.hpp"
+
+namespace aerostat::scatter {
+
+/// Many circles in plan, with an index that finds those around a point.
+class Circles {
+ public:
+  void add(const KeepOut& circle) { circles_.push_back(circle); }
+  /// Builds the index. Call it when all circles are added.
+  void index();
+  /// Returns whether a point lies within a circle.
+  bool hold(const dvec2& point) const;
+
+ private:
+  std::vector<KeepOut> circles_;
+  /// A grid of squares from `least_` on. The circles that reach into square number i are those of
+  /// `members_` from first_[i] to first_[i + 1].
+  dvec2 least_{0.0};
+  double square_m_ = 1.0;
+  std::size_t columns_ = 0, rows_ = 0;
+  std::vector<std::size_t> first_, members_;
+};
+
+}  // namespace aerostat::scatter
