@@ -19,6 +19,7 @@
 #include "scene/scene.hpp"
 #include "scene/source.hpp"
 #include "staging/map_stage.hpp"
+#include "staging/scene_text.hpp"
 #include "staging/stage.hpp"
 #include "world/resolve.hpp"
 
@@ -61,7 +62,9 @@ std::string text_of(const SceneOptions& options) {
 scene::Scene plain_scene(const SceneOptions& options, const std::string& text) {
   const std::vector<scene::Override> overrides = overrides_of(options);
   if (is_standard(options.scene)) return scene::read_text(text, kStandardInput, overrides);
-  return scene::read_file(scene::find_scene(options.scene), overrides);
+  const std::filesystem::path file = scene::find_scene(options.scene);
+  staging::require_scene_text(file);
+  return scene::read_file(file, overrides);
 }
 
 /// Reads the scene in a form that can be edited. Its messages name neither lines nor options, so

@@ -6,6 +6,7 @@
 
 #include "core/error.hpp"
 #include "elevation/open.hpp"
+#include "staging/scene_text.hpp"
 #include "staging/stage.hpp"
 
 namespace aerostat::viewer {
@@ -138,6 +139,7 @@ bool Document::open(const QString& path) {
       // The scene around a file of heights has no file of its own yet.
       begin(staged(staging::scene_around(file)), {}, {});
     } else {
+      staging::require_scene_text(file);
       begin(staged(scene::SceneSource::from_file(file)), path, stamp);
     }
   });

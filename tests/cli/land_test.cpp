@@ -69,6 +69,21 @@ TEST_F(Land, ABareFileBecomesAMapInItsOwnGrid) {
   EXPECT_EQ(read_bytes(folder_ / map).substr(0, 4), std::string("II*\0", 4));
 }
 
+TEST_F(Land, AFileOfAnUnknownFormatIsSaidToBeOne) {
+  const Outcome binary = run({"render", write("saga.sdat", std::string("\x12\0\x7f\xff", 4))});
+  EXPECT_EQ(binary.code, 65);
+  EXPECT_TRUE(contains(binary.err, "saga.sdat: this is neither a scene, which is JSON, nor"));
+  EXPECT_TRUE(contains(binary.err, "`gdal_translate saga.sdat land.tif`"));
+  const Outcome list = run({"check", write("all.vrt", "<VRTDataset rasterXSize=\"5\"/>")});
+  EXPECT_EQ(list.code, 65);
+  EXPECT_TRUE(contains(list.err, "a VRT only names other files"));
+  // What begins as JSON does is a scene, whatever its name.
+  const Outcome scene =
+      run({"check", write("scene.txt", "\xEF\xBB\xBF  {\"version\": 1, \"x\": 1}")});
+  EXPECT_EQ(scene.code, 65);
+  EXPECT_TRUE(contains(scene.err, "/x: found an unknown key"));
+}
+
 TEST_F(Land, AViewIsNoMap) {
   const Outcome outcome =
       run(on_hill({"render"}, {"-o", "relief.tif", "--set", "/camera/position=[0, 1500, 900]",
