@@ -225,4 +225,20 @@ void samples_to_heights(const HeightRule& rule, const std::uint8_t* samples, std
   }
 }
 
+void undo_float_predictor(std::uint8_t* row, std::size_t count, std::size_t sample_bytes,
+                          std::vector<std::uint8_t>& scratch) {
+  const std::size_t bytes = count * sample_bytes;
+  scratch.resize(bytes);
+  std::uint8_t sum = 0;
+  for (std::size_t i = 0; i < bytes; ++i) {
+    sum = static_cast<std::uint8_t>(sum + row[i]);
+    scratch[i] = sum;
+  }
+  for (std::size_t b = 0; b < sample_bytes; ++b) {
+    // The most significant byte comes first in the file and last in memory.
+    const std::uint8_t* from = scratch.data() + (sample_bytes - 1 - b) * count;
+    for (std::size_t i = 0; i < count; ++i) row[i * sample_bytes + b] = from[i];
+  }
+}
+
 }  // namespace aerostat::elevation

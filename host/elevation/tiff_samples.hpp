@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace aerostat::elevation {
 
@@ -51,5 +52,12 @@ struct HeightRule {
 /// number or beyond 1e30, as the marks of voids are that got lost between types.
 void samples_to_heights(const HeightRule& rule, const std::uint8_t* samples, std::size_t stride,
                         std::size_t count, float* heights);
+
+/// Undoes the predictor of TIFF for floating point numbers (Adobe Photoshop TIFF Technical Note 3,
+/// 2005) in a row of `count` samples of `sample_bytes` bytes: differences of bytes are summed up,
+/// and the bytes of each sample, of which all first ones come first, are gathered in this machine's
+/// order. `scratch` is memory for a row.
+void undo_float_predictor(std::uint8_t* row, std::size_t count, std::size_t sample_bytes,
+                          std::vector<std::uint8_t>& scratch);
 
 }  // namespace aerostat::elevation
