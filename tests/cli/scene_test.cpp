@@ -16,14 +16,15 @@ constexpr const char* kScenes[] = {"snow",      "snow-basket",  "tropical",   "t
                                    "sand",      "sand-basket",  "sand-empty", "valley-fog",
                                    "alpenglow", "night-glow",   "storm",      "autumn",
                                    "lake",      "canyon",       "festival",   "raetikon",
-                                   "st-helens", "grand-canyon", "swallows"};
+                                   "st-helens", "grand-canyon", "swallows",   "flight"};
 
 TEST_F(Scenes, AllAreGood) {
   for (const char* scene : kScenes) {
     const Outcome outcome = run({"check", scene_path(scene)});
     EXPECT_EQ(outcome.code, 0) << outcome.err;
-    // Only elevation data have a report.
-    EXPECT_TRUE(outcome.out.empty() || contains(outcome.out, ": land from a file\n"));
+    // Only elevation data and films have a report.
+    EXPECT_TRUE(outcome.out.empty() || contains(outcome.out, ": land from a file\n") ||
+                contains(outcome.out, "film: 500 frames"));
   }
 }
 
@@ -111,7 +112,7 @@ TEST_F(Scenes, InstalledOnesAreListed) {
   const Outcome list = run({"scenes"}, with_scenes());
   ASSERT_EQ(list.code, 0) << list.err;
   for (const char* scene : kScenes) EXPECT_TRUE(contains(list.out, std::string(scene) + " "));
-  EXPECT_EQ(std::count(list.out.begin(), list.out.end(), '\n'), 19);
+  EXPECT_EQ(std::count(list.out.begin(), list.out.end(), '\n'), 20);
   EXPECT_TRUE(contains(list.out, "without a balloon"));
   EXPECT_EQ(run({"scenes", "--folder"}, {"AEROSTAT_SCENE_DIR=/some/where"}).out, "/some/where\n");
   const Outcome none = run({"scenes"}, {"AEROSTAT_SCENE_DIR=" + folder_.string()});
