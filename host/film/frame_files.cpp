@@ -11,37 +11,13 @@
 
 #include "core/checksum.hpp"
 #include "core/error.hpp"
-#include "core/file.hpp"
 #include "film/exposure.hpp"
+#include "film/scene_mark.hpp"
 #include "image/decode.hpp"
 #include "image/mark.hpp"
-#include "scene/balloons.hpp"
-#include "scene/io.hpp"
 #include "scene/scene.hpp"
 
 namespace aerostat::film {
-namespace {
-
-/// Replaces the name of a file by its last part and the size of the file, so that copies in other
-/// folders and on other machines count as the same.
-void settle_name(std::string& name) {
-  if (name.empty()) return;
-  const std::filesystem::path path(name);
-  name = fmt::format("{} of {} bytes", path.filename().string(), file_stamp(path).bytes);
-}
-
-/// Returns a checksum of all that a scene says.
-std::uint64_t checksum_of(scene::Scene scene) {
-  for (std::string& name : scene.terrain.source) settle_name(name);
-  settle_name(scene.terrain.drape.file);
-  for (scene::Balloon* balloon : scene::all_balloons(scene)) {
-    if (balloon->track) settle_name(balloon->track->file);
-  }
-  return checksum(scene::write_text(scene));
-}
-
-}  // namespace
-
 FrameMarks::FrameMarks(Timeline& timeline, FrameFormat format)
     : timeline_(timeline), format_(format) {}
 
@@ -49,14 +25,14 @@ std::uint64_t FrameMarks::checksum_of(int moment) {
   const auto known = moments_.find(moment);
   if (known != moments_.end()) return known->second;
   const std::uint64_t sum =
-      film::checksum_of(timeline_.scene_at_time(meter_time(timeline_.film(), moment)));
+      scene_checksum(timeline_.scene_at_time(meter_time(timeline_.film(), moment)));
   moments_.emplace(moment, sum);
   return sum;
 }
 
 std::string FrameMarks::mark_of(int frame) {
   const scene::Scene scene = timeline_.scene_at(frame);
-  std::string from = fmt::format("{:016x}", film::checksum_of(scene));
+  std::string from = fmt::format("{:016x}", scene_checksum(scene));
   // Files of linear light are not exposed.
   if (format_ == FrameFormat::png && !scene.image.exposure_ev) {
     const MeterSpan span = meter_span(timeline_.film(), timeline_.time_of(frame));
