@@ -45,6 +45,9 @@ class Arguments {
     add_render();
     add_contact_sheet();
     add_film();
+    add_merge(add("merge", "Join the bands of a large picture", kMergeFooter,
+                  [this] { return merge(merge_); }),
+              merge_);
     add_new();
     add_scenes();
     add_devices();
@@ -66,7 +69,7 @@ class Arguments {
   std::string complaint(const CLI::ParseError& error, int argc, const char* const* argv) {
     if (!app_.get_subcommands().empty()) return error.what();
     const std::string commands =
-        "render, contact-sheet, film, new, scenes, devices, check, dump, export or artwork";
+        "render, contact-sheet, film, merge, new, scenes, devices, check, dump, export or artwork";
     if (argc < 2) return fmt::format("no command; expected {}", commands);
     if (argv[1][0] == '-') return error.what();
     return fmt::format("there is no command '{}'; expected {}", argv[1], commands);
@@ -170,6 +173,7 @@ class Arguments {
            "--crop", [this](const std::string& text) { render_.crop = parse_crop(text); },
            "Render only x0 <= x < x1 and y0 <= y < y1, in pixels from the top left")
         ->type_name("X0,Y0,X1,Y1");
+    add_shard(sub, render_);
   }
 
   static void add_format(CLI::App* sub, std::string& format, const std::vector<std::string>& words,
@@ -337,6 +341,7 @@ class Arguments {
   RenderOptions render_;
   ContactSheetOptions sheet_;
   FilmOptions film_;
+  MergeOptions merge_;
   NewOptions new_;
   ScenesOptions scenes_;
   DevicesOptions devices_;

@@ -10,9 +10,10 @@ namespace aerostat::cli {
 /// option, what was found and what was expected.
 int run(int argc, const char* const* argv);
 
-int render(const RenderOptions& options);
+int render(RenderOptions options);
 int contact_sheet(const ContactSheetOptions& options);
 int make_film(const FilmOptions& options);
+int merge(const MergeOptions& options);
 int new_scene(const NewOptions& options);
 int scenes(const ScenesOptions& options);
 int devices(const DevicesOptions& options);

@@ -26,7 +26,7 @@ Environment:
   POCL_CACHE_DIR       where PoCL keeps compiled kernels; by default aerostat/pocl in the user's cache folder
   NO_COLOR             if set, nothing is coloured
 
-Exit codes: 0 done, 64 wrong command line, 65 bad scene or frames, 69 no such device, no Open Image Denoise or no ffmpeg, 70 internal fault, 74 file cannot be read or written, 75 out of memory, out of time or device lost, 130 and 143 interrupted.)";
+Exit codes: 0 done, 64 wrong command line, 65 bad scene, frames or bands, 69 no such device, no Open Image Denoise or no ffmpeg, 70 internal fault, 74 file cannot be read or written, 75 out of memory, out of time or device lost, 130 and 143 interrupted.)";
 
 inline constexpr const char* kRenderFooter = R"(Examples:
   aerostat render scenes/snow.json
@@ -60,6 +60,13 @@ inline constexpr const char* kFilmFooter = R"(Examples:
   aerostat film my.json -o frames/####.png --verify
 
 /film in the scene says how long the film is and what moves. The frames stand on disk first, each of them whole or not at all, and the same command goes on where it was stopped: frames that are there and were made from the same scene, size and quality by this version are kept, and others are made anew. Films are encoded by the program ffmpeg. When all frames are there, a sheet of small pictures of them is written to x-sheet.png, or to contact-sheet.png beside the frames.)";
+
+inline constexpr const char* kMergeFooter = R"(Examples:
+  aerostat render my.json -o bands/1.exr --width 16000 --height 9000 --shard 1/2
+  aerostat render my.json -o bands/2.exr --width 16000 --height 9000 --shard 2/2
+  aerostat merge bands/*.exr -o big.png
+
+The picture has the bits that one render of the whole would have written. All rows must be there, and all bands must be of one scene, size, quality and version; otherwise nothing is written, and a message names what is wrong.)";
 
 inline constexpr const char* kNewFooter = R"(Examples:
   aerostat new davos.tif

@@ -35,6 +35,7 @@ struct RenderOptions {
   std::optional<int> width, height, spp;
   std::optional<std::uint32_t> seed;
   std::optional<render::Crop> crop;
+  std::optional<film::Shard> shard;  // a band of rows, for 'merge'
   double time_limit_s = 0.0;         // 0: none
   bool save_partial = false;         // of an interrupted render
   std::filesystem::path checkpoint;  // empty: none
@@ -76,6 +77,12 @@ struct FilmOptions {
   bool preview = false;
   bool verify = false;
   DeviceOptions device;
+  bool quiet = false;
+};
+
+struct MergeOptions {
+  std::vector<std::filesystem::path> bands;
+  std::filesystem::path output;  // a .png or .exr file
   bool quiet = false;
 };
 

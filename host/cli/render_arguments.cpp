@@ -4,6 +4,7 @@
 
 #include "cli/parse.hpp"
 #include "cli/validators.hpp"
+#include "film/frames.hpp"
 
 namespace aerostat::cli {
 
@@ -57,6 +58,29 @@ void add_long_render(CLI::App* command, RenderOptions& options) {
           "The time between two savings, such as 10s or 15m; by default 60s")
       ->needs(checkpoint)
       ->type_name("TIME");
+}
+
+void add_shard(CLI::App* command, RenderOptions& options) {
+  command
+      ->add_option_function<std::string>(
+          "--shard",
+          [&options](const std::string& text) { options.shard = film::parse_shard(text); },
+          "Render only one of several bands of rows, such as 3/8, to an .exr file that 'aerostat "
+          "merge' joins with the others; a band that is there is kept")
+      ->excludes("--crop")
+      ->type_name("K/N");
+}
+
+void add_merge(CLI::App* command, MergeOptions& options) {
+  command
+      ->add_option("FILE", options.bands,
+                   "The .exr files of 'aerostat render --shard', in any order")
+      ->required()
+      ->type_name("");
+  command->add_option("-o,--output", options.output, "x.png or x.exr")
+      ->required()
+      ->type_name("FILE");
+  command->add_flag("--quiet,-q", options.quiet, "Print only errors");
 }
 
 }  // namespace aerostat::cli

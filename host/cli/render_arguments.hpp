@@ -13,4 +13,10 @@ void add_device(CLI::App* command, DeviceOptions& options);
 /// --checkpoint-every.
 void add_long_render(CLI::App* command, RenderOptions& options);
 
+/// Adds --shard. The command must have --crop.
+void add_shard(CLI::App* command, RenderOptions& options);
+
+/// Adds all of `merge`.
+void add_merge(CLI::App* command, MergeOptions& options);
+
 }  // namespace aerostat::cli

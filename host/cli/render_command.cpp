@@ -5,6 +5,7 @@
 #include <oneapi/tbb/parallel_for.h>
 #include <oneapi/tbb/task_arena.h>
 
+#include "cli/band_file.hpp"
 #include "cli/commands.hpp"
 #include "cli/interrupt.hpp"
 #include "cli/label_files.hpp"
@@ -37,8 +38,8 @@ bool is_map(const RenderOptions& options, PictureFormat format) {
   return format == PictureFormat::geotiff || options.world_file;
 }
 
-/// Returns the unresolved scene with all options applied.
-scene::Scene scene_to_render(const RenderOptions& options, PictureFormat format,
+/// Returns the unresolved scene with all options applied. A band becomes a crop.
+scene::Scene scene_to_render(RenderOptions& options, PictureFormat format,
                              world::ReliefCache& reliefs) {
   SceneOptions input = options.input;
   // Options win over --set.
@@ -49,6 +50,9 @@ scene::Scene scene_to_render(const RenderOptions& options, PictureFormat format,
   if (options.height) scene.image.height = *options.height;
   if (options.spp) scene.image.spp = *options.spp;
   if (options.seed) scene.image.seed = *options.seed;
+  if (options.shard) {
+    options.crop = band_crop(*options.shard, scene.image.width, scene.image.height);
+  }
   if (options.crop) require_inside(*options.crop, scene.image.width, scene.image.height);
   return scene;
 }
@@ -85,9 +89,11 @@ std::optional<MapFile> map_file(const RenderOptions& options, PictureFormat form
 }
 
 std::vector<std::uint8_t> encode(const image::Film& film, PictureFormat format,
-                                 const scene::Image& image, const std::optional<MapFile>& map) {
+                                 const scene::Scene& scene, bool is_band,
+                                 const std::optional<MapFile>& map) {
+  if (is_band) return encode_band(film, scene);
   if (format == PictureFormat::exr) return image::encode_exr(film);
-  const image::Pixels pixels = develop(film, image);
+  const image::Pixels pixels = develop(film, scene.image);
   if (!map) return image::encode_png(pixels);
   return map::encode_geotiff(map::in_own_grid(pixels, map->view, map->grid),
                              map->grid.georeference);
@@ -99,8 +105,10 @@ struct Opened {
   double seconds = 0.0;  // time that finding the devices took
 };
 
-/// Returns what the film of a file of this format holds.
-render::Contents contents_of(PictureFormat format) {
+/// Returns what the film of the file holds.
+render::Contents contents_of(const RenderOptions& options, PictureFormat format) {
+  // Bands are joined to pictures of both formats.
+  if (options.shard) return render::Contents::everything;
   return format == PictureFormat::exr ? render::Contents::layers : render::Contents::picture;
 }
 
@@ -115,7 +123,7 @@ Opened open_session(const RenderOptions& options, PictureFormat format,
   const Stopwatch watch;
   render::Options session_options = session_options_of(options.device, test);
   session_options.cache = cache;
-  session_options.contents = contents_of(format);
+  session_options.contents = contents_of(options, format);
   session_options.guides = has_guides(options, format);
   Opened opened{std::make_unique<render::Session>(session_options), session_options.devices,
                 watch.seconds()};
@@ -149,6 +157,13 @@ fs::path name_of_picture(const RenderOptions& options) {
   return options.output.empty() ? default_picture(options.input.scene) : options.output;
 }
 
+/// Returns the format of the picture's file. Throws Error{usage} for a band in another format.
+PictureFormat format_of(const RenderOptions& options) {
+  const PictureFormat format = picture_format(name_of_picture(options), options.format);
+  require_band(options, format);
+  return format;
+}
+
 /// Starts oneTBB before drivers are loaded in another thread. Otherwise the libraries that it
 /// loads, and the requests of its new threads to the loader, would wait for the drivers.
 void start_threads() {
@@ -161,11 +176,10 @@ void print_stats(const render::Session& session, const CommandSeconds& seconds) 
 
 }  // namespace
 
-int render(const RenderOptions& options) {
+int render(RenderOptions options) {
   const Stopwatch watch;
-  const fs::path named = name_of_picture(options);
-  const PictureFormat format = picture_format(named, options.format);
-  const fs::path output = output_file(named, options.input, true);
+  const PictureFormat format = format_of(options);
+  const fs::path output = output_file(name_of_picture(options), options.input, true);
   LabelFiles labels(options, output, format);
   Interrupt interrupt;
   ProgressBar bar(stderr_style(options.quiet), print_stderr);
@@ -176,6 +190,7 @@ int render(const RenderOptions& options) {
   Stopwatch phase;
   const auto cache = std::make_shared<render::SceneCache>();
   const scene::Scene scene = scene_to_render(options, format, cache->reliefs);
+  if (options.shard && is_kept_band(output, scene, *options.crop, options.quiet)) return 0;
   seconds.reading = phase.restart();
   require_encodable(options, scene.image, format);
   start_threads();
@@ -189,21 +204,21 @@ int render(const RenderOptions& options) {
   seconds.placing = phase.seconds();
   Opened opened = opening.get();
   seconds.device = opened.seconds;
-  image::Film film =
-      course.render(*opened.session, resolved, contents_of(format), has_guides(options, format));
+  image::Film film = course.render(*opened.session, resolved, contents_of(options, format),
+                                   has_guides(options, format));
   bar.clear();
   warn_of_nan(film);
   phase.restart();
   if (options.denoise) denoise::denoise(film, {.stop = course.token()});
   seconds.denoising = phase.restart();
-  const auto bytes = encode(film, format, scene.image, map);
+  const auto bytes = encode(film, format, scene, options.shard.has_value(), map);
   seconds.encoding = phase.restart();
   stop_if_asked(course.token());
   write_file(output, bytes);
   labels.write(film, bytes);
   seconds.writing = phase.seconds();
-  const std::string samples = samples_text(course, options, scene.image.spp);
   if (!options.quiet) {
+    const std::string samples = samples_text(course, options, scene.image.spp);
     bar.message(summary(output, film, samples, opened.devices, watch.seconds()));
   }
   if (options.stats) print_stats(*opened.session, seconds);

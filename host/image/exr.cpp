@@ -1,135 +1,30 @@
-#include <algorithm>
 #include <cstddef>
 #include <cstdint>
-#include <cstring>
 #include <exception>
+#include <memory>
 #include <new>
+#include <optional>
+#include <string>
+#include <vector>
 
 #include <OpenEXR/ImfChannelList.h>
-#include <OpenEXR/ImfFrameBuffer.h>
+#include <OpenEXR/ImfDoubleAttribute.h>
 #include <OpenEXR/ImfHeader.h>
-#include <OpenEXR/ImfIO.h>
-#include <OpenEXR/ImfInputFile.h>
+#include <OpenEXR/ImfMatrixAttribute.h>
 #include <OpenEXR/ImfOutputFile.h>
 #include <OpenEXR/ImfStandardAttributes.h>
 #include <OpenEXR/ImfStringAttribute.h>
 #include <fmt/format.h>
 
 #include "core/error.hpp"
-#include "image/mark.hpp"
+#include "image/bands.hpp"
+#include "image/exr_layers.hpp"
+#include "image/exr_streams.hpp"
 #include "image/write.hpp"
 
 namespace aerostat::image {
 
 namespace {
-
-/// A file in memory. OpenEXR moves back in it to fill in its table of line offsets.
-class MemoryStream : public Imf::OStream {
- public:
-  MemoryStream() : Imf::OStream("memory") {}
-
-  void write(const char bytes[], int count) override {
-    const std::size_t end = position_ + static_cast<std::size_t>(count);
-    if (end > bytes_.size()) bytes_.resize(end);
-    std::memcpy(bytes_.data() + position_, bytes, static_cast<std::size_t>(count));
-    position_ = end;
-  }
-  std::uint64_t tellp() override { return position_; }
-  void seekp(std::uint64_t position) override { position_ = position; }
-
-  std::vector<std::uint8_t> take() { return std::move(bytes_); }
-
- private:
-  std::vector<std::uint8_t> bytes_;
-  std::size_t position_ = 0;
-};
-
-/// The attribute of the mark.
-constexpr const char* kMark = "aerostat";
-
-/// A file in memory that is read.
-class MemoryInput : public Imf::IStream {
- public:
-  explicit MemoryInput(std::span<const std::uint8_t> bytes)
-      : Imf::IStream("memory"), bytes_(bytes) {}
-
-  bool read(char to[], int count) override {
-    const auto wanted = static_cast<std::size_t>(count);
-    if (wanted > bytes_.size() - std::min<std::size_t>(position_, bytes_.size())) {
-      throw Error(ErrorKind::bad_data, "the file ends too early");
-    }
-    std::memcpy(to, bytes_.data() + position_, wanted);
-    position_ += wanted;
-    return position_ < bytes_.size();
-  }
-  std::uint64_t tellg() override { return position_; }
-  void seekg(std::uint64_t position) override { position_ = position; }
-
- private:
-  std::span<const std::uint8_t> bytes_;
-  std::uint64_t position_ = 0;
-};
-
-/// Decodes all pixels of a file, a row at a time, and keeps none.
-void decode_rows(Imf::InputFile& file) {
-  const Imath::Box2i& data = file.header().dataWindow();
-  const auto width = static_cast<std::size_t>(data.max.x - data.min.x + 1);
-  std::vector<std::vector<std::uint32_t>> rows;
-  Imf::FrameBuffer frame;
-  const Imf::ChannelList& channels = file.header().channels();
-  for (auto channel = channels.begin(); channel != channels.end(); ++channel) {
-    rows.emplace_back(width);
-    // All rows go to the same memory: the stride from row to row is 0.
-    constexpr std::size_t kStride = sizeof(std::uint32_t);
-    char* const first = reinterpret_cast<char*>(rows.back().data());
-    frame.insert(channel.name(),
-                 Imf::Slice(channel.channel().type,
-                            first - static_cast<std::ptrdiff_t>(kStride) * data.min.x, kStride, 0));
-  }
-  for (int y = data.min.y; y <= data.max.y; ++y) {
-    file.setFrameBuffer(frame);
-    file.readPixels(y);
-  }
-}
-
-/// Declares the channels and tells where their values lie.
-class Layers {
- public:
-  Layers(const Film& film, const std::string& mark)
-      : data_({film.first.x, film.first.y},
-              {film.first.x + film.width - 1, film.first.y + film.height - 1}),
-        header_(display_of(film), data_) {
-    header_.compression() = Imf::ZIP_COMPRESSION;
-    Imf::addChromaticities(header_, Imf::Chromaticities{});  // Rec. 709
-    header_.insert("software", Imf::StringAttribute("aerostat"));
-    if (!mark.empty()) header_.insert(kMark, Imf::StringAttribute(mark));
-  }
-
-  void add(const char* name, Imf::PixelType type, const void* first, std::size_t stride) {
-    header_.channels().insert(name, Imf::Channel(type));
-    frame_.insert(name, Imf::Slice::Make(type, first, data_, stride));
-  }
-
-  void add_vector(const char* x, const char* y, const char* z, const Array<vec3>& values) {
-    add(x, Imf::FLOAT, &values[0].x, sizeof(vec3));
-    add(y, Imf::FLOAT, &values[0].y, sizeof(vec3));
-    add(z, Imf::FLOAT, &values[0].z, sizeof(vec3));
-  }
-
-  const Imf::Header& header() const { return header_; }
-  const Imf::FrameBuffer& frame() const { return frame_; }
-
- private:
-  static Imath::Box2i display_of(const Film& film) {
-    const glm::ivec2 size =
-        film.whole == glm::ivec2(0) ? glm::ivec2(film.width, film.height) : film.whole;
-    return {{0, 0}, {size.x - 1, size.y - 1}};
-  }
-
-  Imath::Box2i data_;
-  Imf::Header header_;
-  Imf::FrameBuffer frame_;
-};
 
 void require_layer(std::size_t size, std::size_t pixels, bool optional) {
   if (size != pixels && !(optional && size == 0)) {
@@ -155,55 +50,136 @@ void require_layers(const Film& film) {
   require_layer(film.samples.size(), pixels, true);
 }
 
-Layers layers_of(const Film& film, const std::string& mark) {
-  Layers layers(film, mark);
-  layers.add_vector("R", "G", "B", film.radiance);
-  if (!film.alpha.empty()) layers.add("A", Imf::FLOAT, film.alpha.data(), sizeof(float));
-  if (!film.distance_m.empty()) layers.add("Z", Imf::FLOAT, film.distance_m.data(), sizeof(float));
-  if (!film.albedo.empty()) layers.add_vector("albedo.R", "albedo.G", "albedo.B", film.albedo);
-  if (!film.normal_ws.empty()) layers.add_vector("N.X", "N.Y", "N.Z", film.normal_ws);
-  if (!film.object_id.empty()) {
-    layers.add("id", Imf::UINT, film.object_id.data(), sizeof(std::uint32_t));
+Imath::Box2i display_of(const Film& film) {
+  const glm::ivec2 size =
+      film.whole == glm::ivec2(0) ? glm::ivec2(film.width, film.height) : film.whole;
+  return {{0, 0}, {size.x - 1, size.y - 1}};
+}
+
+/// Returns the header of a file with `rows` rows from the first one of a film on.
+Imf::Header header_of(const Film& film, int rows) {
+  const Imath::Box2i data({film.first.x, film.first.y},
+                          {film.first.x + film.width - 1, film.first.y + rows - 1});
+  Imf::Header header(display_of(film), data);
+  header.compression() = Imf::ZIP_COMPRESSION;
+  Imf::addChromaticities(header, Imf::Chromaticities{});  // Rec. 709
+  header.insert("software", Imf::StringAttribute("aerostat"));
+  each_channel(film, [&](const char* name, Imf::PixelType type, const void*, std::size_t) {
+    header.channels().insert(name, Imf::Channel(type));
+  });
+  return header;
+}
+
+/// Runs a part of the encoding, and turns what OpenEXR throws into an Error.
+template <typename Step>
+void encoding(int width, int height, const Step& step) {
+  try {
+    step();
+  } catch (const std::bad_alloc&) {
+    throw;
+  } catch (const std::exception& error) {
+    throw Error(ErrorKind::internal, fmt::format("encoding an EXR of {} x {} pixels failed: {}",
+                                                 width, height, error.what()));
   }
-  if (!film.samples.empty()) {
-    layers.add("samples", Imf::UINT, film.samples.data(), sizeof(std::uint32_t));
+}
+
+/// A file that receives its rows from the top to the bottom.
+class RowsFile {
+ public:
+  explicit RowsFile(const Imf::Header& header)
+      : header_(header), next_row_(header.dataWindow().min.y) {
+    encoding(columns(), rows(), [&] { file_.emplace(stream_, header_); });
   }
-  return layers;
+
+  void add(const Film& film) {
+    require_layers(film);
+    const Imath::Box2i& window = header_.dataWindow();
+    if (film.first != glm::ivec2(window.min.x, next_row_) || film.width != columns() ||
+        film.height > window.max.y + 1 - next_row_ ||
+        !(header_of(film, film.height).channels() == header_.channels())) {
+      throw Error(ErrorKind::internal,
+                  fmt::format("encoding an EXR: {} rows from row {} on do not fit behind row {}",
+                              film.height, film.first.y, next_row_ - 1));
+    }
+    encoding(film.width, film.height, [&] {
+      file_->setFrameBuffer(frame_of(film));
+      file_->writePixels(film.height);
+    });
+    next_row_ += film.height;
+  }
+
+  std::vector<std::uint8_t> take() {
+    if (next_row_ != header_.dataWindow().max.y + 1) {
+      throw Error(ErrorKind::internal,
+                  fmt::format("encoding an EXR: the rows from {} on are missing", next_row_));
+    }
+    file_.reset();  // writes the table of line offsets
+    return stream_.take();
+  }
+
+ private:
+  int columns() const { return header_.dataWindow().max.x - header_.dataWindow().min.x + 1; }
+  int rows() const { return header_.dataWindow().max.y - header_.dataWindow().min.y + 1; }
+
+  Imf::Header header_;
+  int next_row_;
+  ExrOutput stream_;
+  std::optional<Imf::OutputFile> file_;
+};
+
+std::vector<std::uint8_t> encode(const Film& film, const Imf::Header& header) {
+  RowsFile file(header);
+  file.add(film);
+  return file.take();
+}
+
+void insert_mark(const std::string& mark, Imf::Header& header) {
+  if (!mark.empty()) header.insert(kExrMark, Imf::StringAttribute(mark));
 }
 
 }  // namespace
 
 std::vector<std::uint8_t> encode_exr(const Film& film, const std::string& mark) {
   require_layers(film);
-  MemoryStream stream;
-  try {
-    const Layers layers = layers_of(film, mark);
-    Imf::OutputFile file(stream, layers.header());
-    file.setFrameBuffer(layers.frame());
-    file.writePixels(film.height);
-  } catch (const std::bad_alloc&) {
-    throw;
-  } catch (const std::exception& error) {
-    throw Error(ErrorKind::internal, fmt::format("encoding an EXR of {} x {} pixels failed: {}",
-                                                 film.width, film.height, error.what()));
-  }
-  return stream.take();
+  Imf::Header header = header_of(film, film.height);
+  insert_mark(mark, header);
+  return encode(film, header);
 }
 
-MarkedFile mark_of_exr(std::span<const std::uint8_t> exr) {
-  MarkedFile marked;
-  try {
-    MemoryInput stream(exr);
-    Imf::InputFile file(stream);
-    const auto* const mark = file.header().findTypedAttribute<Imf::StringAttribute>(kMark);
-    if (mark != nullptr) marked.mark = mark->value();
-    decode_rows(file);
-    marked.is_whole = true;
-  } catch (const std::exception&) {
-    // OpenEXR says by an exception that a file is damaged, and the caller needs no more than that.
-    marked.is_whole = false;
+std::vector<std::uint8_t> encode_band(const Film& film, const std::string& mark,
+                                      const Development& development) {
+  require_layers(film);
+  Imf::Header header = header_of(film, film.height);
+  insert_mark(mark, header);
+  Imath::M33d white_balance;
+  for (int column = 0; column < 3; ++column) {
+    for (int row = 0; row < 3; ++row) {
+      white_balance[column][row] = development.white_balance[column][row];
+    }
   }
-  return marked;
+  header.insert(kExrExposure, Imf::DoubleAttribute(development.exposure_ev));
+  header.insert(kExrWhiteBalance, Imf::M33dAttribute(white_balance));
+  header.insert(kExrVignette, Imf::DoubleAttribute(development.vignette));
+  return encode(film, header);
+}
+
+struct ExrWriter::State : RowsFile {
+  using RowsFile::RowsFile;
+};
+
+ExrWriter::ExrWriter(const Film& top, int rows) {
+  require_layers(top);
+  state_ = std::make_unique<State>(header_of(top, rows));
+}
+
+ExrWriter::~ExrWriter() = default;
+
+void ExrWriter::add(const Film& rows) {
+  state_->add(rows);
+}
+
+std::vector<std::uint8_t> ExrWriter::take() {
+  return state_->take();
 }
 
 }  // namespace aerostat::image

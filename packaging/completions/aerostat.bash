@@ -1,15 +1,16 @@
 # Completion of aerostat's command line for bash.
 
-_aerostat_commands='render contact-sheet film new scenes devices check dump export artwork'
+_aerostat_commands='render contact-sheet film merge new scenes devices check dump export artwork'
 
 _aerostat_options() {
   local common='--help' scene='--help --set' device='--device --lanes --memory-limit --skip-self-test --quiet'
   case $1 in
     render)
-      echo "$scene $device --output --format --width --height --quality --spp --seed --crop --labels --labels-json --world-file --denoise --time-limit --save-partial --checkpoint --checkpoint-every --stats" ;;
+      echo "$scene $device --output --format --width --height --quality --spp --seed --crop --shard --labels --labels-json --world-file --denoise --time-limit --save-partial --checkpoint --checkpoint-every --stats" ;;
     contact-sheet) echo "$scene $device --seeds --views --output --columns --tile-width --quality" ;;
     film)
       echo "$scene $device --output --codec --frames --shard --time-limit --verify --preview --width --height --quality" ;;
+    merge) echo "$common --output --quiet" ;;
     new) echo "$scene --output --view" ;;
     scenes) echo "$common --folder" ;;
     devices) echo "$common --json" ;;
@@ -94,6 +95,8 @@ _aerostat() {
       COMPREPLY=($(IFS=' ' compgen -W "$(_aerostat_options "$command")" -- "$word"))
     elif [[ -z $command ]]; then
       COMPREPLY=($(IFS=' ' compgen -W "$_aerostat_commands" -- "$word"))
+    elif [[ $command == merge ]]; then
+      COMPREPLY=($(_aerostat_files "$word" exr))
     elif [[ $command != scenes && $command != devices ]]; then
       COMPREPLY=($(_aerostat_scenes "$program" "$word"))
     fi

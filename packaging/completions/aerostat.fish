@@ -19,6 +19,7 @@ complete -c aerostat -n __fish_use_subcommand -l version -d 'Print the version a
 complete -c aerostat -n __fish_use_subcommand -a render -d 'Render a scene to a PNG or EXR file'
 complete -c aerostat -n __fish_use_subcommand -a contact-sheet -d 'Render many terrain seeds onto one sheet'
 complete -c aerostat -n __fish_use_subcommand -a film -d 'Render the film of a scene'
+complete -c aerostat -n __fish_use_subcommand -a merge -d 'Join the bands of a large picture'
 complete -c aerostat -n __fish_use_subcommand -a new -d 'Write a scene around a file of elevation data'
 complete -c aerostat -n __fish_use_subcommand -a scenes -d 'List the scenes that came with aerostat'
 complete -c aerostat -n __fish_use_subcommand -a devices -d 'List OpenCL platforms and devices'
@@ -39,7 +40,10 @@ complete -c aerostat -n "__fish_seen_subcommand_from $rendering" -x -l memory-li
 complete -c aerostat -n "__fish_seen_subcommand_from $rendering" -l skip-self-test -d 'Do not test devices at their first use'
 complete -c aerostat -n "__fish_seen_subcommand_from $rendering" -s q -l quiet -d 'Print only errors'
 
-set -l output 'render contact-sheet film new export artwork'
+complete -c aerostat -n '__fish_seen_subcommand_from merge' -a '(__fish_complete_suffix .exr)'
+complete -c aerostat -n '__fish_seen_subcommand_from merge' -s q -l quiet -d 'Print only errors'
+
+set -l output 'render contact-sheet film merge new export artwork'
 complete -c aerostat -n "__fish_seen_subcommand_from $output" -r -F -s o -l output -d 'The file to write'
 
 complete -c aerostat -n '__fish_seen_subcommand_from render' -x -l format -a 'png exr tif' -d 'Format of the picture'
@@ -49,6 +53,7 @@ complete -c aerostat -n '__fish_seen_subcommand_from render' -x -l height -d 'Pi
 complete -c aerostat -n '__fish_seen_subcommand_from render' -x -l spp -d 'Samples per pixel'
 complete -c aerostat -n '__fish_seen_subcommand_from render' -x -l seed -d 'Seed of the samples'
 complete -c aerostat -n '__fish_seen_subcommand_from render' -x -l crop -d 'Render only a part: x0,y0,x1,y1'
+complete -c aerostat -n '__fish_seen_subcommand_from render' -x -l shard -d 'Render only one of several bands: k/n'
 complete -c aerostat -n '__fish_seen_subcommand_from render' -r -F -l labels -d 'Places to name in the picture'
 complete -c aerostat -n '__fish_seen_subcommand_from render' -r -F -l labels-json -d 'Where the places are in the picture'
 complete -c aerostat -n '__fish_seen_subcommand_from render' -l world-file -d 'Tell programs for maps where the picture lies'
