@@ -9,8 +9,8 @@
 
 #include "core/checksum.hpp"
 #include "core/file.hpp"
-#include "scene/balloons.hpp"
 #include "scene/io.hpp"
+#include "scene/named_files.hpp"
 #include "scene/scene.hpp"
 
 namespace aerostat::film {
@@ -24,7 +24,6 @@ std::string of_bytes(const fs::path& file) {
 
 /// Replaces the name of a file or folder by what tells it from others on every machine.
 void settle_name(std::string& name) {
-  if (name.empty()) return;
   const fs::path path(name);
   std::error_code error;
   if (!fs::is_directory(path, error)) {
@@ -42,13 +41,7 @@ void settle_name(std::string& name) {
 }  // namespace
 
 std::uint64_t scene_checksum(scene::Scene scene) {
-  for (std::string& name : scene.terrain.source) settle_name(name);
-  settle_name(scene.terrain.drape.file);
-  settle_name(scene.terrain.cover.source);
-  for (scene::PlacedModel& object : scene.objects) settle_name(object.file);
-  for (scene::Balloon* balloon : scene::all_balloons(scene)) {
-    if (balloon->track) settle_name(balloon->track->file);
-  }
+  for (std::string* name : scene::named_files(scene)) settle_name(*name);
   return checksum(scene::write_text(scene));
 }
 

@@ -14,6 +14,8 @@ std::vector<std::string*> named_files(Scene& scene) {
   names.push_back(&scene.terrain.cover.source);
   for (Balloon* balloon : all_balloons(scene)) {
     if (balloon->track) names.push_back(&balloon->track->file);
+    for (Artwork& artwork : balloon->artwork) names.push_back(&artwork.file);
+    if (balloon->envelope) names.push_back(&balloon->envelope->file);
   }
   for (PlacedModel& model : scene.objects) names.push_back(&model.file);
   std::erase_if(names, [](const std::string* name) { return name->empty(); });

@@ -8,8 +8,8 @@ namespace aerostat::scene {
 struct Scene;
 
 /// Returns the names of all files and folders that a scene names itself, in the order of the scene:
-/// elevation data, pictures and land cover on the ground, flight tracks and models. Files that
-/// these files name are not among them. The names may be changed.
+/// elevation data, pictures and land cover on the ground, flight tracks, pictures and models of
+/// envelopes, and models. Files that these files name are not among them. The names may be changed.
 std::vector<std::string*> named_files(Scene& scene);
 
 }  // namespace aerostat::scene

@@ -42,6 +42,8 @@ scene::Scene scene_with(const std::string& file) {
   scene.objects[0].file = file;
   scene.balloon.track.emplace();
   scene.balloon.track->file = file;
+  scene.balloon.artwork.resize(1);
+  scene.balloon.artwork[0].file = file;
   return scene;
 }
 
@@ -71,6 +73,9 @@ TEST_F(SceneMark, EachFileCountsByItsSize) {
   EXPECT_TRUE(differs(other));
   other = scene;
   other.balloon.track->file = large;
+  EXPECT_TRUE(differs(other));
+  other = scene;
+  other.balloon.artwork[0].file = large;
   EXPECT_TRUE(differs(other));
 }
 
