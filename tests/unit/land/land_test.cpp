@@ -1,5 +1,6 @@
 #include "land/land.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <fstream>
@@ -74,6 +75,27 @@ TEST_F(LandFiles, NorthIsNorthAndEastIsEast) {
   EXPECT_LT(height_at(*local, 4001.6f, 4001.6f), 800.0f);
   EXPECT_TRUE(local->is_known(0.0, 0.0));
   EXPECT_FALSE(local->is_known(5900.0, 0.0));
+}
+
+/// A lake of radius 1200 m, 2000 m to the east and 2000 m to the north of the middle, in a bowl.
+double bowl(int column, int row) {
+  return 600.0 + std::max(0.0, 8.0 * (std::hypot(column - 70.0, row - 30.0) - 12.0));
+}
+
+TEST_F(LandFiles, ALakeLiesAtItsPlaceInTheFrame) {
+  write("a.asc", 101, 500000.0, 5200000.0, 100.0, bowl);
+  const Land land(options_);
+  ASSERT_EQ(land.waters().size(), 1u);
+  const auto local = land.around(land.middle(), 6000.0);
+  const auto level_at = [&](float east, float south) {
+    const float spacing = 10.0f;
+    float level = 0.0f, shore = 0.0f;
+    local->find_water({{&east, 1}, {&south, 1}, {&spacing, 1}, {&level, 1}, {&shore, 1}});
+    return level;
+  };
+  EXPECT_FLOAT_EQ(level_at(2000.0f, -2000.0f), 600.0f);
+  EXPECT_FLOAT_EQ(level_at(3000.0f, -2000.0f), 600.0f);
+  EXPECT_TRUE(std::isnan(level_at(-4000.0f, 4000.0f)));
 }
 
 TEST_F(LandFiles, APlaceMovesTheFrame) {

@@ -135,7 +135,7 @@ TEST_F(PictureLightTest, IsFoundAndTakenOut) {
   EXPECT_NEAR(azimuth, kSunAzimuth_deg, 4.0) << note;
   EXPECT_NEAR(elevation, kSunElevation_deg, 4.0) << note;
   EXPECT_GT(before, 0.5);
-  EXPECT_LT(error(lifted), 0.4 * before) << note;
+  EXPECT_LT(error(lifted), 0.2 * before) << note;
   options_.lift_shadows = 0.5;
   const double half = error(Drape(options_));
   EXPECT_LT(half, 0.8 * before);
