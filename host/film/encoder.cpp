@@ -34,6 +34,7 @@ struct Codec {
   std::vector<std::string> endings;
   bool has_half_colors;  // colours have half the resolution, so sides must be even
   bool is_rgb;
+  int least_side = 2;  // the smallest width and height that the encoder takes
 };
 
 /// Qualities are chosen by eye: gradients of the sky show no steps.
@@ -48,13 +49,14 @@ const std::vector<Codec>& codecs() {
        {"-c:v", "libsvtav1", "-preset", "6", "-crf", "24", "-pix_fmt", "yuv420p10le"},
        {".mp4", ".mkv", ".webm"},
        true,
-       false},
+       false,
+       64},
       {"prores",
        {"-c:v", "prores_ks", "-profile:v", "3", "-vendor", "apl0", "-pix_fmt", "yuv422p10le"},
        {".mov", ".mkv"},
        true,
        false},
-      {"lossless", {"-c:v", "ffv1", "-level", "3", "-pix_fmt", "bgr0"}, {".mkv"}, false, true},
+      {"lossless", {"-c:v", "ffv1", "-level", "3", "-pix_fmt", "bgr0"}, {".mkv"}, false, true, 1},
   };
   return all;
 }
@@ -169,6 +171,12 @@ void require_encodable(const EncoderOptions& options) {
     throw Error(ErrorKind::usage, fmt::format("--codec: {} goes into {}, not into '{}'", codec.name,
                                               endings, options.output.string()));
   }
+  if (std::min(options.width, options.height) < codec.least_side) {
+    throw Error(ErrorKind::usage,
+                fmt::format("--codec: {} needs sides of {} pixels or more, found "
+                            "{} x {}",
+                            codec.name, codec.least_side, options.width, options.height));
+  }
   const bool is_odd = options.width % 2 != 0 || options.height % 2 != 0;
   if (!codec.has_half_colors || !is_odd) return;
   throw Error(ErrorKind::usage,
@@ -191,7 +199,10 @@ std::vector<std::string> ffmpeg_arguments(const EncoderOptions& options, const f
   // Frames have the full range of RGB. Films have the limited range of Y'CbCr, by the matrix of
   // BT.709, and say so.
   if (!codec.is_rgb) {
-    add({"-vf", "scale=in_range=pc:out_range=tv:out_color_matrix=bt709:flags=accurate_rnd"});
+    // Some encoders take their tags from the frames and others from the options further below.
+    add({"-vf",
+         "scale=in_range=pc:out_range=tv:out_color_matrix=bt709:flags=accurate_rnd,"
+         "setparams=range=tv:color_primaries=bt709:color_trc=bt709:colorspace=bt709"});
   }
   add(codec.arguments);
   add({"-color_primaries", "bt709", "-color_trc", "bt709"});

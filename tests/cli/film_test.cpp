@@ -1,12 +1,16 @@
 // Tests films: frames that are kept, made anew and shared, and a film by a script in place of
 // ffmpeg.
 
+#include <array>
 #include <chrono>
 #include <csignal>
+#include <cstdio>
 #include <filesystem>
 #include <fstream>
+#include <memory>
 #include <string>
 #include <thread>
+#include <tuple>
 #include <vector>
 
 #include "run_process.hpp"
@@ -142,6 +146,40 @@ TEST_F(Film, FilmsAreEncodedFromTheirFrames) {
   EXPECT_EQ(read_bytes(folder_ / "x.mp4"), film);
 }
 
+/// Returns what ffprobe tells of a film: codec, tags of colours, rate, and the frames that it has.
+std::string probed(const fs::path& film) {
+  const std::string command =
+      "ffprobe -v error -count_frames -select_streams v -show_entries "
+      "stream=codec_name,color_range,"
+      "color_space,color_primaries,color_transfer,r_frame_rate,nb_read_frames -of csv=p=0 '" +
+      film.string() + "'";
+  const std::unique_ptr<FILE, int (*)(FILE*)> pipe(::popen(command.c_str(), "r"), ::pclose);
+  std::array<char, 256> line{};
+  const bool is_read =
+      std::fgets(line.data(), static_cast<int>(line.size()), pipe.get()) != nullptr;
+  return is_read ? line.data() : "";
+}
+
+TEST_F(Film, FilmsOfTheRealFfmpegTellTheirColours) {
+  if (!fs::exists("/usr/bin/ffmpeg") || !fs::exists("/usr/bin/ffprobe")) {
+    GTEST_SKIP() << "ffmpeg is not installed";
+  }
+  const std::string tags = ",tv,bt709,bt709,bt709,10/1,6\n";
+  const std::tuple<const char*, const char*, std::string> films[] = {
+      {"h264", "a.mp4", "h264" + tags},
+      {"av1", "b.webm", "av1" + tags},
+      {"prores", "c.mov", "prores" + tags},
+      {"lossless", "d.mkv", "ffv1,pc,gbr,bt709,bt709,10/1,6\n"}};
+  for (const auto& [codec, name, expected] : films) {
+    const Outcome outcome =
+        run(small_film(name, {"--codec", codec, "--width", "64", "--height", "64"}));
+    // Distributions build ffmpeg with different encoders.
+    if (contains(outcome.err, "Unknown encoder")) continue;
+    ASSERT_EQ(outcome.code, 0) << outcome.err;
+    EXPECT_EQ(probed(folder_ / name), expected) << codec;
+  }
+}
+
 TEST_F(Film, WithoutFfmpegTheFramesAreMade) {
   fs::create_directory(folder_ / "empty");
   const Outcome outcome = run(small_film("x.mp4"), {"PATH=" + (folder_ / "empty").string()});
@@ -174,6 +212,7 @@ TEST_F(Film, MistakesAreOneClearLineAndCode64) {
       {{"--codec", "vp9"}, "--codec: vp9"},
       {{"--codec", "prores"}, "prores goes into .mov, .mkv"},
       {{"--width", "31"}, "even sides"},
+      {{"--codec", "av1"}, "av1 needs sides of 64 pixels or more, found 32 x 18"},
   };
   for (const auto& [arguments, part] : mistakes) {
     const Outcome outcome = run(small_film("x.mp4", arguments));
