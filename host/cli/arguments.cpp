@@ -308,6 +308,10 @@ class Arguments {
                         kCheckFooter, [this] { return check(check_); });
     add_scene(sub, check_.input);
     sub->add_flag("--json", check_.json, "Print the report on elevation data or a track as JSON");
+    sub->add_option("--device", check_.device,
+                    "Print what memory a render of the scene needs, and compare it with what this "
+                    "device has; it is chosen as for 'render'")
+        ->type_name("SEL");
     sub->add_option("--land", check_.land,
                     "Elevation data below a track: fit its heights to the ground and say how")
         ->type_name("FILE");

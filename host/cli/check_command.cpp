@@ -8,6 +8,7 @@
 #include "artwork/check.hpp"
 #include "cli/commands.hpp"
 #include "cli/land_report.hpp"
+#include "cli/memory_report.hpp"
 #include "cli/scene_input.hpp"
 #include "cli/track_report.hpp"
 #include "core/error.hpp"
@@ -53,6 +54,20 @@ int check_track(const CheckOptions& options) {
   return 0;
 }
 
+/// Prints what memory a render of the scene needs. Throws Error{exhausted} if a device has less.
+void check_memory(const CheckOptions& options, const scene::ResolvedScene& scene) {
+  if (options.device.empty()) return;
+  render::Options session;
+  session.devices = opencl::select_devices(options.device);
+  session.contents = render::Contents::picture;
+  const render::MemoryNeed need = render::memory_need(scene, session);
+  write_stdout(memory_text(need, session.devices));
+  for (const opencl::Device& device : session.devices) {
+    const std::string bound = device.memory_bound.empty() ? "the device" : device.memory_bound;
+    render::require_room(need, device.memory_bytes, bound);
+  }
+}
+
 }  // namespace
 
 int check(const CheckOptions& options) {
@@ -80,6 +95,7 @@ int check(const CheckOptions& options) {
     film::Timeline timeline(staged.source, reliefs);
     write_stdout(film::way_text(timeline));
   }
+  check_memory(options, scene);
   fmt::print(stderr, "{}: ok\n", name);
   return 0;
 }

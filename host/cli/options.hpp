@@ -104,6 +104,7 @@ struct DevicesOptions {
 
 struct CheckOptions {
   SceneOptions input;  // or a track instead of a scene
+  std::string device;  // whose memory is compared with what a render needs; empty: none
   bool json = false;
   std::filesystem::path land;  // elevation data below a track
 };

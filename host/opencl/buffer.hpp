@@ -26,6 +26,8 @@ class MemoryBudget {
 
   std::uint64_t limit() const { return state_->limit; }
   std::uint64_t used() const { return state_->used; }
+  /// Returns what sets the limit in words, or an empty text if the device or the user does.
+  const std::string& bound() const { return state_->bound; }
 
   /// Counts `bytes` for `what` ("the triangles"). Throws Error{exhausted}, counting nothing, if
   /// they would exceed the limit. The message says how much is needed and how much is allowed. It

@@ -59,6 +59,10 @@ void DeviceTeam::set_geometry(const std::shared_ptr<const bvh::Bvh>& tree,
   on_each([&](DeviceWorker& worker) { worker.set_geometry(tree, frame, between); });
 }
 
+void DeviceTeam::require_room(const MemoryNeed& need) {
+  on_each([&](DeviceWorker& worker) { worker.require_room(need); });
+}
+
 void DeviceTeam::begin_frame(const pack::PackedScene& scene, std::size_t pixels) {
   on_each([&](DeviceWorker& worker) { worker.begin_frame(scene, pixels); });
 }

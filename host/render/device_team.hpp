@@ -9,6 +9,7 @@
 
 #include "render/device_worker.hpp"
 #include "render/film_sums.hpp"
+#include "render/memory_need.hpp"
 
 namespace aerostat::render {
 
@@ -36,6 +37,7 @@ class DeviceTeam {
   void set_geometry(const std::shared_ptr<const bvh::Bvh>& tree,
                     const std::shared_ptr<const FrameArrays>& frame,
                     const std::function<void()>& between);
+  void require_room(const MemoryNeed& need);
   void begin_frame(const pack::PackedScene& scene, std::size_t pixels);
   void begin_film(const Crop& window, Layers layers);
 

@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <utility>
 
+#include "core/error.hpp"
 #include "render/film_sums.hpp"
+#include "render/memory_need.hpp"
 
 namespace aerostat::render {
 namespace {
@@ -16,6 +18,10 @@ constexpr std::size_t kLaunchesInFlight = 2;
 
 std::uint64_t pixels_of(const AeroTile& tile) {
   return std::uint64_t{tile.x1 - tile.x0} * (tile.y1 - tile.y0);
+}
+
+std::uint32_t log2_lanes_of(const PacketShape& shape) {
+  return shape.log2_w + shape.log2_h + shape.log2_samples;
 }
 
 template <typename T>
@@ -40,6 +46,7 @@ DeviceWorker::DeviceWorker(const opencl::Device& device, const Options& options,
 void DeviceWorker::begin_programs(scene::Integrator integrator) {
   if (integrator != integrator_) {
     packets_capacity_ = 0;
+    most_packets_ = 0;
     rate_ = 0.0;
   }
   integrator_ = integrator;
@@ -60,6 +67,10 @@ void DeviceWorker::set_geometry(const std::shared_ptr<const bvh::Bvh>& tree,
                                 const std::shared_ptr<const FrameArrays>& frame,
                                 const std::function<void()>& between) {
   geometry_ = upload(context_, budget_, tree, frame, between);
+}
+
+void DeviceWorker::require_room(const MemoryNeed& need) const {
+  render::require_room(need, budget_.limit(), budget_.bound());
 }
 
 void DeviceWorker::begin_frame(const pack::PackedScene& scene, std::size_t pixels) {
@@ -155,6 +166,7 @@ int DeviceWorker::rows_at_once(const Pass& pass, const PacketShape& shape) const
                       kFirstLaunchRays / 16, kMostLaunchRays * launches);
   }
   const auto width = static_cast<std::uint64_t>(pass.area.x1 - pass.area.x0);
+  if (most_packets_ > 0) rays = std::min(rays, (most_packets_ * launches) << log2_lanes_of(shape));
   const std::uint64_t block_row = (width * launches) << (shape.log2_h + shape.log2_samples);
   return static_cast<int>(std::max<std::uint64_t>(1, rays / block_row)) << shape.log2_h;
 }
@@ -173,12 +185,30 @@ void DeviceWorker::trace(const Pass& pass, RowQueue& queue, int index,
     const Crop area{pass.area.x0, run->y0, pass.area.x1, run->y1};
     for (int done = 0; done < pass.samples; done += 1 << shape.log2_samples) {
       if (stop.stop_requested()) return;
-      launch.tile = tile_of(area, shape, static_cast<std::uint32_t>(pass.first_sample + done));
-      launch_tile(launch);
-      retire(kLaunchesInFlight - 1);
+      launch_rows(launch, area, shape, static_cast<std::uint32_t>(pass.first_sample + done));
     }
   }
   if (!stop.stop_requested()) retire(0);
+}
+
+/// Launches a tile, or its halves one after the other if there is no room for the buffers of all of
+/// its packets.
+void DeviceWorker::launch_rows(AeroLaunch& launch, const Crop& area, const PacketShape& shape,
+                               std::uint32_t first_sample) {
+  launch.tile = tile_of(area, shape, first_sample);
+  const int least = 1 << shape.log2_h, rows = area.y1 - area.y0;
+  try {
+    reserve(launch.tile.block_count);
+  } catch (const Error& error) {
+    if (error.kind() != ErrorKind::exhausted || rows <= least) throw;
+    most_packets_ = std::max<std::uint64_t>(1, launch.tile.block_count / 2);
+    const int middle = area.y0 + (rows / 2 + least - 1) / least * least;
+    launch_rows(launch, {area.x0, area.y0, area.x1, middle}, shape, first_sample);
+    launch_rows(launch, {area.x0, middle, area.x1, area.y1}, shape, first_sample);
+    return;
+  }
+  launch_tile(launch);
+  retire(kLaunchesInFlight - 1);
 }
 
 /// Copies these rows from the film of another device, so that their sums are continued in the same
@@ -203,7 +233,6 @@ void DeviceWorker::reserve(std::uint64_t packets) {
 void DeviceWorker::launch_tile(const AeroLaunch& launch) {
   if (hooks_.before_launch) hooks_.before_launch(device());
   const std::uint64_t packets = launch.tile.block_count;
-  reserve(packets);
   Launch work;
   work.rays = pixels_of(launch.tile) << launch.tile.log2_samples;
   work.events = built().programs->integrator->launch(

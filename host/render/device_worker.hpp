@@ -22,6 +22,7 @@
 namespace aerostat::render {
 
 struct FilmSums;
+struct MemoryNeed;
 
 /// A number of samples for every pixel of an area, which lies inside the window of the film.
 struct Pass {
@@ -64,6 +65,10 @@ class DeviceWorker {
   void drop_geometry() { geometry_ = {}; }
   const DeviceGeometry& geometry() const { return geometry_; }
 
+  /// Throws Error{exhausted} if the need is more than the device may have, before anything of it is
+  /// allocated.
+  void require_room(const MemoryNeed& need) const;
+
   /// Gives the scene to the device, and allocates a film of `pixels` pixels, with guides if the
   /// options ask for them.
   void begin_frame(const pack::PackedScene& scene, std::size_t pixels);
@@ -105,6 +110,8 @@ class DeviceWorker {
   };
 
   int rows_at_once(const Pass& pass, const PacketShape& shape) const;
+  void launch_rows(AeroLaunch& launch, const Crop& area, const PacketShape& shape,
+                   std::uint32_t first_sample);
   void reserve(std::uint64_t packets);
   void launch_tile(const AeroLaunch& launch);
   void retire(std::size_t most_in_flight);
@@ -140,6 +147,8 @@ class DeviceWorker {
   bool some_converged_ = false;
   /// The packets that the integrator has room for.
   std::uint64_t packets_capacity_ = 0;
+  /// The most packets of a launch for which there was room, or 0 if there always was.
+  std::uint64_t most_packets_ = 0;
 
   std::deque<Launch> in_flight_;
   std::atomic<std::uint64_t> rays_done_ = 0;

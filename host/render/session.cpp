@@ -104,11 +104,14 @@ void Session::State::prepare(const scene::ResolvedScene& scene, const scene::Res
   stop_if_asked();
   report(Stage::upload, 0.0);
   const Stopwatch upload_watch;
-  upload();
   pack::PackedScene packed = packing.get();
   if (change_scene) change_scene(packed);
-  const std::size_t pixels = PassPlan(shown->image, crop, team.lanes()).area_from(0).pixels();
-  team.begin_frame(packed, std::max(pixels, static_cast<std::size_t>(kMeteringPixels)));
+  const std::size_t pixels =
+      std::max(PassPlan(shown->image, crop, team.lanes()).area_from(0).pixels(),
+               static_cast<std::size_t>(kMeteringPixels));
+  team.require_room(memory_need(*geometry, packed, pixels, layers_of(options)));
+  upload();
+  team.begin_frame(packed, pixels);
   daylight = vec3(pack::daylight(packed.numbers, scene.eye().y));
   stats.upload_seconds = upload_watch.seconds();
 }

@@ -14,7 +14,7 @@ _aerostat_options() {
     new) echo "$scene --output --view" ;;
     scenes) echo "$common --folder" ;;
     devices) echo "$common --json" ;;
-    check) echo "$scene --json --land" ;;
+    check) echo "$scene --json --device --land" ;;
     dump) echo "$scene --view" ;;
     export) echo "$scene --output --format --plants --most-triangles" ;;
     artwork) echo "$scene --template --balloon --output" ;;

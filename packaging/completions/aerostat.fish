@@ -81,6 +81,7 @@ complete -c aerostat -n '__fish_seen_subcommand_from film' -x -l height -d 'Pixe
 
 complete -c aerostat -n '__fish_seen_subcommand_from scenes' -l folder -d 'Print only the folder of the scenes'
 complete -c aerostat -n '__fish_seen_subcommand_from devices' -l json -d 'Print JSON'
+complete -c aerostat -n '__fish_seen_subcommand_from check' -x -l device -a '(__aerostat_devices)' -d 'Compare the memory of this device with what a render needs'
 complete -c aerostat -n '__fish_seen_subcommand_from check' -l json -d 'Print the report on elevation data or a track as JSON'
 complete -c aerostat -n '__fish_seen_subcommand_from check' -l land -r -d 'Elevation data below a track'
 complete -c aerostat -n '__fish_seen_subcommand_from dump' -l view -d 'Print what another renderer needs beside triangles'

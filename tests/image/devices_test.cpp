@@ -142,12 +142,11 @@ TEST(Devices, AreNamedWhenOneFails) {
   options.tile_pixels = 1;
   Session frugal(options);
   const image::Film expected = frugal.render(resolved(scene));
-  // The limit is enough for all buffers except the hits of larger launches, which are allocated
-  // while rays are traced.
+  // The limit is enough for all buffers except the hits of the smallest launches, which are
+  // allocated while rays are traced.
   std::uint64_t most = 0;
   for (const auto& one : frugal.stats().devices) most = std::max(most, one.bytes);
-  options.memory_limit_bytes = most + 1024;
-  options.tile_pixels = 1 << 20;
+  options.memory_limit_bytes = most - 1024;
   Session session(options);
   try {
     session.render(resolved(scene));
@@ -163,6 +162,22 @@ TEST(Devices, AreNamedWhenOneFails) {
   smaller.image.width = smaller.image.height = 32;
   EXPECT_TRUE(same_bits(session.render(resolved(smaller)), frugal.render(resolved(smaller))))
       << "the session goes on";
+}
+
+TEST(Devices, HalveTheirTilesWhereMemoryIsShort) {
+  const auto scene = small_scene("snow", {320, 180, 20, 128});
+  auto options = on(kPocl + "/2");
+  options.tile_pixels = 1;
+  Session frugal(options);
+  const image::Film expected = frugal.render(resolved(scene));
+  std::uint64_t most = 0;
+  for (const auto& one : frugal.stats().devices) most = std::max(most, one.bytes);
+  // The hits of larger launches do not fit.
+  options.memory_limit_bytes = most + (1 << 18);
+  options.tile_pixels = 1 << 20;
+  Session session(options);
+  EXPECT_TRUE(same_bits(expected, session.render(resolved(scene))));
+  for (const auto& one : session.stats().devices) EXPECT_LE(one.bytes, most + (1 << 18));
 }
 
 /// Throws the error of a launch on a device that is lost.
