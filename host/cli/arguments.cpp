@@ -100,6 +100,12 @@ class Arguments {
         ->required()
         ->type_name("");
     add_overrides(sub, options);
+    add_external_paths(sub, options);
+  }
+
+  static void add_external_paths(CLI::App* sub, SceneOptions& options) {
+    sub->add_flag("--allow-external-paths", options.allow_external_paths,
+                  "Let the scene file name files outside of its folder");
   }
 
   static void add_overrides(CLI::App* sub, SceneOptions& options) {
@@ -338,6 +344,7 @@ class Arguments {
                         [this] { return make_artwork(artwork_); });
     add_artwork_options(sub, artwork_);
     add_overrides(sub, artwork_.input);
+    add_external_paths(sub, artwork_.input);
   }
 
   CLI::App app_;

@@ -57,6 +57,12 @@ int new_scene(const NewOptions& options) {
   const std::string text = source.text();
   write_file(output, {reinterpret_cast<const std::uint8_t*>(text.data()), text.size()});
   if (!is_standard(named)) fmt::print(stderr, "wrote {}\n", output.string());
+  if (!is_standard(named) && fs::path(named_from(output, options.input.scene)).is_absolute()) {
+    warn(
+        fmt::format("the elevation data lie outside of the folder of '{}', so that it needs "
+                    "--allow-external-paths",
+                    output.string()));
+  }
   return 0;
 }
 

@@ -15,6 +15,7 @@ namespace aerostat::cli {
 struct SceneOptions {
   std::filesystem::path scene;         // "-" stands for standard input
   std::vector<std::string> overrides;  // texts "/json/pointer=value"
+  bool allow_external_paths = false;   // whether the scene file may name files outside its folder
 };
 
 /// The devices that compute, and their limit of memory.

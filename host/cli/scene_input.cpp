@@ -64,7 +64,9 @@ scene::Scene plain_scene(const SceneOptions& options, const std::string& text) {
   if (is_standard(options.scene)) return scene::read_text(text, kStandardInput, overrides);
   const std::filesystem::path file = scene::find_scene(options.scene);
   staging::require_scene_text(file);
-  return scene::read_file(file, overrides);
+  const auto files = options.allow_external_paths ? scene::NamedFiles::anywhere
+                                                  : scene::NamedFiles::below_the_scene;
+  return scene::read_file(file, overrides, files);
 }
 
 /// Reads the scene in a form that can be edited. Its messages name neither lines nor options, so

@@ -24,12 +24,18 @@ struct Override {
 /// pointer does not begin with '/'.
 Override parse_override(const std::string& text);
 
+/// Where the files may lie that a scene file names. Scenes of strangers should not name files
+/// outside of their folder, because these would then be read.
+enum class NamedFiles { anywhere, below_the_scene };
+
 /// Reads a scene file (JSON with comments), applies the overrides to it, checks it against the
 /// schema and fills in the defaults of its biome and view. Positions stay as given.
 /// world::resolve works out heights above ground. Throws Error{io} if the file cannot be read,
 /// Error{bad_data} with line and column if it is not JSON, and BadScene with all faults if it is
-/// not a scene.
-Scene read_file(const std::filesystem::path& path, const std::vector<Override>& overrides = {});
+/// not a scene. With NamedFiles::below_the_scene, a name in the file that is absolute or leads out
+/// of the folder of the scene by ".." is a fault. Names in overrides may be any.
+Scene read_file(const std::filesystem::path& path, const std::vector<Override>& overrides = {},
+                NamedFiles files = NamedFiles::anywhere);
 
 /// Reads a scene from a text, with the same steps and errors as read_file after the file is read.
 /// `name` stands for the file in messages.

@@ -6,7 +6,9 @@
 #include <cmath>
 #include <cstring>
 #include <fstream>
+#include <functional>
 #include <optional>
+#include <string>
 #include <system_error>
 #include <type_traits>
 #include <utility>
@@ -273,37 +275,64 @@ Json parse_document(const std::string& text, Faults& faults) {
   return document;
 }
 
-void name_files_from(const std::filesystem::path& folder, Json& document) {
-  if (folder.empty()) return;
-  const auto settle = [&folder](Json& name) {
-    if (!name.is_string() || name == "") return;
-    const std::filesystem::path path = folder / name.get<std::string>();
-    name = std::filesystem::absolute(path).lexically_normal().string();
+namespace {
+
+/// Calls `visit` with each name of a file in a document, and with its pointer.
+void for_named_files(Json& document, const std::function<void(Json&, const Pointer&)>& visit) {
+  if (!document.is_object()) return;
+  const auto visit_at = [&visit](Json& in, Pointer pointer, const Pointer& rest) {
+    Json* value = &in;
+    for (const std::string& key : rest) {
+      if (!value->is_object() || !value->contains(key)) return;
+      value = &(*value)[key];
+      pointer.push_back(key);
+    }
+    if (value->is_string() && *value != "") visit(*value, pointer);
   };
-  const auto settle_list = [&settle](Json& owner, const char* key) {
-    if (!owner.is_object() || !owner.contains(key) || !owner[key].is_array()) return;
-    for (Json& element : owner[key]) {
-      if (element.contains("file")) settle(element["file"]);
+  const auto visit_list = [&](Json& owner, const Pointer& pointer, const char* list,
+                              const auto& visit_one) {
+    if (!owner.is_object() || !owner.contains(list) || !owner[list].is_array()) return;
+    std::size_t i = 0;
+    for (Json& one : owner[list]) {
+      Pointer at = pointer;
+      at.emplace_back(list);
+      at.push_back(std::to_string(i++));
+      visit_one(one, at);
     }
   };
-  const auto settle_balloon = [&](Json& balloon) {
-    const Json::json_pointer track("/track/file");
-    if (balloon.contains(track)) settle(balloon[track]);
-    settle_list(balloon, "artwork");
+  const auto visit_file = [&](Json& one, const Pointer& at) { visit_at(one, at, {"file"}); };
+  const auto visit_balloon = [&](Json& balloon, const Pointer& at) {
+    visit_at(balloon, at, {"track", "file"});
+    visit_list(balloon, at, "artwork", visit_file);
   };
   if (has_source(document)) {
-    for (Json& name : document["terrain"]["source"]) settle(name);
-    const Json::json_pointer drape("/terrain/drape/file");
-    if (document.contains(drape)) settle(document[drape]);
-    const Json::json_pointer cover("/terrain/cover/source");
-    if (document.contains(cover)) settle(document[cover]);
+    visit_list(document["terrain"], {"terrain"}, "source",
+               [&](Json& name, const Pointer& at) { visit_at(name, at, {}); });
+    visit_at(document, {}, {"terrain", "drape", "file"});
+    visit_at(document, {}, {"terrain", "cover", "source"});
   }
-  if (!document.is_object()) return;
-  settle_list(document, "objects");
-  if (document.contains("balloon")) settle_balloon(document["balloon"]);
-  if (document.contains("balloons") && document["balloons"].is_array()) {
-    for (Json& balloon : document["balloons"]) settle_balloon(balloon);
-  }
+  visit_list(document, {}, "objects", visit_file);
+  if (document.contains("balloon")) visit_balloon(document["balloon"], {"balloon"});
+  visit_list(document, {}, "balloons", visit_balloon);
+}
+
+}  // namespace
+
+void name_files_from(const std::filesystem::path& folder, Json& document) {
+  if (folder.empty()) return;
+  for_named_files(document, [&folder](Json& name, const Pointer&) {
+    const std::filesystem::path path = folder / name.get<std::string>();
+    name = std::filesystem::absolute(path).lexically_normal().string();
+  });
+}
+
+void require_files_below(Json& document, Faults& faults) {
+  for_named_files(document, [&faults](Json& name, const Pointer& pointer) {
+    const auto path = std::filesystem::path(name.get<std::string>()).lexically_normal();
+    if (!path.is_absolute() && *path.begin() != "..") return;
+    faults.add(pointer, name.dump(),
+               "a file in the folder of the scene or below it, or --allow-external-paths");
+  });
 }
 
 Scene read_document(Json& document, Faults& faults) {
@@ -326,9 +355,10 @@ namespace {
 
 /// Reads a scene whose files are named from `folder`.
 Scene read_from(const std::filesystem::path& folder, const std::string& text,
-                const std::string& name, const std::vector<Override>& overrides) {
+                const std::string& name, const std::vector<Override>& overrides, NamedFiles files) {
   detail::Faults faults(name, text);
   Json document = detail::parse_document(text, faults);
+  if (files == NamedFiles::below_the_scene) detail::require_files_below(document, faults);
   detail::name_files_from(folder, document);
   detail::apply_overrides(document, overrides, faults);
   return detail::read_document(document, faults);
@@ -338,11 +368,12 @@ Scene read_from(const std::filesystem::path& folder, const std::string& text,
 
 Scene read_text(const std::string& text, const std::string& name,
                 const std::vector<Override>& overrides) {
-  return read_from({}, text, name, overrides);
+  return read_from({}, text, name, overrides, NamedFiles::anywhere);
 }
 
-Scene read_file(const std::filesystem::path& path, const std::vector<Override>& overrides) {
-  return read_from(path.parent_path(), detail::read_bytes(path), path.string(), overrides);
+Scene read_file(const std::filesystem::path& path, const std::vector<Override>& overrides,
+                NamedFiles files) {
+  return read_from(path.parent_path(), detail::read_bytes(path), path.string(), overrides, files);
 }
 
 }  // namespace aerostat::scene

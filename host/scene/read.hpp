@@ -21,6 +21,10 @@ Json parse_document(const std::string& text, Faults& faults);
 /// folder is the current one, in which names stay as they are.
 void name_files_from(const std::filesystem::path& folder, Json& document);
 
+/// Adds a fault for each name of a file in a document that is absolute or leads out of the folder
+/// of the scene by "..". Links are not followed.
+void require_files_below(Json& document, Faults& faults);
+
 /// Returns the scene that a document describes, and normalises the numbers of the document.
 /// Throws BadScene if `faults` is not empty, or if the document breaks the schema or makes no
 /// sense.

@@ -3,7 +3,7 @@
 _aerostat_commands='render contact-sheet film merge new scenes devices check dump export artwork'
 
 _aerostat_options() {
-  local common='--help' scene='--help --set' device='--device --lanes --memory-limit --skip-self-test --quiet'
+  local common='--help' scene='--help --set --allow-external-paths' device='--device --lanes --memory-limit --skip-self-test --quiet'
   case $1 in
     render)
       echo "$scene $device --output --format --width --height --quality --spp --seed --crop --shard --labels --labels-json --world-file --denoise --time-limit --save-partial --checkpoint --checkpoint-every --stats" ;;
@@ -11,7 +11,7 @@ _aerostat_options() {
     film)
       echo "$scene $device --output --codec --frames --shard --time-limit --verify --preview --width --height --quality" ;;
     merge) echo "$common --output --quiet" ;;
-    new) echo "$scene --output --view" ;;
+    new) echo "$common --set --output --view" ;;
     scenes) echo "$common --folder" ;;
     devices) echo "$common --json" ;;
     check) echo "$scene --json --device --land" ;;
