@@ -35,11 +35,11 @@ set(AEROSTAT_ZSH_COMPLETIONS "${CMAKE_INSTALL_DATADIR}/zsh/site-functions" CACHE
 
 # host/scene/installed.cpp looks for the scenes in this folder, relative to that of the programs.
 install(DIRECTORY scenes/ DESTINATION "${CMAKE_INSTALL_DATADIR}/aerostat/scenes"
-        FILES_MATCHING PATTERN "*.json" REGEX "/(data|artwork)/")
+        FILES_MATCHING PATTERN "*.json" REGEX "/(data|artwork|models)/")
 install(DIRECTORY docs/manual DESTINATION "${CMAKE_INSTALL_DOCDIR}")
 # The manual links to these files.
 install(FILES docs/performance.md DESTINATION "${CMAKE_INSTALL_DOCDIR}")
-install(FILES docs/gallery/viewer.png docs/gallery/swallows.jpg DESTINATION "${CMAKE_INSTALL_DOCDIR}/gallery")
+install(FILES docs/gallery/viewer.png docs/gallery/swallows.jpg docs/gallery/whale.jpg DESTINATION "${CMAKE_INSTALL_DOCDIR}/gallery")
 
 function(aerostat_install_extras program)
   install(FILES "packaging/man/${program}.1" DESTINATION "${CMAKE_INSTALL_MANDIR}/man1")

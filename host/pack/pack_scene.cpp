@@ -25,6 +25,7 @@
 #include "scene/scene.hpp"
 #include "terrain/cover.hpp"
 #include "terrain/drape.hpp"
+#include "world/special_envelope.hpp"
 
 namespace aerostat::pack {
 namespace {
@@ -116,7 +117,8 @@ AeroPointLight pack_light(const scene::PointLight& from, const dvec3& origin) {
 
 /// Packs all balloons that are there, in the order of scene::balloons_of(), and the pictures on
 /// them.
-void pack_balloons(const scene::ResolvedScene& scene, ArtworkCache& cache, PackedScene& packed) {
+void pack_balloons(const scene::ResolvedScene& scene, ArtworkCache& cache,
+                   world::ModelCache& models, PackedScene& packed) {
   AeroScene& numbers = packed.numbers;
   const auto balloons = scene::balloons_of(*scene);
   if (balloons.size() > AERO_MAX_BALLOONS) {
@@ -124,7 +126,11 @@ void pack_balloons(const scene::ResolvedScene& scene, ArtworkCache& cache, Packe
                 fmt::format("/balloons: found {} balloons with the first one, expected at most {}",
                             balloons.size(), AERO_MAX_BALLOONS));
   }
-  const std::vector<PackedArtwork> artwork = pack_artwork(*scene, cache, packed.texels);
+  std::vector<PackedArtwork> artwork = pack_artwork(*scene, cache, packed.texels);
+  for (std::size_t i = 0; i < balloons.size(); ++i) {
+    if (!balloons[i]->envelope) continue;
+    artwork[i].mean_cloth = world::mean_color(*models.models_of(*scene)->envelopes[i]);
+  }
   for (std::size_t i = 0; i < balloons.size(); ++i) {
     numbers.balloons[i] = pack_balloon(scene, *balloons[i], artwork[i]);
     numbers.any_artwork = std::max(numbers.any_artwork, artwork[i].place);
@@ -151,6 +157,8 @@ void pack_models(const scene::Scene& scene, world::ModelCache& models, PackedMod
   AeroScene& numbers = packed.numbers;
   const std::uint32_t first = packed.texels.add(found, found->texels);
   numbers.white_texture = first;
+  packed.mirrors =
+      scene.surfaces == scene::Surfaces::full && scene.light == scene::Integrator::local;
   for (std::size_t i = 0; i < found->materials.size(); ++i) {
     AeroMaterial material = found->materials[i];
     for (aero_uint* texture : {&material.color_texture, &material.metal_texture,
@@ -215,7 +223,7 @@ PackedScene pack_scene(const scene::ResolvedScene& scene, PackCache& cache,
   }
   numbers.ground = ground::ground_numbers(*scene);
   numbers.water = pack_water(scene->biome.water);
-  pack_balloons(scene, cache.artwork, packed);
+  pack_balloons(scene, cache.artwork, models, packed);
   pack_materials(*scene, numbers.materials);
   for (std::size_t i = 0; i < scene->lights.size(); ++i) {
     numbers.lights[i] = pack_light(scene->lights[i], scene.origin());

@@ -94,6 +94,8 @@ void DeviceWorker::begin_frame(const pack::PackedScene& scene, std::size_t pixel
   if (!(scene.texels == texels_)) set_texels(scene.texels);
   if (scene.see_through && !see_through_) see_through_ = build_see_through(context_, lanes_);
   frame_.see_through = scene.see_through ? see_through_ : nullptr;
+  if (scene.mirrors && !mirrors_) mirrors_ = build_mirrors(context_, lanes_);
+  frame_.mirrors = scene.mirrors ? mirrors_ : nullptr;
   if (frame_.film.pixels.size() == pixels) return;
   frame_.film = {};
   frame_.film.pixels = {

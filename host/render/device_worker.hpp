@@ -139,6 +139,8 @@ class DeviceWorker {
   FrameBuffers frame_;
   /// The kernels for surfaces that let rays pass. They are built for the first scene that has some.
   std::shared_ptr<const SeeThroughKernels> see_through_;
+  /// The kernel for mirrors. It is built for the first scene with models from files.
+  std::shared_ptr<const MirrorKernels> mirrors_;
   /// The texels that the frame has.
   pack::Texels texels_;
   /// The pixels of the image that the film holds.

@@ -31,6 +31,14 @@ struct SeeThroughKernels {
       trace_light_rays_on;
 };
 
+/// The kernel that finds what water and models from files mirror.
+struct MirrorKernels {
+  opencl::TypedKernel<AeroLaunch, SceneBuffer, TexelBuffer, NodeBuffer, TriangleBuffer,
+                      InstanceBuffer, GridBuffer, FaceBuffer, VertexBuffer, HitBuffer,
+                      VisibleBuffer>
+      look_into_mirrors;
+};
+
 /// What a device renders a frame from, and the film that it adds to.
 struct FrameBuffers {
   SceneBuffer scene;
@@ -47,6 +55,8 @@ struct FrameBuffers {
   std::uint32_t bounces = 0;
   /// The kernels for surfaces that let rays pass, or null if the scene has none.
   std::shared_ptr<const SeeThroughKernels> see_through;
+  /// The kernel for mirrors, or null if the scene has no models from files.
+  std::shared_ptr<const MirrorKernels> mirrors;
 };
 
 /// A command of a launch and the stage that it belongs to.

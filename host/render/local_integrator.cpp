@@ -36,6 +36,13 @@ class LocalIntegrator final : public Integrator {
     }
     note_guides(kernels_.note_guides, context, launch, size, geometry, frame, hits_, events);
     events.emplace_back(KernelStage::shadow, trace_shadows(context, launch, size, geometry, frame));
+    if (frame.mirrors) {
+      events.emplace_back(
+          KernelStage::shadow,
+          opencl::launch(context, frame.mirrors->look_into_mirrors, size, launch, frame.scene,
+                         frame.texels, geometry.nodes, geometry.triangles, geometry.instances,
+                         geometry.grid, geometry.faces, geometry.vertices, hits_, visible_));
+    }
     if (frame.ambient_occlusion) {
       events.emplace_back(
           KernelStage::ambient,

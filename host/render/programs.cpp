@@ -109,6 +109,14 @@ std::shared_ptr<const SeeThroughKernels> build_see_through(const opencl::Context
   return kernels;
 }
 
+std::shared_ptr<const MirrorKernels> build_mirrors(const opencl::Context& context, int lanes) {
+  const opencl::DriverAbortGuard guard;
+  const opencl::Program program(context, opencl::kernel_sources(), "mirrors.cl", lanes);
+  auto kernels = std::make_shared<MirrorKernels>();
+  kernels->look_into_mirrors = {program.kernel("look_into_mirrors")};
+  return kernels;
+}
+
 Programs build_programs(const opencl::Context& context, int lanes, scene::Integrator integrator,
                         bool guides, KernelProgress& progress) {
   const Stopwatch watch;

@@ -37,6 +37,9 @@ Programs build_programs(const opencl::Context& context, int lanes, scene::Integr
 std::shared_ptr<const SeeThroughKernels> build_see_through(const opencl::Context& context,
                                                            int lanes);
 
+/// Builds the kernel that finds what mirrors show. It is compiled at its first launch.
+std::shared_ptr<const MirrorKernels> build_mirrors(const opencl::Context& context, int lanes);
+
 /// Returns the range of a kernel that works on `packets` packets. It consists of whole work-groups,
 /// which are large enough to keep a GPU busy and small enough to spread over the cores of a CPU.
 opencl::LaunchSize packet_range(std::uint64_t packets, int lanes);

@@ -47,6 +47,28 @@ inline constexpr auto kTable<Artwork> = table(
                "a band, whose copies keep their proportions as nearly as they close.")));
 
 template <>
+inline constexpr auto kTable<EnvelopeModel> = table(
+    "Envelope of a special shape: the surface of a model from a file is its cloth, in the colours "
+    "of "
+    "the model. Skirt, cables and basket hang below its lowest point, which is in the middle of "
+    "its "
+    "bounding box. It has no artwork.",
+    field("file", &EnvelopeModel::file,
+          text("Name of a glTF (.glb, .gltf), OBJ, PLY or STL file, relative to the folder of the "
+               "scene file.")
+              .required()),
+    field("up", &EnvelopeModel::up, word("Axis of the file that points up, y by default.")),
+    field("height_m", &EnvelopeModel::height_m,
+          number(0, 200,
+                 "Height of the envelope in metres, {from} to {to}, by default that of the usual "
+                 "envelope of the balloon's diameter.")
+              .above()),
+    field("turn_deg", &EnvelopeModel::turn_deg,
+          number(-360, 360,
+                 "Rotation against the balloon in degrees, {from} to {to}, clockwise as seen from "
+                 "above. At 0, the z of the file points backwards.")));
+
+template <>
 inline constexpr auto kTable<Balloon> = table(
     "A hot-air balloon. In an EXR file, all balloons have the same object ids for their parts.",
     field("enabled", &Balloon::enabled,
@@ -95,6 +117,7 @@ inline constexpr auto kTable<Balloon> = table(
           number(0, 3, "Number of people in the basket, {from} (nobody, the default) to {to}.")
               .slider(EditGroup::balloon, "Passengers", 0, 3)
               .none("nobody")),
+    field("envelope", &Balloon::envelope),
     field("artwork", &Balloon::artwork,
           list(kMostArtwork,
                "Pictures on the envelope, at most {to}. Later ones lie over former ones.")));

@@ -304,6 +304,7 @@ void for_named_files(Json& document, const std::function<void(Json&, const Point
   const auto visit_balloon = [&](Json& balloon, const Pointer& at) {
     visit_at(balloon, at, {"track", "file"});
     visit_list(balloon, at, "artwork", visit_file);
+    visit_at(balloon, at, {"envelope", "file"});
   };
   if (has_source(document)) {
     visit_list(document["terrain"], {"terrain"}, "source",

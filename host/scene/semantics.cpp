@@ -125,9 +125,22 @@ void check_artwork(const Artwork& artwork, const Pointer& pointer, const std::st
   }
 }
 
+/// Checks an envelope of a special shape.
+void check_envelope(const Balloon& balloon, Pointer pointer, const std::string& name) {
+  if (!balloon.artwork.empty()) {
+    pointer.emplace_back("artwork");
+    fail(name, pointer, "artwork on an envelope of a special shape",
+         "textures in its file, or a usual envelope");
+  }
+  if (!balloon.envelope->file.empty()) return;
+  pointer.insert(pointer.end(), {"envelope", "file"});
+  fail(name, pointer, "an empty name", "the name of a file");
+}
+
 /// Checks the pictures on all envelopes.
 void check_artworks(const Scene& scene, const std::string& name) {
   const auto check = [&name](const Balloon& balloon, const Pointer& of_balloon) {
+    if (balloon.envelope) check_envelope(balloon, of_balloon, name);
     for (std::size_t i = 0; i < balloon.artwork.size(); ++i) {
       Pointer pointer = of_balloon;
       pointer.insert(pointer.end(), {"artwork", std::to_string(i)});

@@ -86,7 +86,9 @@ void erase(Json& document, const Pointer& pointer, std::size_t depth, const Json
   if (!document.is_object() || !document.contains(token)) return;
   if (depth + 1 == pointer.size()) {
     // Models and artwork have no other file, and a lamp must have a position.
-    const bool in_list = pointer[0] == "objects" || (depth > 1 && pointer[depth - 2] == "artwork");
+    const bool in_list = pointer[0] == "objects" ||
+                         (depth > 1 && pointer[depth - 2] == "artwork") ||
+                         (depth > 0 && pointer[depth - 1] == "envelope");
     if (in_list && token == "file") return;
     const bool required = pointer[0] == "lights" && token == "position";
     required ? void(document[token] = usual.at(token)) : void(document.erase(token));

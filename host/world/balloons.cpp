@@ -10,6 +10,8 @@
 #include "scene/pixel_size.hpp"
 #include "scene/scene.hpp"
 #include "world/kinds.hpp"
+#include "world/scene_models.hpp"
+#include "world/special_envelope.hpp"
 
 namespace aerostat::world {
 namespace {
@@ -36,6 +38,12 @@ Shape build(const GroupInput& input) {
     stop_if_asked(stop);
     const model::Detail detail = detail_of(*balloons[i], eye, input.request);
     for (auto& part : model::balloon(*balloons[i], detail)) {
+      if (part.id == scene::ObjectId::envelope && balloons[i]->envelope) {
+        part.mesh = special_envelope(*balloons[i], *input.request.models->envelopes[i]);
+      }
+      if (part.id == scene::ObjectId::cables && balloons[i]->envelope) {
+        cut_above_mouth(*balloons[i], part.mesh);
+      }
       built[i].push_back({part.id, part.material, std::move(part.mesh), i});
     }
   });
@@ -47,6 +55,8 @@ Shape build(const GroupInput& input) {
 }
 
 bool same(const GroupRequest& now, const GroupRequest& before) {
+  if (now.models && before.models && now.models->envelopes != before.models->envelopes)
+    return false;
   const auto a = scene::balloons_of(*now.scene), b = scene::balloons_of(*before.scene);
   return std::equal(a.begin(), a.end(), b.begin(), b.end(),
                     [&](const scene::Balloon* one, const scene::Balloon* other) {

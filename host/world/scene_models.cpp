@@ -10,6 +10,7 @@
 #include "core/grouped.hpp"
 #include "core/log.hpp"
 #include "material.h"
+#include "scene/balloons.hpp"
 #include "scene/scene.hpp"
 
 namespace aerostat::world {
@@ -60,8 +61,14 @@ std::string size_note(const scene::PlacedModel& placed, const FileModel& model) 
 }
 
 std::shared_ptr<const SceneModels> ModelCache::models_of(const scene::Scene& scene) {
-  std::vector<ModelKey> keys;
-  for (const scene::PlacedModel& placed : scene.objects) keys.push_back({placed.file, placed.up});
+  Keys keys;
+  for (const scene::PlacedModel& placed : scene.objects) {
+    keys.objects.push_back({placed.file, placed.up});
+  }
+  for (const scene::Balloon* balloon : scene::balloons_of(scene)) {
+    const auto& envelope = balloon->envelope;
+    keys.envelopes.push_back(envelope ? ModelKey{envelope->file, envelope->up} : ModelKey{});
+  }
   // The models of the last scene stay while those of the next one are made.
   std::shared_ptr<const SceneModels> before;
   {
@@ -80,10 +87,10 @@ int ModelCache::files_read() const {
   return files_read_;
 }
 
-std::shared_ptr<const SceneModels> ModelCache::make(const std::vector<ModelKey>& keys) {
+std::shared_ptr<const SceneModels> ModelCache::make(const Keys& keys) {
   auto set = std::make_shared<SceneModels>();
   std::map<ModelKey, std::size_t> number;
-  for (const ModelKey& key : keys) {
+  for (const ModelKey& key : keys.objects) {
     const auto [entry, is_new] = number.try_emplace(key, set->models.size());
     if (is_new) {
       set->models.push_back(model(key));
@@ -91,6 +98,9 @@ std::shared_ptr<const SceneModels> ModelCache::make(const std::vector<ModelKey>&
       set->material_count += static_cast<std::uint32_t>(set->models.back()->materials.size());
     }
     set->of_object.push_back(entry->second);
+  }
+  for (const ModelKey& key : keys.envelopes) {
+    set->envelopes.push_back(key.file.empty() ? nullptr : model(key));
   }
   if (set->material_count > AERO_MAX_FILE_MATERIALS) {
     throw Error(ErrorKind::bad_data,

@@ -55,6 +55,9 @@ FileModel file_model(const ModelKey& key, asset::Model model);
 struct SceneModels {
   /// The models, each once, in the order in which the scene names them first.
   std::vector<std::shared_ptr<const FileModel>> models;
+  /// The models that are envelopes of special shapes, one for each of scene::balloons_of(), null
+  /// for a usual envelope. They are not among `models`, and their materials have no numbers.
+  std::vector<std::shared_ptr<const FileModel>> envelopes;
   /// The index in `models` of each of Scene::objects.
   std::vector<std::size_t> of_object;
   /// The number of the first material of each model among those of all models.
@@ -77,11 +80,19 @@ class ModelCache {
   int files_read() const;
 
  private:
-  std::shared_ptr<const SceneModels> make(const std::vector<ModelKey>& keys);
+  /// The files of a scene: those of its objects, and of the envelopes of its balloons, which are
+  /// empty for usual ones.
+  struct Keys {
+    std::vector<ModelKey> objects, envelopes;
+
+    bool operator==(const Keys&) const = default;
+  };
+
+  std::shared_ptr<const SceneModels> make(const Keys& keys);
   std::shared_ptr<const FileModel> model(const ModelKey& key);
   void tell(const scene::Scene& scene, const SceneModels& models);
 
-  LastMade<std::vector<ModelKey>, SceneModels> last_;
+  LastMade<Keys, SceneModels> last_;
   /// Guards what follows.
   mutable std::mutex mutex_;
   std::shared_ptr<const SceneModels> held_;

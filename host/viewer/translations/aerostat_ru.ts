@@ -1992,6 +1992,22 @@
         <source>Number of copies around the envelope, 1 to 256. By default it is 1, but for a band, whose copies keep their proportions as nearly as they close.</source>
         <translation>Число копий вокруг оболочки, от 1 до 256. По умолчанию 1, но у полосы копий столько, чтобы они смыкались и как можно точнее сохраняли пропорции.</translation>
     </message>
+    <message>
+        <source>Envelope of a special shape: the surface of a model from a file is its cloth, in the colours of the model. Skirt, cables and basket hang below its lowest point, which is in the middle of its bounding box. It has no artwork.</source>
+        <translation>Оболочка особой формы: её ткань — поверхность модели из файла, в цветах модели. Юбка, тросы и корзина висят под её самой низкой точкой, посередине описанного ящика. Рисунков на ней нет.</translation>
+    </message>
+    <message>
+        <source>Axis of the file that points up, y by default.</source>
+        <translation>Ось файла, направленная вверх, по умолчанию y.</translation>
+    </message>
+    <message>
+        <source>Height of the envelope in metres, 0 to 200, by default that of the usual envelope of the balloon&apos;s diameter.</source>
+        <translation>Высота оболочки в метрах, от 0 до 200, по умолчанию высота обычной оболочки с диаметром шара.</translation>
+    </message>
+    <message>
+        <source>Rotation against the balloon in degrees, -360 to 360, clockwise as seen from above. At 0, the z of the file points backwards.</source>
+        <translation>Поворот относительно шара в градусах, от -360 до 360, по часовой стрелке при взгляде сверху. При 0 ось z файла направлена назад.</translation>
+    </message>
 </context>
 <context>
     <name>Units</name>

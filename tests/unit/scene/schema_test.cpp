@@ -51,6 +51,7 @@ Scene full_scene() {
   artwork.height_m = artwork.width_m = 5.0;
   artwork.heights_m = dvec2(1.0, 2.0);
   artwork.repeat = 2;
+  scene.balloon.envelope = EnvelopeModel{"a.glb", UpAxis::y, 20.0, 0.0};
   scene.balloons.push_back(scene.balloon);
   scene.image.exposure_ev = 0.0;
   scene.image.white_balance_k = 6504.0;
@@ -120,6 +121,14 @@ constexpr const char* kShortFilm = R"({"version": 1, "film": {
     "keys": [{"value": "/image/spp", "keys": [{"time_s": 0, "is": 1}]}],
     "camera": {"path": [{"position": [0, 0, 0]}]}}})";
 
+/// Balloons with an envelope of a special shape each.
+constexpr const char* kEnvelope = R"({"version": 1, "balloon": {"envelope": {"file": "a.glb"}},
+    "balloons": [{"envelope": {"file": "a.glb"}}]})";
+
+bool is_of_envelope(const std::string& path) {
+  return path.find("/envelope/") != std::string::npos && path.starts_with("/balloon");
+}
+
 /// Balloons with a motif each.
 constexpr const char* kArtwork = R"({"version": 1,
     "balloon": {"artwork": [{"file": "a.png", "wrap": "motif"}]},
@@ -138,7 +147,8 @@ TEST(SceneSchema, AcceptsEveryWordThatItNames) {
       const bool needs_file = path.starts_with("/objects/");
       const std::string text = path.starts_with("/film/") ? kFilm
                                : needs_source ? R"({"version": 1, "terrain": {"source": "a.tif"}})"
-                               : is_of_artwork(path) ? kArtwork
+                               : is_of_artwork(path)  ? kArtwork
+                               : is_of_envelope(path) ? kEnvelope
                                : needs_file ? R"({"version": 1, "objects": [{"file": "a.obj"}]})"
                                : path.starts_with("/lights/")
                                    ? R"({"version": 1, "lights": [{"position": [0, 0, 0]}]})"
@@ -173,6 +183,7 @@ TEST(SceneSchema, BoundsAreEnforcedAtBothEnds) {
       text = R"({"version": 1, "terrain": {"place": {"easting": 0, "northing": 0}}})";
     }
     if (is_of_artwork(path)) text = kArtwork;
+    if (is_of_envelope(path)) text = kEnvelope;
     if (path.starts_with("/lights/")) {
       text = R"({"version": 1, "lights": [{"position": [0, 0, 0]}]})";
     }
