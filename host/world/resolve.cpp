@@ -77,9 +77,6 @@ void check_places(const scene::Scene& scene) {
   for (std::size_t i = 0; i < scene.balloons.size(); ++i) {
     check_place(fmt::format("/balloons/{}/position", i), scene.balloons[i].position);
   }
-  for (std::size_t i = 0; i < scene.lights.size(); ++i) {
-    check_place(fmt::format("/lights/{}/position", i), scene.lights[i].position);
-  }
   check_place("/camera/position", *scene.camera.position);
   check_place("/camera/target", *scene.camera.target);
 }
@@ -90,6 +87,15 @@ void settle_height(const HeightAt& ground, Placed& placed) {
   if (placed.height_above != scene::HeightReference::ground) return;
   placed.position.y += ground(placed.position.x, placed.position.z);
   placed.height_above = scene::HeightReference::sea;
+}
+
+void settle_lights(const HeightAt& ground, scene::Scene& scene) {
+  for (std::size_t i = 0; i < scene.lights.size(); ++i) {
+    scene::PointLight& light = scene.lights[i];
+    if (light.height_above == scene::HeightReference::sea) continue;
+    settle_height(ground, light);
+    check_place(fmt::format("/lights/{}/position", i), light.position);
+  }
 }
 
 /// Puts the eye into the basket, and the target straight ahead, where the scene gives none.
@@ -128,7 +134,7 @@ class Resolver {
   static scene::ResolvedScene resolve(scene::Scene scene, const HeightAt& ground) {
     scene::hold_festival(scene);
     for (scene::Balloon* balloon : scene::all_balloons(scene)) settle_height(ground, *balloon);
-    for (scene::PointLight& light : scene.lights) settle_height(ground, light);
+    settle_lights(ground, scene);
     scene::Camera& camera = scene.camera;
     for (std::optional<dvec3>* point : {&camera.position, &camera.target}) {
       if (*point) (*point)->y += reference_height(scene, ground, camera.height_above, **point);

@@ -177,6 +177,12 @@ class Maker {
     }
     for (Json& balloon : made["balloons"]) settle(balloon);
     if (made["balloons"].is_null()) made.erase("balloons");
+    // A light that has no place on the Earth needs a position.
+    for (Json& light : made["lights"]) {
+      settle(light);
+      if (!light.contains("position")) light["position"] = Json::array({0.0, 500.0, 0.0});
+    }
+    if (made["lights"].is_null()) made.erase("lights");
     made.erase("objects");
     if (!made.contains("terrain")) return;
     Json& terrain = made["terrain"];
