@@ -23,7 +23,7 @@ constexpr std::size_t kFewestPoints = 400;
 constexpr float kOpaque = 0.99f, kDarkest = 0.002f;  // of points that count
 const vec3 kLuminance(0.2126f, 0.7152f, 0.0722f);    // of linear sRGB (ITU-R BT.709)
 
-/// A correlation of pairs of numbers, and the slope of the line of regression of y by x.
+/// The correlation of pairs (x, y), and the slope of the straight line that fits them best.
 struct Regression {
   double correlation = 0.0, slope = 0.0;
 };

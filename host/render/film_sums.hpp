@@ -61,8 +61,8 @@ struct Course {
 /// `with_guides`.
 FilmSums read_sums(std::span<const FilmRows> parts, const Crop& window, bool with_guides);
 
-/// Throws Error{usage} unless the window of the sums is `window`, and samples and rows are such as
-/// a render with `samples` samples has. The pixels are not looked at.
+/// Throws Error{usage} if the sums are of another window than `window`, or if a render with
+/// `samples` samples never has their numbers of samples and rows. The pixels are not looked at.
 void require_fitting(const FilmSums& sums, const Crop& window, int samples);
 
 /// Throws Error{usage} also if the sums have another number of pixels or guides.
