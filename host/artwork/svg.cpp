@@ -4,13 +4,11 @@
 #include <cstddef>
 #include <fstream>
 #include <optional>
-#include <sstream>
 
 #include <fmt/format.h>
 
 #include "asset/files.hpp"
 #include "core/child_process.hpp"
-#include "core/environment.hpp"
 #include "core/error.hpp"
 
 namespace aerostat::artwork {
@@ -49,27 +47,8 @@ std::optional<std::string> first_reference(std::string_view text) {
 
 /// Returns the files that the program may use: itself with its libraries, and fonts.
 ReachableFiles files_for(const fs::path& program, const fs::path& folder) {
-  ReachableFiles files;
-  const fs::path prefix = program.parent_path().parent_path();
-  files.readable = {"/usr/bin",
-                    "/usr/lib",
-                    "/usr/lib64",
-                    "/usr/share",
-                    "/usr/local",
-                    "/bin",
-                    "/lib",
-                    "/lib64",
-                    "/etc/ld.so.cache",
-                    "/etc/fonts",
-                    "/var/cache/fontconfig",
-                    program.parent_path(),
-                    prefix / "lib",
-                    prefix / "share"};
-  std::istringstream folders(environment_variable("LD_LIBRARY_PATH").value_or(""));
-  for (std::string each; std::getline(folders, each, ':');) {
-    if (fs::path(each).is_absolute()) files.readable.emplace_back(each);
-  }
-  files.writable = {folder, "/dev/null"};
+  ReachableFiles files = files_of_program(program, folder);
+  files.readable.insert(files.readable.end(), {"/etc/fonts", "/var/cache/fontconfig"});
   return files;
 }
 

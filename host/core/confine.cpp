@@ -2,6 +2,9 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <sstream>
+#include <string>
+#include <utility>
 
 #include <fcntl.h>
 #include <sys/prctl.h>
@@ -9,7 +12,39 @@
 #include <sys/syscall.h>
 #include <unistd.h>
 
+#include "core/environment.hpp"
+
 namespace aerostat {
+
+std::vector<std::filesystem::path> system_folders() {
+  return {"/usr/bin", "/usr/lib", "/usr/lib64", "/usr/share",      "/usr/local",
+          "/bin",     "/lib",     "/lib64",     "/etc/ld.so.cache"};
+}
+
+std::vector<std::filesystem::path> folders_in_variable(const char* name) {
+  std::vector<std::filesystem::path> folders;
+  std::istringstream list(environment_variable(name).value_or(""));
+  for (std::string each; std::getline(list, each, ':');) {
+    if (std::filesystem::path(each).is_absolute()) folders.emplace_back(each);
+  }
+  return folders;
+}
+
+ReachableFiles files_of_program(const std::filesystem::path& program,
+                                const std::filesystem::path& folder,
+                                std::initializer_list<const char*> variables) {
+  ReachableFiles files{system_folders(), {folder, "/dev/null"}};
+  const auto prefix = program.parent_path().parent_path();
+  for (const auto& path : {program.parent_path(), prefix / "lib", prefix / "share"}) {
+    files.readable.push_back(path);
+  }
+  const auto add = [&](const char* variable) {
+    for (auto& path : folders_in_variable(variable)) files.readable.push_back(std::move(path));
+  };
+  add("LD_LIBRARY_PATH");
+  for (const char* variable : variables) add(variable);
+  return files;
+}
 
 #if defined(SYS_landlock_create_ruleset)
 

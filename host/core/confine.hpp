@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <initializer_list>
 #include <vector>
 
 namespace aerostat {
@@ -10,6 +11,19 @@ struct ReachableFiles {
   std::vector<std::filesystem::path> readable;  // and executable
   std::vector<std::filesystem::path> writable;
 };
+
+/// Returns the folders in which a system keeps its programs, their libraries and their data.
+std::vector<std::filesystem::path> system_folders();
+
+/// Returns the absolute folders that an environment variable lists with colons between them.
+std::vector<std::filesystem::path> folders_in_variable(const char* name);
+
+/// Returns the files that a program needs to run: the folders of the system, those of the program's
+/// own installation, and those that LD_LIBRARY_PATH and `variables` name. It may write to `folder`
+/// alone.
+ReachableFiles files_of_program(const std::filesystem::path& program,
+                                const std::filesystem::path& folder,
+                                std::initializer_list<const char*> variables = {});
 
 /// Takes from this thread, and from programs that it starts, all other files and, on newer systems,
 /// connections by TCP. Nothing gives them back. Returns false and does nothing if the system cannot

@@ -5,7 +5,6 @@
 #include <cstddef>
 #include <cstdlib>
 #include <optional>
-#include <sstream>
 #include <string>
 #include <string_view>
 #include <system_error>
@@ -104,29 +103,8 @@ std::vector<std::string> environment_of(const path& folder) {
 /// Returns the files that GDAL needs for a file, so that a file which names others cannot show
 /// them.
 ReachableFiles files_for(const path& file, const path& program, const path& folder) {
-  ReachableFiles files;
-  const path prefix = program.parent_path().parent_path();
-  files.readable = {"/usr/bin",
-                    "/usr/lib",
-                    "/usr/lib64",
-                    "/usr/share",
-                    "/usr/local",
-                    "/bin",
-                    "/lib",
-                    "/lib64",
-                    "/etc/ld.so.cache",
-                    "/etc/gdal",
-                    program.parent_path(),
-                    prefix / "lib",
-                    prefix / "share",
-                    file};
-  for (const char* name : {"GDAL_DATA", "PROJ_DATA", "PROJ_LIB", "LD_LIBRARY_PATH"}) {
-    std::istringstream folders(environment_variable(name).value_or(""));
-    for (std::string each; std::getline(folders, each, ':');) {
-      if (path(each).is_absolute()) files.readable.emplace_back(each);
-    }
-  }
-  files.writable = {folder, "/dev/null"};
+  ReachableFiles files = files_of_program(program, folder, {"GDAL_DATA", "PROJ_DATA", "PROJ_LIB"});
+  files.readable.insert(files.readable.end(), {"/etc/gdal", file});
   return files;
 }
 

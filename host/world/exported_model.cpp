@@ -134,34 +134,7 @@ class Exporter {
   std::map<scene::MaterialId, std::size_t> fixed_;
 };
 
-struct Counter {
-  Placed placed;
-
-  std::uint64_t operator()(const Objects& objects) const {
-    std::uint64_t count = 0;
-    for (const Object& object : objects) count += object.mesh.triangles.size();
-    return count;
-  }
-
-  std::uint64_t operator()(const HeightGrid& grid) const { return grid.mesh->triangles(); }
-
-  std::uint64_t operator()(const Instances& instances) const {
-    if (instances.are_plants && placed == Placed::left_out) return 0;
-    std::uint64_t count = 0;
-    for (const InstanceModel& model : instances.models) count += (*this)(*model.parts);
-    return count;
-  }
-};
-
 }  // namespace
-
-std::uint64_t count_model_triangles(const World& world, Placed instances) {
-  std::uint64_t count = 0;
-  for (const Group& group : world.groups) {
-    if (group.shape) count += std::visit(Counter{instances}, *group.shape);
-  }
-  return count;
-}
 
 asset::Model exported_model(const World& world, Placed instances) {
   return Exporter(world, instances).run();

@@ -1,8 +1,12 @@
+#include <cstdint>
 #include <map>
 #include <optional>
 #include <tuple>
 #include <utility>
+#include <variant>
+#include <vector>
 
+#include "world/exported_model.hpp"
 #include "world/world.hpp"
 
 namespace aerostat::world {
@@ -62,38 +66,52 @@ class Appender {
   Placed placed_;
 };
 
-/// Counts the triangles of a shape.
+std::uint64_t triangles_of(const Objects& objects) {
+  std::uint64_t count = 0;
+  for (const Object& object : objects) count += object.mesh.triangles.size();
+  return count;
+}
+
+/// Counts the triangles of a shape, of instances those of each place, or those of each model.
 struct Counter {
   Placed placed;
+  bool counts_places = true;
 
-  std::uint64_t operator()(const Objects& objects) const {
-    std::uint64_t count = 0;
-    for (const Object& object : objects) count += object.mesh.triangles.size();
-    return count;
-  }
-
+  std::uint64_t operator()(const Objects& objects) const { return triangles_of(objects); }
   std::uint64_t operator()(const HeightGrid& grid) const { return grid.mesh->triangles(); }
 
   std::uint64_t operator()(const Instances& instances) const {
     if (instances.are_plants && placed == Placed::left_out) return 0;
+    std::vector<std::uint64_t> of_model;
+    for (const InstanceModel& model : instances.models) {
+      of_model.push_back(triangles_of(*model.parts));
+    }
     std::uint64_t count = 0;
-    for (const scatter::Instance& instance : instances.places) {
-      for (const Object& part : *instances.models[instance.model].parts) {
-        count += part.mesh.triangles.size();
-      }
+    if (counts_places) {
+      for (const scatter::Instance& place : instances.places) count += of_model[place.model];
+    } else {
+      for (const std::uint64_t triangles : of_model) count += triangles;
     }
     return count;
   }
 };
 
+std::uint64_t count_by(const World& world, const Counter& counter) {
+  std::uint64_t count = 0;
+  for (const Group& group : world.groups) {
+    if (group.shape) count += std::visit(counter, *group.shape);
+  }
+  return count;
+}
+
 }  // namespace
 
 std::uint64_t count_triangles(const World& world, Placed instances) {
-  std::uint64_t count = 0;
-  for (const Group& group : world.groups) {
-    if (group.shape) count += std::visit(Counter{instances}, *group.shape);
-  }
-  return count;
+  return count_by(world, {instances, true});
+}
+
+std::uint64_t count_model_triangles(const World& world, Placed instances) {
+  return count_by(world, {instances, false});
 }
 
 Objects as_triangles(const World& world, Placed instances) {

@@ -54,6 +54,13 @@ Session& halves() {
   return session;
 }
 
+/// Returns the bytes of buffers on the device that has the most of them.
+std::uint64_t most_bytes(const Session& session) {
+  std::uint64_t most = 0;
+  for (const auto& one : session.stats().devices) most = std::max(most, one.bytes);
+  return most;
+}
+
 /// Returns the rays of all devices, and the number of devices that traced any.
 std::pair<std::uint64_t, int> rays_and_workers(const Session& session) {
   std::uint64_t rays = 0;
@@ -144,9 +151,7 @@ TEST(Devices, AreNamedWhenOneFails) {
   const image::Film expected = frugal.render(resolved(scene));
   // The limit is enough for all buffers except the hits of the smallest launches, which are
   // allocated while rays are traced.
-  std::uint64_t most = 0;
-  for (const auto& one : frugal.stats().devices) most = std::max(most, one.bytes);
-  options.memory_limit_bytes = most - 1024;
+  options.memory_limit_bytes = most_bytes(frugal) - 1024;
   Session session(options);
   try {
     session.render(resolved(scene));
@@ -170,8 +175,7 @@ TEST(Devices, HalveTheirTilesWhereMemoryIsShort) {
   options.tile_pixels = 1;
   Session frugal(options);
   const image::Film expected = frugal.render(resolved(scene));
-  std::uint64_t most = 0;
-  for (const auto& one : frugal.stats().devices) most = std::max(most, one.bytes);
+  const std::uint64_t most = most_bytes(frugal);
   // The hits of larger launches do not fit.
   options.memory_limit_bytes = most + (1 << 18);
   options.tile_pixels = 1 << 20;
