@@ -11,6 +11,7 @@
 
 #include <fmt/format.h>
 
+#include "core/duration.hpp"
 #include "core/error.hpp"
 #include "core/file.hpp"
 
@@ -122,18 +123,11 @@ std::uint64_t parse_byte_size(const std::string& text) {
 }
 
 double parse_duration(const std::string& text, const char* option) {
-  double number = 0.0;
-  const char* const end = text.data() + text.size();
-  const auto [rest, error] = std::from_chars(text.data(), end, number);
-  const std::string unit(rest, end);
-  const bool is_unit = unit.empty() || unit == "s" || unit == "m" || unit == "h";
-  if (error != std::errc{} || !is_unit || !(number > 0.0) || !std::isfinite(number)) {
-    throw Error(ErrorKind::usage,
-                fmt::format("{}: '{}' is not a time; expected seconds, or a number with s, m or h, "
-                            "such as 90s",
-                            option, text));
-  }
-  return number * (unit == "h" ? 3600.0 : unit == "m" ? 60.0 : 1.0);
+  if (const auto seconds = duration_s(text)) return *seconds;
+  throw Error(ErrorKind::usage,
+              fmt::format("{}: '{}' is not a time; expected seconds, or a number with s, m or h, "
+                          "such as 90s",
+                          option, text));
 }
 
 std::vector<std::uint32_t> parse_seeds(const std::string& text) {

@@ -9,6 +9,7 @@
 
 #include "cli/parse.hpp"
 #include "cli/progress_text.hpp"
+#include "core/duration.hpp"
 #include "core/environment.hpp"
 #include "core/error.hpp"
 #include "opencl/device.hpp"
@@ -32,14 +33,12 @@ WarningsAbove::~WarningsAbove() {
 
 namespace {
 
-constexpr const char* kTimeoutVariable = "AEROSTAT_DEVICE_TIMEOUT";
-
 /// Returns the seconds after which a device counts as lost, or 0 for never.
 double device_timeout_s() {
-  const auto text = environment_variable(kTimeoutVariable);
+  const auto text = environment_variable(kDeviceTimeoutVariable);
   if (!text) return render::Options().device_timeout_s;
   if (*text == "0") return 0.0;
-  return parse_duration(*text, kTimeoutVariable);
+  return parse_duration(*text, kDeviceTimeoutVariable);
 }
 
 /// Ends the process. Threads of the driver may hang, so that nothing else is certain to end it.
@@ -48,7 +47,7 @@ double device_timeout_s() {
   print_stderr(
       fmt::format("aerostat: the device has not answered for {} and is given up; nothing "
                   "more is written ({} changes the time)\n",
-                  duration_text(seconds), kTimeoutVariable));
+                  duration_text(seconds), kDeviceTimeoutVariable));
   std::_Exit(static_cast<int>(ErrorKind::exhausted));
 }
 

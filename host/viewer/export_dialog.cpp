@@ -16,7 +16,6 @@
 
 #include "scene/scene.hpp"
 #include "viewer/controls.hpp"
-#include "viewer/export_job.hpp"
 #include "viewer/screen_fit.hpp"
 
 namespace aerostat::viewer {
@@ -165,7 +164,7 @@ void ExportDialog::begin() {
     return;
   }
   message_->clear();
-  job_ = std::make_unique<ExportJob>();
+  job_ = ExportJob::make();
   connect(job_.get(), &ExportJob::progressed, this, &ExportDialog::show_progress,
           Qt::QueuedConnection);
   connect(
@@ -177,6 +176,8 @@ void ExportDialog::begin() {
   connect(
       job_.get(), &ExportJob::obstructed, this, [this, path] { ask_about_file(path); },
       Qt::QueuedConnection);
+  connect(job_.get(), &ExportJob::fell_silent, this, &ExportDialog::show_silence,
+          Qt::QueuedConnection);
   set_busy(true);
   job_->start(scene, path, device_);
 }
@@ -228,6 +229,11 @@ void ExportDialog::show_progress(double fraction, const QString& stage) {
   progress_->setFormat(stage + QStringLiteral(" %p %"));
 }
 
+void ExportDialog::show_silence(int seconds) {
+  message_->setText(
+      tr("The device has not answered for %1 s. Cancel gives the picture up.").arg(seconds));
+}
+
 void ExportDialog::end(bool written, const QString& error) {
   if (!job_) return;
   job_.reset();
@@ -250,6 +256,9 @@ void ExportDialog::set_busy(bool busy) {
 }
 
 void ExportDialog::reject() {
+  if (job_ && job_->is_silent()) {
+    return end(false, tr("The device did not answer, and the picture was given up."));
+  }
   if (job_) {
     job_->cancel();
     message_->setText(tr("Cancelling…"));

@@ -1,9 +1,9 @@
 #pragma once
 
 #include <QDialog>
-#include <memory>
 
 #include "viewer/document.hpp"
+#include "viewer/export_job.hpp"
 #include "viewer/number_box.hpp"
 
 class QComboBox;
@@ -13,8 +13,6 @@ class QProgressBar;
 class QPushButton;
 
 namespace aerostat::viewer {
-
-class ExportJob;
 
 /// A dialog that asks for the file, the size and the quality of a picture and renders it. The
 /// render can be cancelled.
@@ -43,6 +41,7 @@ class ExportDialog : public QDialog {
   void build();
   void choose_path();
   void show_progress(double fraction, const QString& stage);
+  void show_silence(int seconds);
   void end(bool written, const QString& error);
   bool may_write(const QString& path);
   void ask_about_file(QString path);
@@ -62,7 +61,7 @@ class ExportDialog : public QDialog {
   QPushButton* browse_;
   QPushButton* export_;
   QPushButton* close_;
-  std::unique_ptr<ExportJob> job_;
+  ExportJob::Handle job_;
 };
 
 }  // namespace aerostat::viewer

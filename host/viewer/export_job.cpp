@@ -1,6 +1,7 @@
 #include "viewer/export_job.hpp"
 
 #include <QFileInfo>
+#include <optional>
 
 #include "core/error.hpp"
 #include "core/file.hpp"
@@ -46,23 +47,43 @@ QString text_of(render::Stage stage) {
 
 }  // namespace
 
-ExportJob::~ExportJob() {
-  cancel();
-  if (thread_.joinable()) thread_.join();
+ExportJob::ExportJob() : watch_([this](int seconds) { Q_EMIT fell_silent(seconds); }, [] {}) {}
+
+void ExportJob::Ender::operator()(ExportJob* job) const {
+  job->cancel();
+  if (!job->thread_.joinable() || ends_soon(job->ended_, job->watch_)) {
+    delete job;
+    return;
+  }
+  job->disconnect();
+  job->watch_.stop();
+  leave_behind(job);
 }
 
 void ExportJob::start(const scene::Scene& scene, const QString& path, const QString& device) {
   before_ = file_stamp(path.toStdString());
-  thread_ = std::jthread(
-      [this, scene, path, device](const std::stop_token& stop) { run(stop, scene, path, device); });
+  thread_ = std::jthread([this, scene, path, device](const std::stop_token& stop) {
+    run(stop, scene, path, device);
+    end_.set_value();
+  });
 }
 
 void ExportJob::cancel() {
   thread_.request_stop();
 }
 
+void ExportJob::tell(const render::Progress& progress) {
+  watch_.sign(progress);
+  const double begin = begin_of(progress.stage);
+  const bool traces = progress.stage == render::Stage::rays;
+  Q_EMIT progressed(traces ? begin + (1.0 - begin) * progress.fraction : begin,
+                    text_of(progress.stage));
+}
+
 void ExportJob::run(const std::stop_token& stop, const scene::Scene& scene, const QString& path,
                     const QString& device) {
+  // Signs are expected of the device alone. Reading a land or encoding a picture may take long.
+  std::optional<DeviceWatch::Busy> busy;
   try {
     const std::filesystem::path file = path.toStdString();
     require_writable(file);
@@ -70,6 +91,8 @@ void ExportJob::run(const std::stop_token& stop, const scene::Scene& scene, cons
     render::SelfTest test;
     test.integrator = scene.light;
     test.stop = stop;
+    test.progress = [this](const render::Progress& progress) { watch_.sign(progress); };
+    busy.emplace(watch_);
     options.devices = render::select_tested(opencl::effective_selector(device.toStdString()), test);
     const bool is_exr =
         QFileInfo(path).suffix().compare(QLatin1String("exr"), Qt::CaseInsensitive) == 0;
@@ -79,13 +102,12 @@ void ExportJob::run(const std::stop_token& stop, const scene::Scene& scene, cons
     options.cache = cache;
     render::Session session(std::move(options));
     session.begin_kernels(scene.light);
+    busy.reset();
     const scene::ResolvedScene resolved = world::resolve(scene, cache->reliefs);
-    const auto film = session.render(resolved, stop, [this](const render::Progress& progress) {
-      const double begin = begin_of(progress.stage);
-      const bool traces = progress.stage == render::Stage::rays;
-      Q_EMIT progressed(traces ? begin + (1.0 - begin) * progress.fraction : begin,
-                        text_of(progress.stage));
-    });
+    busy.emplace(watch_);
+    const auto film = session.render(resolved, stop,
+                                     [this](const render::Progress& progress) { tell(progress); });
+    busy.reset();
     bytes_ =
         is_exr ? image::encode_exr(film)
                : image::encode_png(image::develop(film, render::development_of(scene.image, film)));

@@ -1,10 +1,28 @@
 #include <QApplication>
 #include <clocale>
+#include <cstdio>
+#include <cstdlib>
 
 #include "scene/installed.hpp"
 #include "viewer/command_line.hpp"
+#include "viewer/device_watch.hpp"
 #include "viewer/display.hpp"
 #include "viewer/main_window.hpp"
+
+namespace {
+
+/// Shows the window until it is closed.
+int run(const aerostat::viewer::CommandLine& line) {
+  aerostat::viewer::MainWindow window(line.device());
+  window.show();
+  if (!line.scene().isEmpty()) {
+    const auto found = aerostat::scene::find_scene(line.scene().toStdString());
+    window.open(QString::fromStdString(found.string()));
+  }
+  return QApplication::exec();
+}
+
+}  // namespace
 
 int main(int argc, char** argv) {
   namespace viewer = aerostat::viewer;
@@ -23,11 +41,10 @@ int main(int argc, char** argv) {
   viewer::require_fonts();
   viewer::load_translations();
 
-  viewer::MainWindow window(line.device());
-  window.show();
-  if (!line.scene().isEmpty()) {
-    const auto found = aerostat::scene::find_scene(line.scene().toStdString());
-    window.open(QString::fromStdString(found.string()));
+  const int code = run(line);
+  if (viewer::is_anything_left_behind()) {
+    std::fflush(nullptr);
+    std::_Exit(code);
   }
-  return QApplication::exec();
+  return code;
 }

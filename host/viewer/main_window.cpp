@@ -8,6 +8,7 @@
 #include <QMimeData>
 #include <QSettings>
 #include <QVBoxLayout>
+#include <utility>
 
 #include "viewer/command_text.hpp"
 #include "viewer/export_dialog.hpp"
@@ -20,7 +21,7 @@
 namespace aerostat::viewer {
 
 MainWindow::MainWindow(const QString& device, render::TestHooks hooks, QWidget* parent)
-    : QMainWindow(parent), camera_(document_), device_(device) {
+    : QMainWindow(parent), camera_(document_), device_(device), hooks_(std::move(hooks)) {
   if (device_.isEmpty()) device_ = QSettings().value(QStringLiteral("device")).toString();
   setObjectName(QStringLiteral("main"));
   setAcceptDrops(true);
@@ -31,16 +32,7 @@ MainWindow::MainWindow(const QString& device, render::TestHooks hooks, QWidget* 
   add_view_menu();
   add_camera_menu();
   add_help_menu();
-  RenderThread::Listener listener;
-  listener.shown = [this](std::shared_ptr<const Shown> shown) { show_look(std::move(shown)); };
-  listener.progressed = [this](const render::Progress& progress) { show_progress(progress); };
-  listener.troubled = [this](const Trouble& trouble) { show_trouble(trouble); };
-  listener.devices_found = [this](const std::vector<DeviceChoice>& devices) {
-    devices_ = devices;
-    panels_->show_devices(devices);
-  };
-  renderer_ = std::make_unique<RenderThread>(std::move(listener), std::move(hooks));
-  if (!device_.isEmpty()) renderer_->use_device(device_);
+  start_renderer();
   panels_->show_device(device_);
   connect(&document_, &Document::changed, this, &MainWindow::render);
   connect(&document_, &Document::failed, this,
@@ -93,6 +85,29 @@ void MainWindow::connect_view() {
   connect(panels_, &Panels::device_chosen, this, &MainWindow::choose_device);
 }
 
+void MainWindow::start_renderer() {
+  RenderThread::Listener listener;
+  listener.shown = [this](std::shared_ptr<const Shown> shown) { show_look(std::move(shown)); };
+  listener.progressed = [this](const render::Progress& progress) { show_progress(progress); };
+  listener.troubled = [this](const Trouble& trouble) { show_trouble(trouble); };
+  listener.devices_found = [this](const std::vector<DeviceChoice>& devices) {
+    devices_ = devices;
+    panels_->show_devices(devices);
+  };
+  listener.answered = [this] {
+    if (std::exchange(device_hangs_, false)) messages_->dismiss();
+  };
+  renderer_ = RenderThread::start(std::move(listener), hooks_);
+  if (!device_.isEmpty()) renderer_->use_device(device_);
+}
+
+/// Replaces a thread whose device hangs by a new one.
+void MainWindow::renew_renderer() {
+  if (!std::exchange(device_hangs_, false)) return;
+  renderer_.reset();
+  start_renderer();
+}
+
 void MainWindow::render() {
   request_ = renderer_->render(document_.scene());
 }
@@ -102,6 +117,7 @@ void MainWindow::choose_device(const QString& selector) {
   QSettings().setValue(QStringLiteral("device"), selector);
   messages_->dismiss();
   panels_->show_device(selector);
+  renew_renderer();
   renderer_->use_device(selector);
   render();
 }
@@ -119,9 +135,13 @@ void MainWindow::show_trouble(const Trouble& trouble) {
   if (trouble.request != 0 && trouble.request < request_ && trouble.kind == ErrorKind::bad_data) {
     return;  // The trouble belongs to a scene that was changed in the meantime.
   }
+  device_hangs_ = trouble.hangs;
   std::vector<MessageBar::Offer> offers;
   if (trouble.kind != ErrorKind::bad_data) {
-    offers.push_back({tr("Try Again"), [this] { render(); }});
+    offers.push_back({tr("Try Again"), [this] {
+                        renew_renderer();
+                        render();
+                      }});
     if (!device_.isEmpty()) {
       offers.push_back({tr("Use the Automatic Device"), [this] { choose_device({}); }});
     }

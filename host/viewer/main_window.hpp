@@ -62,6 +62,8 @@ class MainWindow : public QMainWindow {
                       const std::function<void()>& act);
 
   void take_typed();
+  void start_renderer();
+  void renew_renderer();
   void render();
   void show_look(std::shared_ptr<const Shown> shown);
   void show_progress(const render::Progress& progress);
@@ -90,8 +92,11 @@ class MainWindow : public QMainWindow {
   std::vector<DeviceChoice> devices_;
   std::shared_ptr<const Shown> shown_;
   std::uint64_t request_ = 0;
+  /// Tells whether the device of the thread does not answer.
+  bool device_hangs_ = false;
+  const render::TestHooks hooks_;
   /// The thread that renders. It is the last field because it must end first.
-  std::unique_ptr<RenderThread> renderer_;
+  RenderThread::Handle renderer_;
 };
 
 }  // namespace aerostat::viewer

@@ -1,5 +1,6 @@
 #include "viewer/render_thread.hpp"
 
+#include <QCoreApplication>
 #include <QMetaObject>
 
 #include "image/write.hpp"
@@ -12,16 +13,38 @@ namespace aerostat::viewer {
 
 RenderThread::RenderThread(Listener listener, render::TestHooks hooks)
     : listener_(std::move(listener)),
+      watch_([this](int seconds) { tell_of_silence(seconds); }, [this] { listener_.answered(); }),
       hooks_(std::move(hooks)),
       thread_([this](const std::stop_token& end) { run(end); }) {}
 
-RenderThread::~RenderThread() {
-  thread_.request_stop();
-  {
-    const std::lock_guard lock(mutex_);
-    stop_.request_stop();
+RenderThread::Handle RenderThread::start(Listener listener, render::TestHooks hooks) {
+  return Handle(new RenderThread(std::move(listener), std::move(hooks)));
+}
+
+void RenderThread::Ender::operator()(RenderThread* thread) const {
+  thread->stop();
+  if (ends_soon(thread->ended_, thread->watch_)) {
+    delete thread;
+    return;
   }
-  thread_.join();
+  thread->is_left_behind_ = true;
+  thread->watch_.stop();
+  leave_behind(thread);
+}
+
+void RenderThread::stop() {
+  thread_.request_stop();
+  const std::lock_guard lock(mutex_);
+  stop_.request_stop();
+}
+
+void RenderThread::tell_of_silence(int seconds) {
+  listener_.troubled({ErrorKind::exhausted,
+                      QCoreApplication::translate("RenderThread",
+                                                  "The device has not answered for %1 s. It may be "
+                                                  "lost, or busy with other work.")
+                          .arg(seconds),
+                      0, true});
 }
 
 std::uint64_t RenderThread::render(const scene::Scene& scene) {
@@ -57,6 +80,13 @@ void RenderThread::ask(Request request) {
 }
 
 void RenderThread::run(const std::stop_token& end) {
+  work(end);
+  // What a driver holds is given back on this thread, which may be left behind.
+  progressive_.reset();
+  end_.set_value();
+}
+
+void RenderThread::work(const std::stop_token& end) {
   guarded(0, [this] { find_devices(); });
   while (!end.stop_requested()) {
     Request request;
@@ -77,7 +107,8 @@ void RenderThread::run(const std::stop_token& end) {
 /// Runs `action` and reports its errors. A device that failed is released, because it may be lost.
 template <typename Action>
 void RenderThread::guarded(std::uint64_t request, Action action) {
-  Trouble trouble{ErrorKind::internal, {}, request};
+  Trouble trouble{ErrorKind::internal, {}, request, false};
+  const DeviceWatch::Busy busy(watch_);
   try {
     action();
     return;
@@ -109,6 +140,7 @@ void RenderThread::serve(const Request& request, const std::stop_token& stop) {
     render::SelfTest test;
     test.integrator = request.scene->light;
     test.progress = [this](const render::Progress& progress) {
+      watch_.sign(progress);
       if (progress.stage != render::Stage::kernels) return;
       tell([this, progress] { listener_.progressed(progress); });
     };
@@ -124,6 +156,7 @@ void RenderThread::serve(const Request& request, const std::stop_token& stop) {
   progressive_->render(
       *request.scene, stop, [&](const render::Preview& preview) { show(preview, request.number); },
       [&](const render::Progress& progress) {
+        watch_.sign(progress);
         if (progress.seconds - told < 0.1 && progress.seconds >= told) return;
         told = progress.seconds;
         tell([this, progress] { listener_.progressed(progress); });
@@ -158,7 +191,10 @@ void RenderThread::deliver() {
 }
 
 void RenderThread::tell(std::function<void()> message) {
-  QMetaObject::invokeMethod(&receiver_, std::move(message), Qt::QueuedConnection);
+  const auto unless_left_behind = [this, message = std::move(message)] {
+    if (!is_left_behind_) message();
+  };
+  QMetaObject::invokeMethod(&receiver_, unless_left_behind, Qt::QueuedConnection);
 }
 
 }  // namespace aerostat::viewer

@@ -6,6 +6,7 @@
 #include <QStringList>
 #include <condition_variable>
 #include <functional>
+#include <future>
 #include <memory>
 #include <mutex>
 #include <optional>
@@ -15,6 +16,7 @@
 #include "core/error.hpp"
 #include "render/progressive.hpp"
 #include "render/test_hooks.hpp"
+#include "viewer/device_watch.hpp"
 
 namespace aerostat::viewer {
 
@@ -32,6 +34,9 @@ struct Trouble {
   ErrorKind kind = ErrorKind::internal;
   QString message;
   std::uint64_t request = 0;
+  /// Tells whether the device does not answer. Then this thread cannot go on, unless the device
+  /// answers after all, and is to be replaced.
+  bool hangs = false;
 };
 
 /// A device that can be chosen.
@@ -49,12 +54,19 @@ class RenderThread {
     std::function<void(render::Progress)> progressed;
     std::function<void(Trouble)> troubled;
     std::function<void(std::vector<DeviceChoice>)> devices_found;
+    /// The device that was told to hang answers.
+    std::function<void()> answered;
   };
 
-  /// Starts the thread. Only tests give hooks.
-  explicit RenderThread(Listener listener, render::TestHooks hooks = {});
-  /// Stops the present render and waits for its end.
-  ~RenderThread();
+  /// Stops the present render and waits for its end. If the device hangs, the thread is left behind
+  /// and nothing is reported any more.
+  struct Ender {
+    void operator()(RenderThread* thread) const;
+  };
+  using Handle = std::unique_ptr<RenderThread, Ender>;
+
+  /// Starts a thread. Only tests give hooks.
+  static Handle start(Listener listener, render::TestHooks hooks = {});
   RenderThread(const RenderThread&) = delete;
   RenderThread& operator=(const RenderThread&) = delete;
 
@@ -74,7 +86,12 @@ class RenderThread {
     bool other_device = false;
   };
 
+  RenderThread(Listener listener, render::TestHooks hooks);
+  ~RenderThread() = default;
+  void stop();
   void run(const std::stop_token& end);
+  void work(const std::stop_token& end);
+  void tell_of_silence(int seconds);
   template <typename Action>
   void guarded(std::uint64_t request, Action action);
   void serve(const Request& request, const std::stop_token& stop);
@@ -86,6 +103,9 @@ class RenderThread {
 
   QObject receiver_;
   Listener listener_;
+  /// Tells that nobody listens any more.
+  bool is_left_behind_ = false;
+  DeviceWatch watch_;
   const render::TestHooks hooks_;
   std::mutex mutex_;
   std::condition_variable_any wake_;
@@ -99,6 +119,8 @@ class RenderThread {
 
   std::unique_ptr<render::Progressive> progressive_;
   QString device_;
+  std::promise<void> end_;
+  std::future<void> ended_ = end_.get_future();
   std::jthread thread_;
 };
 

@@ -755,6 +755,13 @@
     </message>
 </context>
 <context>
+    <name>RenderThread</name>
+    <message>
+        <source>The device has not answered for %1 s. It may be lost, or busy with other work.</source>
+        <translation>Устройство не отвечает уже %1 с. Возможно, оно потеряно или занято другой работой.</translation>
+    </message>
+</context>
+<context>
     <name>Schema</name>
     <message>
         <source>A scene of the renderer aerostat. Lengths are in metres and angles in degrees, and y points upwards. Azimuth 0 is north (-z), and azimuth 90 is east (+x). Values that a file leaves out come from its biome and view.</source>
@@ -2680,6 +2687,14 @@
     <message>
         <source>The picture was discarded.</source>
         <translation>Снимок отброшен.</translation>
+    </message>
+    <message>
+        <source>The device has not answered for %1 s. Cancel gives the picture up.</source>
+        <translation>Устройство не отвечает уже %1 с. «Отмена» прекращает работу над картинкой.</translation>
+    </message>
+    <message>
+        <source>The device did not answer, and the picture was given up.</source>
+        <translation>Устройство не ответило, и работа над картинкой прекращена.</translation>
     </message>
 </context>
 <context>
