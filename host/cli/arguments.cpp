@@ -13,6 +13,7 @@
 #include "cli/help_text.hpp"
 #include "cli/parse.hpp"
 #include "cli/render_arguments.hpp"
+#include "cli/sandbox.hpp"
 #include "cli/scene_input.hpp"
 #include "cli/validators.hpp"
 #include "cli/world_arguments.hpp"
@@ -91,6 +92,12 @@ class Arguments {
     return sub;
   }
 
+  template <typename Run, typename Options>
+  static int confined(Run run, const Options& options) {
+    enter_sandbox(options);
+    return run(options);
+  }
+
   static void add_scene(CLI::App* sub, SceneOptions& options) {
     sub->add_option(
            "SCENE", options.scene,
@@ -100,12 +107,7 @@ class Arguments {
         ->required()
         ->type_name("");
     add_overrides(sub, options);
-    add_external_paths(sub, options);
-  }
-
-  static void add_external_paths(CLI::App* sub, SceneOptions& options) {
-    sub->add_flag("--allow-external-paths", options.allow_external_paths,
-                  "Let the scene file name files outside of its folder");
+    add_safety(sub, options);
   }
 
   static void add_overrides(CLI::App* sub, SceneOptions& options) {
@@ -119,7 +121,7 @@ class Arguments {
 
   void add_render() {
     CLI::App* sub = add("render", "Render a scene to a PNG, EXR or GeoTIFF file", kRenderFooter,
-                        [this] { return render(render_); });
+                        [this] { return confined(render, render_); });
     add_scene(sub, render_.input);
     sub->add_option(
            "-o,--output", render_.output,
@@ -201,7 +203,7 @@ class Arguments {
 
   void add_contact_sheet() {
     CLI::App* sub = add("contact-sheet", "Render a scene with many terrain seeds onto one sheet",
-                        kContactSheetFooter, [this] { return contact_sheet(sheet_); });
+                        kContactSheetFooter, [this] { return confined(contact_sheet, sheet_); });
     add_scene(sub, sheet_.input);
     sub->add_option_function<std::string>(
            "--seeds", [this](const std::string& text) { sheet_.seeds = parse_seeds(text); },
@@ -232,8 +234,8 @@ class Arguments {
   }
 
   void add_film() {
-    CLI::App* sub =
-        add("film", "Render the film of a scene", kFilmFooter, [this] { return make_film(film_); });
+    CLI::App* sub = add("film", "Render the film of a scene", kFilmFooter,
+                        [this] { return confined(make_film, film_); });
     add_scene(sub, film_.input);
     sub->add_option(
            "-o,--output", film_.output,
@@ -311,7 +313,7 @@ class Arguments {
 
   void add_check() {
     CLI::App* sub = add("check", "Validate a scene, or report on elevation data or a flight track",
-                        kCheckFooter, [this] { return check(check_); });
+                        kCheckFooter, [this] { return confined(check, check_); });
     add_scene(sub, check_.input);
     sub->add_flag("--json", check_.json, "Print the report on elevation data or a track as JSON");
     sub->add_option("--device", check_.device,
@@ -325,7 +327,7 @@ class Arguments {
 
   void add_dump() {
     CLI::App* sub = add("dump", "Print the resolved scene with every default filled in, as JSON",
-                        kDumpFooter, [this] { return dump(dump_); });
+                        kDumpFooter, [this] { return confined(dump, dump_); });
     add_scene(sub, dump_.input);
     sub->add_flag("--view", dump_.view,
                   "Instead, print what another renderer needs beside exported triangles: the axes "
@@ -334,17 +336,17 @@ class Arguments {
 
   void add_export() {
     CLI::App* sub = add("export", "Write the world's triangles, as they are rendered, to a file",
-                        kExportFooter, [this] { return export_world(export_); });
+                        kExportFooter, [this] { return confined(export_world, export_); });
     add_scene(sub, export_.input);
     add_export_options(sub, export_);
   }
 
   void add_artwork() {
     CLI::App* sub = add("artwork", "Write a template for artwork on the envelope", kArtworkFooter,
-                        [this] { return make_artwork(artwork_); });
+                        [this] { return confined(make_artwork, artwork_); });
     add_artwork_options(sub, artwork_);
     add_overrides(sub, artwork_.input);
-    add_external_paths(sub, artwork_.input);
+    add_safety(sub, artwork_.input);
   }
 
   CLI::App app_;

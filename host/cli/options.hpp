@@ -16,6 +16,7 @@ struct SceneOptions {
   std::filesystem::path scene;         // "-" stands for standard input
   std::vector<std::string> overrides;  // texts "/json/pointer=value"
   bool allow_external_paths = false;   // whether the scene file may name files outside its folder
+  bool sandbox = false;                // whether the system keeps the process from other files
 };
 
 /// The devices that compute, and their limit of memory.

@@ -83,4 +83,14 @@ void add_merge(CLI::App* command, MergeOptions& options) {
   command->add_flag("--quiet,-q", options.quiet, "Print only errors");
 }
 
+void add_safety(CLI::App* command, SceneOptions& options) {
+  command->add_flag("--allow-external-paths", options.allow_external_paths,
+                    "Let the scene file name files outside of its folder");
+  command
+      ->add_flag("--sandbox", options.sandbox,
+                 "Let the system keep aerostat from all files but those of the scene's folder, the "
+                 "outputs and drivers, and from the network")
+      ->excludes("--allow-external-paths");
+}
+
 }  // namespace aerostat::cli

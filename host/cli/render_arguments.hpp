@@ -19,4 +19,7 @@ void add_shard(CLI::App* command, RenderOptions& options);
 /// Adds all of `merge`.
 void add_merge(CLI::App* command, MergeOptions& options);
 
+/// Adds the options on what a scene file from a stranger may do.
+void add_safety(CLI::App* command, SceneOptions& options);
+
 }  // namespace aerostat::cli

@@ -25,10 +25,18 @@ ReachableFiles files_of_program(const std::filesystem::path& program,
                                 const std::filesystem::path& folder,
                                 std::initializer_list<const char*> variables = {});
 
-/// Takes from this thread, and from programs that it starts, all other files and, on newer systems,
-/// connections by TCP. Nothing gives them back. Returns false and does nothing if the system cannot
-/// do that; Linux can from 5.13 on, unless its Landlock is switched off. Paths that do not exist
-/// are left out.
+/// Takes from this thread, and from threads and programs that it starts, all other files and, on
+/// newer systems, connections by TCP and signals to other processes. Nothing gives them back.
+/// Returns false and does nothing if the system cannot do that; Linux can from 5.13 on, unless its
+/// Landlock is switched off. Paths that do not exist are left out.
 bool confine_this_thread(const ReachableFiles& files);
+
+/// Returns whether files can be renamed from one writable folder to another in a confined thread.
+/// Linux can do that from 5.19 on.
+bool can_rename_confined();
+
+/// Takes connections of every kind, but those by local sockets, from this thread and from threads
+/// and programs that it starts. Returns false and does nothing if the system cannot do that.
+bool refuse_connections();
 
 }  // namespace aerostat

@@ -3,7 +3,7 @@
 _aerostat_commands='render contact-sheet film merge new scenes devices check dump export artwork'
 
 _aerostat_options() {
-  local common='--help' scene='--help --set --allow-external-paths' device='--device --lanes --memory-limit --skip-self-test --quiet'
+  local common='--help' scene='--help --set --allow-external-paths --sandbox' device='--device --lanes --memory-limit --skip-self-test --quiet'
   case $1 in
     render)
       echo "$scene $device --output --format --width --height --quality --spp --seed --crop --shard --labels --labels-json --world-file --denoise --time-limit --save-partial --checkpoint --checkpoint-every --stats" ;;

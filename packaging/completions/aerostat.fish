@@ -32,6 +32,7 @@ set -l scene 'render contact-sheet film new check dump export artwork'
 complete -c aerostat -n "__fish_seen_subcommand_from $scene" -a '(__aerostat_scenes)'
 complete -c aerostat -n "__fish_seen_subcommand_from $scene" -x -l set -d 'Change the scene: pointer=value'
 complete -c aerostat -n '__fish_seen_subcommand_from render contact-sheet film check dump export artwork' -l allow-external-paths -d 'Let the scene name files outside of its folder'
+complete -c aerostat -n '__fish_seen_subcommand_from render contact-sheet film check dump export artwork' -l sandbox -d 'Keep aerostat from other files and the network'
 
 set -l rendering 'render contact-sheet film'
 complete -c aerostat -n "__fish_seen_subcommand_from $rendering" -x -l quality -a 'draft standard final' -d 'Quality of samples, soft shadows and ambient occlusion'
