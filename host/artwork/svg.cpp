@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cstddef>
 #include <fstream>
-#include <optional>
 
 #include <fmt/format.h>
 
@@ -23,26 +22,6 @@ constexpr const char *kInput = "drawing.svg", *kOutput = "drawing.png", *kStyle 
 
 [[noreturn]] void refuse(const fs::path& file, const std::string& what) {
   throw Error(ErrorKind::bad_data, fmt::format("{}: {}", file.string(), what));
-}
-
-/// Returns the first file or address that a drawing refers to, beside its own parts and data in the
-/// text, or nothing.
-std::optional<std::string> first_reference(std::string_view text) {
-  constexpr std::string_view kKey = "href";
-  for (std::size_t at = text.find(kKey); at != std::string_view::npos; at = text.find(kKey, at)) {
-    at += kKey.size();
-    const std::size_t mark = text.find_first_not_of(" \t\r\n=", at);
-    if (mark == at || mark == std::string_view::npos) continue;
-    if (text[mark] != '"' && text[mark] != '\'') continue;
-    const std::size_t end = text.find(text[mark], mark + 1);
-    if (end == std::string_view::npos) return std::nullopt;
-    const std::string_view value = text.substr(mark + 1, end - mark - 1);
-    if (value.empty() || value[0] == '#' || value.starts_with("data:")) continue;
-    // A link to a page is no picture.
-    if (text.substr(text.rfind('<', at)).starts_with("<a ")) continue;
-    return std::string(value.substr(0, 100));
-  }
-  return std::nullopt;
 }
 
 /// Returns the files that the program may use: itself with its libraries, and fonts.
@@ -83,6 +62,24 @@ bool is_svg(std::string_view bytes) {
   if (first == std::string_view::npos || start[first] != '<') return false;
   return start.find("<svg") != std::string_view::npos ||
          start.find(":svg") != std::string_view::npos;
+}
+
+std::optional<std::string> first_reference(std::string_view text) {
+  constexpr std::string_view kKey = "href";
+  for (std::size_t at = text.find(kKey); at != std::string_view::npos; at = text.find(kKey, at)) {
+    at += kKey.size();
+    const std::size_t mark = text.find_first_not_of(" \t\r\n=", at);
+    if (mark == at || mark == std::string_view::npos) continue;
+    if (text[mark] != '"' && text[mark] != '\'') continue;
+    const std::size_t end = text.find(text[mark], mark + 1);
+    if (end == std::string_view::npos) return std::nullopt;
+    const std::string_view value = text.substr(mark + 1, end - mark - 1);
+    if (value.empty() || value[0] == '#' || value.starts_with("data:")) continue;
+    // A link to a page is no picture.
+    if (text.substr(text.rfind('<', at)).starts_with("<a ")) continue;
+    return std::string(value.substr(0, 100));
+  }
+  return std::nullopt;
 }
 
 asset::Texture draw_svg(std::string_view bytes, const fs::path& file, const DrawingSize& size,

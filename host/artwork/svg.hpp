@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -15,6 +16,10 @@ inline constexpr const char* kGuidesId = "aerostat-guides";
 
 /// Returns whether the content of a file is that of an SVG drawing.
 bool is_svg(std::string_view bytes);
+
+/// Returns the first file or address that a drawing refers to, beside its own parts and data in the
+/// text, or nothing. It has at most 100 bytes.
+std::optional<std::string> first_reference(std::string_view text);
 
 /// Draws an SVG file. A child process does so that reaches neither other files nor the network, and
 /// has limits of memory and time. `file` is the name for messages. Notes say what the drawing

@@ -25,6 +25,7 @@
 #include "elevation/bytes.hpp"
 #include "elevation/images.hpp"
 #include "elevation/reading.hpp"
+#include "image/exr_header.hpp"
 
 namespace aerostat::elevation {
 namespace {
@@ -88,26 +89,11 @@ std::string channel_of(const Imf::ChannelList& channels, const OpenOptions& opti
                            names.empty() ? "(none)" : names));
 }
 
-std::uint32_t number_at(Bytes bytes, std::size_t at) {
-  return bytes[at] | std::uint32_t{bytes[at + 1]} << 8 | std::uint32_t{bytes[at + 2]} << 16 |
-         std::uint32_t{bytes[at + 3]} << 24;
-}
-
-/// Returns the text that begins at `at`, and sets `at` behind the zero at its end.
-std::string_view text_at(Bytes bytes, std::size_t& at) {
-  const auto first = bytes.begin() + static_cast<std::ptrdiff_t>(std::min(at, bytes.size()));
-  const auto zero = std::find(first, bytes.end(), std::uint8_t{0});
-  const std::string_view text(reinterpret_cast<const char*>(bytes.data()) + (first - bytes.begin()),
-                              static_cast<std::size_t>(zero - first));
-  at = static_cast<std::size_t>(zero - bytes.begin()) + 1;
-  return text;
-}
-
 /// Sets the size of the image from the content of the header's attribute.
 void set_size(RasterInfo& info, Bytes window, std::size_t file_bytes) {
   const auto side = [&](std::size_t at) {
-    const std::int64_t low = static_cast<std::int32_t>(number_at(window, at));
-    const std::int64_t high = static_cast<std::int32_t>(number_at(window, at + 8));
+    const std::int64_t low = static_cast<std::int32_t>(image::exr_number(window, at));
+    const std::int64_t high = static_cast<std::int32_t>(image::exr_number(window, at + 8));
     return high < low ? 0 : static_cast<std::uint64_t>(high - low + 1);
   };
   const std::uint64_t width = side(0), height = side(4);
@@ -123,23 +109,15 @@ void set_size(RasterInfo& info, Bytes window, std::size_t file_bytes) {
 
 /// Checks the frame of the header. OpenEXR allocates as much memory as a file says that it needs.
 void check_header(RasterInfo& info, Bytes bytes) {
-  constexpr std::uint32_t kSeveralParts = 0x1000;
-  if (bytes.size() >= 8 && (number_at(bytes, 4) & kSeveralParts) != 0) {
+  if (image::has_exr_parts(bytes)) {
     refuse(info.path, "the EXR file has several parts; one is expected");
   }
-  for (std::size_t at = 8; at < bytes.size();) {
-    const std::string_view name = text_at(bytes, at);
-    if (name.empty()) break;
-    text_at(bytes, at);
-    if (at > bytes.size() || bytes.size() - at < 4) break;
-    const std::size_t length = number_at(bytes, at);
-    at += 4;
-    if (length > bytes.size() - at) {
-      refuse(info.path, fmt::format("the EXR file is damaged: {} in its header has {} bytes",
-                                    std::string(name.substr(0, 40)), length));
-    }
-    if (name == "dataWindow" && length == 16) set_size(info, bytes.subspan(at, 16), bytes.size());
-    at += length;
+  const auto damaged = image::each_exr_attribute(bytes, [&](std::string_view name, Bytes content) {
+    if (name == "dataWindow" && content.size() == 16) set_size(info, content, bytes.size());
+  });
+  if (!damaged.name.empty()) {
+    refuse(info.path, fmt::format("the EXR file is damaged: {} in its header has {} bytes",
+                                  std::string(damaged.name.substr(0, 40)), damaged.length));
   }
   if (info.width == 0) {
     refuse(info.path, "the EXR file is damaged: its header does not say the size of the image");

@@ -4,6 +4,7 @@
 #include <new>
 #include <optional>
 #include <span>
+#include <string_view>
 #include <vector>
 
 #include <OpenEXR/ImfChannelList.h>
@@ -15,6 +16,7 @@
 #include <OpenEXR/ImfStringAttribute.h>
 
 #include "image/bands.hpp"
+#include "image/exr_header.hpp"
 #include "image/exr_layers.hpp"
 #include "image/exr_streams.hpp"
 #include "image/mark.hpp"
@@ -22,6 +24,33 @@
 namespace aerostat::image {
 
 namespace {
+
+// Limits of a picture: its pixels along a side and for each byte of the file, and the bytes of the
+// list of its channels. Deflate makes 1032 bytes of one, and a pixel of aerostat's has 60, so that
+// no picture has more than 18.
+constexpr std::int64_t kMostSide = 1 << 16, kMostPixelsOfByte = 64;
+constexpr std::size_t kMostBytesOfChannels = 4096;
+
+/// Returns whether a file can be a picture of the size that its header tells.
+bool has_picture_size(std::span<const std::uint8_t> exr) {
+  if (has_exr_parts(exr)) return false;
+  std::int64_t pixels = 0;
+  bool fits = true;
+  const auto see = [&](std::string_view name, std::span<const std::uint8_t> content) {
+    if (name == "channels") fits = fits && content.size() <= kMostBytesOfChannels;
+    if ((name != "dataWindow" && name != "displayWindow") || content.size() != 16) return;
+    const auto side = [&](std::size_t at) {
+      const std::int64_t low = static_cast<std::int32_t>(exr_number(content, at));
+      const std::int64_t high = static_cast<std::int32_t>(exr_number(content, at + 8));
+      fits = fits && high >= low && high - low < kMostSide;
+      return high - low + 1;
+    };
+    const std::int64_t width = side(0), height = side(4);
+    if (fits && name == "dataWindow") pixels = width * height;
+  };
+  if (!each_exr_attribute(exr, see).name.empty()) return false;
+  return fits && pixels > 0 && pixels <= kMostPixelsOfByte * static_cast<std::int64_t>(exr.size());
+}
 
 /// Decodes all pixels of a file, a row at a time, and keeps none.
 void decode_rows(Imf::InputFile& file) {
@@ -117,6 +146,7 @@ bool has_layers(const Imf::Header& header) {
 
 MarkedFile mark_of_exr(std::span<const std::uint8_t> exr) {
   MarkedFile marked;
+  if (!has_picture_size(exr)) return marked;
   try {
     ExrInput stream(exr);
     Imf::InputFile file(stream);
@@ -131,6 +161,7 @@ MarkedFile mark_of_exr(std::span<const std::uint8_t> exr) {
 }
 
 std::optional<Band> decode_band(std::span<const std::uint8_t> exr) {
+  if (!has_picture_size(exr)) return std::nullopt;
   try {
     ExrInput stream(exr);
     Imf::InputFile file(stream);

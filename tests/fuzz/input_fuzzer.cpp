@@ -1,6 +1,6 @@
-// The entry of libFuzzer for scenes, options --set and checkpoints. scripts/fuzz-inputs builds and
-// runs it. The environment variable AEROSTAT_FUZZ_READER names what the bytes are taken for: scene,
-// set or checkpoint.
+// The entry of libFuzzer for scenes, options --set, checkpoints and pictures. scripts/fuzz-inputs
+// builds and runs it. The environment variable AEROSTAT_FUZZ_READER names what the bytes are taken
+// for: scene, set, checkpoint, or a reader of take_image.hpp.
 
 #include <cstddef>
 #include <cstdint>
@@ -9,6 +9,7 @@
 #include <string>
 
 #include "take_checkpoint.hpp"
+#include "take_image.hpp"
 #include "take_scene.hpp"
 
 namespace {
@@ -23,6 +24,10 @@ std::string fault_of(const std::string& reader, const std::uint8_t* data, std::s
   if (reader == "set") return aerostat::test::fault_of_scene(kScene, {text});
   if (reader == "scene") return aerostat::test::fault_of_scene(text, {});
   bool is_read = false;
+  for (const std::string& each : aerostat::test::image_readers()) {
+    if (reader == each) return aerostat::test::fault_of_image(reader, {data, size}, is_read);
+  }
+  if (reader != "checkpoint") return "there is no reader " + reader;
   return aerostat::test::fault_of_checkpoint({data, size}, is_read);
 }
 
