@@ -22,8 +22,7 @@ bool Session::State::trace_pass(const Pass& pass, RowQueue& queue, const PassPla
   do {
     bool is_paused = false;
     const std::uint64_t rays_at_first = team.rays_done();
-    team.trace(pass, queue, stop, [&] {
-      watch_device();
+    const auto look = [&] {
       stats.rays[KernelStage::primary] = rays_before + team.rays_done();
       fraction_done =
           std::min(1.0, static_cast<double>(stats.rays[KernelStage::primary]) / rays_in_all);
@@ -32,13 +31,18 @@ bool Session::State::trace_pass(const Pass& pass, RowQueue& queue, const PassPla
       if (is_paused || !course.wants_pause || team.rays_done() == rays_at_first) return;
       is_paused = course.wants_pause(progress_of(Stage::rays, fraction_done));
       if (is_paused) waiting = queue.pause();
+    };
+    team.trace(pass, queue, stop, [&] {
+      watch_device();
+      look();
     });
     stop_if_asked();
+    // A pass of one short launch is over before anyone looked at it.
+    look();
     if (!is_paused) break;
     if (!pause(pass, queue, waiting, area, course)) return false;
     queue.begin_pass(waiting);
   } while (!waiting.empty());
-  stats.rays[KernelStage::primary] = rays_before + team.rays_done();
   return true;
 }
 

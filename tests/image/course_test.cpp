@@ -5,6 +5,7 @@
 #include <optional>
 #include <thread>
 #include <utility>
+#include <vector>
 
 #include "core/error.hpp"
 #include "pictures.hpp"
@@ -130,6 +131,24 @@ TEST(Course, APauseSaysWhetherThereIsAPictureAndSumsAreThoseOfItsPixels) {
   EXPECT_TRUE(same_bits(session.render(resolved(scene)), film)) << "pauses change nothing";
   EXPECT_GT(pauses, 3);
   EXPECT_GT(before_a_picture, 0);
+}
+
+// A pass of a small picture is over before the host looks at it for the first time.
+TEST(Course, ARenderIsAskedAfterEachPassHoweverShortItIs) {
+  const scene::Scene scene = small_scene("sand-empty", {16, 8, 37, 32});
+  Session session(options());
+  session.render(resolved(scene));
+  Course course;
+  std::vector<int> passes;
+  course.wants_pause = [](const render::Progress&) { return true; };
+  course.at_pause = [&](const Pause& pause) {
+    EXPECT_TRUE(pause.is_picture);
+    passes.push_back(pause.samples_done);
+    return true;
+  };
+  session.render_on(resolved(scene), course);
+  // The widest packets have 16 lanes: passes of 1, 16, 16 and 4 samples.
+  EXPECT_GE(passes.size(), 3u);
 }
 
 TEST(Course, AnEarlyEndGivesThePictureSoFar) {
