@@ -17,13 +17,13 @@ namespace {
 
 // The grey to which the middle of a picture is exposed. It lies between the classical 0.18 and
 // the look of daylight. Chosen by eye.
-constexpr double kGrey = 0.25;
+constexpr double kGrey = 0.21;
 // The shares of the pixels between which the middle is measured. A dark foreground, and the sun
 // and its reflections, tell little about the view. Chosen by eye.
 constexpr double kDarkShare = 0.2, kBrightShare = 0.95;
-// The brightest hundredth of the pixels may reach kLights, which the tone curve still tells from
-// white. Chosen by eye.
-constexpr double kLightsShare = 0.99, kLights = 2.0;
+// The brightest twentieth of the pixels may reach kLights, up to which the tone curve still shows
+// the modelling of clouds and snow. Chosen by eye.
+constexpr double kLightsShare = 0.95, kLights = 1.5;
 // The largest number of stops by which a picture is darkened for its lights. Beyond that, lights
 // such as a glitter on the sea may clip. Chosen by eye.
 constexpr double kMostHeldBack = 2.0;

@@ -44,24 +44,26 @@ struct Upright {
   dvec3 at(double share) const { return glm::mix(foot, head, share); }
 };
 
-/// A quilted sleeve of cloth over padding, laced in at both ends. It leaves the upper end of the
-/// upright bare, and the hose runs inside it.
+/// A sleeve of leather over padding, drawn in at both ends and held by straps. It leaves the upper
+/// end of the upright bare, and the hose runs inside it.
 struct Sleeve {
-  static constexpr double kTo = 0.93, kLaced = 0.035, kQuilts = 5.0;
+  static constexpr double kTo = 0.93, kLaced = 0.035, kStraps = 3.0;
   Upright upright;
 
   double length() const { return glm::distance(upright.foot, upright.head); }
 
-  /// Returns the thickness of the padding, from 0 at a quilting seam to 1 in the middle between two
-  /// seams.
-  static double puff(double share) {
-    return std::abs(std::sin(std::numbers::pi * kQuilts * share / kTo));
+  /// Returns how much a strap draws the padding in: 1 under a strap, and 0 away from it. Straps are
+  /// 3 cm wide.
+  double drawn_in(double share) const {
+    const double place = share / kTo * kStraps - 0.5;
+    const double away_m = (place - std::round(place)) * kTo / kStraps * length();
+    return std::exp(-std::pow(away_m / 0.015, 4.0));
   }
 
   double radius(double share) const {
     const double end = std::clamp(std::min(share, kTo - share) / kLaced, 0.0, 1.0);
     const double full = 0.66 + 0.34 * std::sin(0.5 * std::numbers::pi * end);
-    return kSleeveRadius * full * (0.90 + 0.10 * std::pow(puff(share), 0.35));
+    return kSleeveRadius * full * (1.0 - 0.10 * drawn_in(share));
   }
 
   /// Returns a point of the sleeve. `u` is a turn around the upright, and `v` a share of its
@@ -80,7 +82,7 @@ void add_sleeve_end(TriangleMesh& mesh, const Sleeve& sleeve, double share, int 
   const dvec3 axis = glm::normalize(sleeve.upright.head - sleeve.upright.foot);
   const bool top = share > 0.0;
   const dvec3 out = top ? axis : -axis;
-  const vec3 color = kCover * 0.4f;
+  const vec3 color = kLeather * 0.4f;
   const std::uint32_t hub = add_vertex(mesh, {sleeve.upright.at(share), out, color});
   for (int i = 0; i < sides; ++i) {
     add_vertex(mesh, {sleeve.at(static_cast<double>(i) / sides, share), out, color});
@@ -102,8 +104,8 @@ void add_sleeve(TriangleMesh& mesh, const Upright& upright, double tolerance_m) 
   add_grid(cloth, {sides, rows}, [&](int i, int j) {
     const double u = static_cast<double>(i % sides) / sides, v = Sleeve::kTo * j / rows;
     cloth.uvs.emplace_back(sleeve.length() * v, 2.0 * std::numbers::pi * kSleeveRadius * i / sides);
-    const auto shade = static_cast<float>(0.62 + 0.38 * std::sqrt(Sleeve::puff(v)));
-    return Vertex{sleeve.at(u, v), surface_normal(surface, u, v, 2e-3), kCover * shade};
+    const auto shade = static_cast<float>(1.0 - 0.6 * sleeve.drawn_in(v));
+    return Vertex{sleeve.at(u, v), surface_normal(surface, u, v, 2e-3), kLeather * shade};
   });
   add_sleeve_end(cloth, sleeve, 0.0, sides);
   add_sleeve_end(cloth, sleeve, Sleeve::kTo, sides);

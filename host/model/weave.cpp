@@ -13,12 +13,12 @@ using mesh::TriangleMesh;
 
 constexpr double kPi = std::numbers::pi;
 /// The distance between stakes and the height of a weaver in metres. Chosen by eye.
-constexpr double kStakePitch = 0.046;
-constexpr double kWeaverHeight = 0.016;
+constexpr double kStakePitch = 0.034;
+constexpr double kWeaverHeight = 0.0095;
 /// Half the thickness of a weaver in metres. Chosen by eye.
-constexpr double kRound = 0.0030;
+constexpr double kRound = 0.0022;
 /// The distance in metres by which a weaver bends around a stake. Chosen by eye.
-constexpr double kSway = 0.0042;
+constexpr double kSway = 0.0030;
 /// The tolerance in metres from which the wall has no relief.
 constexpr double kPlainFrom = 0.002;
 /// The length of a willow rod in metres. Chosen by eye.

@@ -6,6 +6,7 @@
 
 #include "core/copy.hpp"
 #include "pack/pack_scene.hpp"
+#include "rules/pixel_filter.h"
 #include "scene/pixel_size.hpp"
 #include "scene/scene.hpp"
 #include "scene/view_axes.hpp"
@@ -40,6 +41,19 @@ std::uint32_t spreading_stride(std::uint32_t samples) {
   auto stride = std::max(1u, static_cast<std::uint32_t>(0.381966 * samples + 0.5));
   while (std::gcd(stride, samples) != 1) ++stride;
   return stride;
+}
+
+/// Returns the mean offset of all samples of a pixel from its centre, in pixels. A few samples lie
+/// to one side of the pixel with most seeds, by 0.19 pixels for 4 samples.
+vec2 mean_offset(const AeroFrame& frame) {
+  if (frame.samples <= 1) return vec2(0.0f);
+  dvec2 sum(0.0);
+  for (std::uint32_t sample = 0; sample < frame.samples; ++sample) {
+    float dx = 0.0f, dy = 0.0f;
+    rules::filter_offset(&frame, sample, &dx, &dy);
+    sum += dvec2(dx, dy);
+  }
+  return vec2(sum / static_cast<double>(frame.samples));
 }
 
 std::uint32_t lens_of(scene::Lens lens) {
@@ -111,11 +125,14 @@ AeroFrame pack_frame(const scene::ResolvedScene& scene, const bvh::Bounds& world
   frame.samples = static_cast<std::uint32_t>(scene->image.spp);
   frame.sample_stride = spreading_stride(frame.samples);
   frame.progressive = scene->image.adaptive_threshold > 0.0 ? 1u : 0u;
-  frame.sample_shift = scene->image.seed * 0x9e3779b9u;
   const scene::PixelSize pixel = scene::pixel_size(*scene);
   frame.pixel_angle = static_cast<float>(pixel.angle_rad);
   frame.pixel_width = static_cast<float>(pixel.width_m);
   frame.filter_scale = 1.0f;
+  frame.sample_shift = scene->image.seed * 0x9e3779b9u;
+  const vec2 mean = mean_offset(frame);
+  frame.filter_mean[0] = mean.x;
+  frame.filter_mean[1] = mean.y;
   return frame;
 }
 

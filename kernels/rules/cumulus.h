@@ -42,16 +42,14 @@ AERO_RULE lane_float cumulus_ragged(lane_float excess) {
   return clamp01(lane_fma(excess, (lane_float)1.5f, (lane_float)0.1f));
 }
 
-/* Towers approach this height as the excess grows, and half of it at CUMULUS_HALF. */
-#define CUMULUS_LIMIT 1.35f
-#define CUMULUS_HALF 0.3f
+/* The height of towers at an excess of 1, if nothing limited it. */
+#define CUMULUS_LIMIT 1.1f
 
-/* Returns how high clouds tower at an excess of the coverage noise. Their sides are steep and their
- * tops round. The value is below 0 where there are no clouds, and falls with the distance to the
- * next one. */
+/* Returns how high clouds tower at an excess of the coverage noise. The noise falls off around its
+ * peaks as parabolas do, so that its root makes domes, and small ones are as round as large ones.
+ * The value is below 0 where there are no clouds, and falls with the distance to the next one. */
 AERO_RULE lane_float cumulus_towers(lane_float excess) {
-  const lane_float within = lane_max(excess, (lane_float)0.0f);
-  const lane_float grown = CUMULUS_LIMIT * within / (CUMULUS_HALF + within);
+  const lane_float grown = CUMULUS_LIMIT * sqrt(lane_max(excess, (lane_float)0.0f));
   const lane_float outside = 2.0f * lane_min(excess, (lane_float)0.0f);
   return lane_min(grown + outside, (lane_float)(CUMULUS_TALLEST - CUMULUS_LIFT));
 }
@@ -59,18 +57,19 @@ AERO_RULE lane_float cumulus_towers(lane_float excess) {
 /* Returns the excess at which clouds tower to a height: the inverse of cumulus_towers(). */
 AERO_RULE lane_float cumulus_excess_of(lane_float height) {
   const lane_float within =
-      lane_min(lane_max(height, (lane_float)0.0f), (lane_float)CUMULUS_TALLEST);
-  return lane_fma(lane_min(height, (lane_float)0.0f), (lane_float)0.5f,
-                  CUMULUS_HALF * within / (CUMULUS_LIMIT - within));
+      lane_min(lane_max(height, (lane_float)0.0f), (lane_float)CUMULUS_TALLEST) *
+      (1.0f / CUMULUS_LIMIT);
+  return lane_fma(lane_min(height, (lane_float)0.0f), (lane_float)0.5f, within * within);
 }
 
 /* There is no density at lower excesses than this. Clouds there tower to CUMULUS_LOWEST. */
 #define CUMULUS_LEAST_EXCESS (0.5f * CUMULUS_LOWEST)
 
 /* Returns the share of bulges that counts at an excess. It is 0 at CUMULUS_LEAST_EXCESS, so that no
- * bulge floats where there is no cloud. */
+ * bulge floats where there is no cloud, and small clouds have small bulges. */
+#define CUMULUS_BULGE_RISE 2.5f
 AERO_RULE lane_float cumulus_bulging(lane_float excess) {
-  return clamp01(4.0f * (excess - CUMULUS_LEAST_EXCESS));
+  return clamp01(CUMULUS_BULGE_RISE * (excess - CUMULUS_LEAST_EXCESS));
 }
 
 /* Returns the excess that clouds need to have any density at a height, if bulges add to it and to
@@ -78,8 +77,8 @@ AERO_RULE lane_float cumulus_bulging(lane_float excess) {
 AERO_RULE lane_float cumulus_needed(lane_float height) {
   const lane_float level = cumulus_excess_of(height - CUMULUS_LIFT);
   /* This is the excess whose sum with its bulge is `level`, where clouds are thin. */
-  const lane_float thin = (level + 4.0f * CUMULUS_BULGE * CUMULUS_LEAST_EXCESS) *
-                          (1.0f / (1.0f + 4.0f * CUMULUS_BULGE));
+  const float rise = CUMULUS_BULGE_RISE * CUMULUS_BULGE;
+  const lane_float thin = (level + rise * CUMULUS_LEAST_EXCESS) * (1.0f / (1.0f + rise));
   const lane_float needed = lane_max(level - CUMULUS_BULGE, lane_min(level, thin));
   return lane_max(needed, (lane_float)CUMULUS_LEAST_EXCESS);
 }

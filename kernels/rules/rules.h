@@ -99,6 +99,12 @@ AERO_RULE lane_float sqrt(lane_float x) {
 AERO_REAL_RULE lane_real exp(lane_real x) {
   return std::exp(x);
 }
+AERO_RULE lane_float log(lane_float x) {
+  return std::log(x);
+}
+AERO_RULE lane_float copysign(lane_float magnitude, lane_float sign) {
+  return std::copysign(magnitude, sign);
+}
 AERO_RULE lane_float sinpi(lane_float x) {
   return std::sin(3.14159265f * x);
 }

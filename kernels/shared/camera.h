@@ -45,9 +45,12 @@ typedef struct AeroFrame {
   aero_float pixel_angle;  /* radians across one pixel in the middle of the image */
   aero_float pixel_width;  /* metres across one pixel, added to its angle times distance */
   aero_float filter_scale; /* scale of the filter: 1, or less if a pixel is made of several */
+  /* The mean offset of the samples of a pixel, which is taken off each of them, pixels. It is part
+   * of the pattern, so that the mean place of a few samples is the centre of the pixel. */
+  aero_float filter_mean[2];
 } AeroFrame;
 
-AERO_ASSERT_LAYOUT(AeroFrame, 140);
+AERO_ASSERT_LAYOUT(AeroFrame, 148);
 
 /* The work of one launch: blocks of pixels, each of which is one packet of lanes. A packet holds
  * 2^log2_w x 2^log2_h pixels with 2^log2_samples samples each, and the product of these numbers is
@@ -79,6 +82,6 @@ typedef struct AeroLaunch {
   AeroWindow film;
 } AeroLaunch;
 
-AERO_ASSERT_LAYOUT(AeroLaunch, 196);
+AERO_ASSERT_LAYOUT(AeroLaunch, 204);
 
 #endif

