@@ -1,10 +1,11 @@
 #include "camera/camera.clh"
 #include "geometry/ray_cone.clh"
+#include "integrator/local.clh"
 #include "light/mirrored.clh"
 #include "light/shadow.clh"
 #include "material/materials.clh"
 
-/* A kernel for scenes with models from files. It finds out what water and models mirror. */
+/* A kernel for scenes with still water or models from files. It finds out what these mirror. */
 
 /* Returns the mirrored direction of an eye ray: at water by a random wave, and at models by a facet
  * whose slope is as random as the material is rough. */
@@ -27,7 +28,17 @@ inline Lane3 mirrored_direction(__global const AeroScene* scene, const ShadowWor
   return select3(water, by_wave, lifted);
 }
 
-/* Returns the albedo of a surface as its mirror image shows it. Water mirrors the sky itself. */
+/* The share of the sky that lies open before what mirrors show. Chosen by eye. */
+#define MIRRORED_OPEN 0.7f
+
+/* What a mirror shows at a point: its radiance without the sun, and what the sun adds if it arrives
+ * there. */
+typedef struct MirroredPoint {
+  Lane3 dark, by_sun;
+} MirroredPoint;
+
+/* Returns the albedo of water and of models as their mirror image shows it. Mirrors within the
+ * mirror are white. Metal scatters no sunlight, and the sky stands for what it mirrors. */
 inline Lane3 mirrored_albedo(const Surface* surface) {
   const lane_int water = lane_mask(surface->point.kind == AERO_MATERIAL_WATER);
   if (!lane_any(water)) return surface->material.albedo;
@@ -37,43 +48,72 @@ inline Lane3 mirrored_albedo(const Surface* surface) {
   return select3(water, wet, surface->material.albedo);
 }
 
+/* Returns what a mirror shows of a surface. */
+OUTLINED MirroredPoint mirrored_point(const SceneView* view, const Surface* surface) {
+  __global const AeroScene* scene = view->numbers;
+  const Material* material = &surface->material;
+  const AmbientFound around = {(lane_float)MIRRORED_OPEN, (lane_float)0.0f};
+  /* Lamps arrive, the sun does not. */
+  const LocalLight light = local_light(view, surface, (lane_uint)(MIRRORED_LIGHTS & ~1u), &around);
+  const Lane3 to_sun = lane3_from(scene->sky.sun_direction);
+  const Lane3 sun = scale3(light.sun, light.sunlit * M_1_PI_F);
+  MirroredPoint seen;
+  seen.dark = local_solid(scene, surface, &light);
+  seen.by_sun = sub3(lit_by(surface, to_sun, sun, (lane_float)1.0f),
+                     lit_by(surface, to_sun, sun, (lane_float)0.0f));
+  const lane_int other = lane_mask(surface->point.kind == AERO_MATERIAL_WATER) |
+                         lane_mask(surface->point.kind == AERO_MATERIAL_MODEL);
+  if (!lane_any(other)) return seen;
+  const Lane3 albedo = mirrored_albedo(surface);
+  const Lane3 sky = scale3(ambient_light(scene, material->normal), (lane_float)MIRRORED_OPEN);
+  const lane_float facing = lane_max(dot3(material->normal, to_sun), (lane_float)0.0f);
+  const Lane3 lit = scale3(sun, facing * (1.0f - material->metallic));
+  seen.dark =
+      select3(other, madd3(mul3(albedo, sky), material->emission, (lane_float)1.0f), seen.dark);
+  seen.by_sun = select3(other, mul3(albedo, lit), seen.by_sun);
+  return seen;
+}
+
 /* Finds what the rays of a bundle have met, and whether the sun shines there. */
 inline void look_at_hits(const SceneView* view, const World* world, const MeshArrays* meshes,
                          const AeroLaunch* task, const ShadowWork* work,
                          const TracedPacket* packets, const lane_int* asked, Mirrored* seen) {
   __global const AeroScene* scene = view->numbers;
+  const lane_float zero = (lane_float)0.0f;
   TracedPacket to_sun[BUNDLE];
+  MirroredPoint points[BUNDLE];
   for (int i = 0; i < BUNDLE; ++i) {
     const Hit* hit = &packets[i].hit;
     seen[i].there = asked[i] & lane_mask(hit->triangle != NO_TRIANGLE);
-    seen[i].sunlit = (lane_float)0.0f;
-    seen[i].albedo = lane3((lane_float)0.0f, (lane_float)0.0f, (lane_float)0.0f);
+    points[i].dark = points[i].by_sun = lane3(zero, zero, zero);
     Ray ray = packets[i].ray;
     ray.t_max = (lane_float)-1.0f;
     if (lane_any(seen[i].there)) {
       const RayCone cone = eye_cone(&task->frame);
       HitTriangle triangle = load_hit_triangle(&world->grid, meshes, hit);
       load_texture_coordinates(scene, meshes, hit, &triangle);
-      const lane_float distance = lane_select(seen[i].there, hit->t, (lane_float)0.0f);
+      const lane_float distance = lane_select(seen[i].there, hit->t, zero);
       const lane_float across = cone_across(&cone, work[i].hit.t + distance);
       const SurfacePoint point = surface_point(scene, &triangle, &packets[i].ray, hit, across);
       const Surface surface = surface_at(view, &point);
-      seen[i].albedo = mirrored_albedo(&surface);
-      const lane_float facing = dot3(surface.material.normal, lane3_from(scene->sky.sun_direction));
-      /* Metal scatters no sunlight. It mirrors what is around it, for which the sky stands. */
-      seen[i].sunlit = lane_max(facing, (lane_float)0.0f) * (1.0f - surface.material.metallic);
+      points[i] = mirrored_point(view, &surface);
       const ShadowPoint from = shadow_point_of(&triangle, hit);
       ray = shadow_ray(&from, hit, work[i].to_sun, (lane_float)INFINITY);
-      const lane_int lit = seen[i].there & lane_mask(seen[i].sunlit > 0.0f);
+      const Lane3 sun = points[i].by_sun;
+      const lane_int lit = seen[i].there & lane_mask(sun.x + sun.y + sun.z > 0.0f);
       ray.t_max = lane_select(lit, ray.t_max, (lane_float)-1.0f);
     }
     start_packet(to_sun + i, &ray);
   }
-  if (!casts_shadows(scene, LIGHT_SUN)) return;
-  trace_bundle(world, to_sun, TRACE_ANY_FROM_ABOVE);
+  if (casts_shadows(scene, LIGHT_SUN)) trace_bundle(world, to_sun, TRACE_ANY_FROM_ABOVE);
   for (int i = 0; i < BUNDLE; ++i) {
+    if (!lane_any(seen[i].there)) continue;
     const lane_int dark = lane_mask(to_sun[i].hit.triangle != NO_TRIANGLE);
-    seen[i].sunlit = lane_select(dark, (lane_float)0.0f, seen[i].sunlit);
+    const Lane3 sun = select3(dark, lane3(zero, zero, zero), points[i].by_sun);
+    const lane_float distance = lane_select(seen[i].there, packets[i].hit.t, zero);
+    Ray way = packets[i].ray;
+    way.origin = place_of(scene, way.origin);
+    seen[i].radiance = through_air(scene, add3(points[i].dark, sun), &way, distance);
   }
 }
 
@@ -84,14 +124,15 @@ __kernel void look_into_mirrors(const AeroLaunch launch, __global const AeroScen
                                 __global const AeroTriangle* triangles,
                                 __global const AeroInstance* instances, __global const float* grid,
                                 __global const AeroFace* faces, __global const AeroVertex* vertices,
-                                __global const Hit* hits, __global lane_uint* visible) {
+                                __global const AeroChartWord* cloud_chart, __global const Hit* hits,
+                                __global lane_uint* visible) {
   const uint first = (uint)get_global_id(0);
   if (first % BUNDLE != 0u || first >= launch.tile.block_count) return;
   const uint count = min((uint)BUNDLE, launch.tile.block_count - first);
   const AeroLaunch task = launch;
   const World world = make_world(nodes, triangles, instances, grid);
   const MeshArrays meshes = mesh_arrays(faces, vertices, instances);
-  const SceneView view = scene_view(scene, 0, 0, texels);
+  const SceneView view = scene_view(scene, 0, cloud_chart, texels);
   ShadowWork work[BUNDLE];
   if (!start_shadows(scene, &world, &meshes, &task, first, count, hits, work)) return;
   TracedPacket packets[BUNDLE];

@@ -148,6 +148,19 @@ AeroMaterial plain_model(const AeroMaterial& from) {
   return material;
 }
 
+/// The root mean square slope of waves up to which water mirrors what is there. In rougher water
+/// nothing can be made out. Chosen by eye.
+constexpr double kMirroringSlope = 0.05;
+
+/// Returns whether rays look for what water and models from files mirror.
+bool looks_into_mirrors(const scene::Scene& scene, bool has_models) {
+  if (scene.surfaces != scene::Surfaces::full || scene.light != scene::Integrator::local) {
+    return false;
+  }
+  const scene::Water& water = scene.biome.water;
+  return (water.enabled && water.wave_slope <= kMirroringSlope) || has_models;
+}
+
 /// Appends the materials of the scene's models and their textures.
 void pack_models(const scene::Scene& scene, world::ModelCache& models, PackedModelCache& cache,
                  PackedScene& packed) {
@@ -157,8 +170,6 @@ void pack_models(const scene::Scene& scene, world::ModelCache& models, PackedMod
   AeroScene& numbers = packed.numbers;
   const std::uint32_t first = packed.texels.add(found, found->texels);
   numbers.white_texture = first;
-  packed.mirrors =
-      scene.surfaces == scene::Surfaces::full && scene.light == scene::Integrator::local;
   for (std::size_t i = 0; i < found->materials.size(); ++i) {
     AeroMaterial material = found->materials[i];
     for (aero_uint* texture : {&material.color_texture, &material.metal_texture,
@@ -248,6 +259,8 @@ PackedScene pack_scene(const scene::ResolvedScene& scene, PackCache& cache,
     numbers.cover = pack_cover(*scene, *cover, first);
   }
   pack_models(*scene, models, cache.models, packed);
+  packed.mirrors = looks_into_mirrors(
+      *scene, numbers.materials[AERO_FIXED_MATERIALS].kind == AERO_MATERIAL_MODEL);
   return packed;
 }
 

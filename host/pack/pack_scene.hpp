@@ -31,7 +31,7 @@ struct PackedScene {
   Texels texels = {};
   /// Whether there are surfaces that let some rays pass.
   bool see_through = false;
-  /// Whether there are models from files, whose mirror images are looked for.
+  /// Whether rays look for what still water and models from files mirror.
   bool mirrors = false;
   /// The probabilities by which paths look for light in the sky, if light goes along paths.
   std::optional<AeroSkyImportance> sky_importance = {};

@@ -31,11 +31,11 @@ struct SeeThroughKernels {
       trace_light_rays_on;
 };
 
-/// The kernel that finds what water and models from files mirror.
+/// The kernel that finds what still water and models from files mirror.
 struct MirrorKernels {
   opencl::TypedKernel<AeroLaunch, SceneBuffer, TexelBuffer, NodeBuffer, TriangleBuffer,
-                      InstanceBuffer, GridBuffer, FaceBuffer, VertexBuffer, HitBuffer,
-                      VisibleBuffer>
+                      InstanceBuffer, GridBuffer, FaceBuffer, VertexBuffer, CloudChartBuffer,
+                      HitBuffer, VisibleBuffer>
       look_into_mirrors;
 };
 
@@ -55,7 +55,7 @@ struct FrameBuffers {
   std::uint32_t bounces = 0;
   /// The kernels for surfaces that let rays pass, or null if the scene has none.
   std::shared_ptr<const SeeThroughKernels> see_through;
-  /// The kernel for mirrors, or null if the scene has no models from files.
+  /// The kernel for mirrors, or null if the scene has neither models from files nor still water.
   std::shared_ptr<const MirrorKernels> mirrors;
 };
 

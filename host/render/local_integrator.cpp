@@ -41,7 +41,8 @@ class LocalIntegrator final : public Integrator {
           KernelStage::shadow,
           opencl::launch(context, frame.mirrors->look_into_mirrors, size, launch, frame.scene,
                          frame.texels, geometry.nodes, geometry.triangles, geometry.instances,
-                         geometry.grid, geometry.faces, geometry.vertices, hits_, visible_));
+                         geometry.grid, geometry.faces, geometry.vertices, frame.cloud_chart, hits_,
+                         visible_));
     }
     if (frame.ambient_occlusion) {
       events.emplace_back(

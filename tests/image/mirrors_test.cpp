@@ -1,4 +1,4 @@
-// Tests what models and water mirror in scenes with models from files.
+// Tests what still water and models from files mirror.
 #include <cmath>
 #include <string>
 
@@ -60,6 +60,39 @@ TEST_F(Mirrors, WaterMirrorsModelsInTheirColour) {
   EXPECT_GT(with.x / with.y, 2.0f * without.x / without.y);
   // Beside the board nothing has changed.
   EXPECT_GT(with.x, 0.02f);
+}
+
+/// Returns a balloon lit by its burners alone, 60 m away over still water at night. Its middle is
+/// 18 degrees above the horizon.
+scene::Scene night_over_water(scene::Scene scene) {
+  scene.camera.fov_y_deg = 60.0;
+  scene.sun.irradiance = 0.0;
+  scene.biome.water.enabled = true;
+  scene.biome.water.level_m = 1.0;
+  scene.biome.water.wave_slope = 0.0;
+  scene.balloon.enabled = true;
+  scene.balloon.burner = 1.0;
+  scene.balloon.position = {0.0, 12.0, -60.0};
+  return scene;
+}
+
+// Water mirrors the share of light that Fresnel's equations say.
+TEST_F(Mirrors, StillWaterMirrorsTheGlowOfABalloon) {
+  const image::Film film = shared_session().render(resolved(night_over_water(level_view())));
+  const double cosine = std::sin(glm::radians(18.0));
+  const double share = 0.0204 + (1.0 - 0.0204) * std::pow(1.0 - cosine, 5.0);
+  const vec3 direct = below(film, -18.0), mirrored = below(film, 18.0);
+  ASSERT_GT(direct.x, 1e-4f);
+  for (int c = 0; c < 3; ++c) {
+    EXPECT_NEAR(mirrored[c] / direct[c], share, 0.35 * share) << "channel " << c;
+  }
+}
+
+TEST_F(Mirrors, RoughWaterIsLeftToAGuess) {
+  scene::Scene scene = night_over_water(level_view());
+  scene.biome.water.wave_slope = 0.11;
+  const image::Film film = shared_session().render(resolved(scene));
+  EXPECT_LT(below(film, 18.0).x, 0.01f * below(film, -18.0).x);
 }
 
 /// A mirror that leans over shows the ground at its foot, on which the sun shines from the south.

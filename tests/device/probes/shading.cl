@@ -163,3 +163,12 @@ __kernel void probe_cloth(__global const AeroScene* scene, __global const float*
   const lane_int within = lane_as_int(LOAD(inside));
   store3_planes(cloth_glow(scene, &surface, within, sun, none), glow);
 }
+
+__kernel void probe_mirrored(__global const float* radiance, __global const float* numbers,
+                             __global float* kept) {
+  Mirrored seen;
+  seen.there = (lane_int)-1;
+  seen.radiance = load3(radiance);
+  const Mirrored read = mirrored_of(mirrored_word(&seen, LOAD(numbers)));
+  store3_planes(read.radiance, kept);
+}
