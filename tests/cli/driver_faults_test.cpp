@@ -30,9 +30,12 @@ class DriverFaults : public CliTest {
 
   static std::vector<std::string> arguments(const std::vector<std::string>& more) {
     // 20 samples take several passes. The ambient occlusion and the lamp are there for their
-    // kernels.
-    std::vector<std::string> all{
-        "--spp", "20", "-o", "x.png", "--skip-self-test", "--set", "/sky/ambient_occlusion=true"};
+    // kernels. A small world is built in a moment, and calls all functions as well.
+    std::vector<std::string> all{"--spp", "20", "-o", "x.png", "--skip-self-test"};
+    for (const char* change :
+         {"/sky/ambient_occlusion=true", "/terrain/cells=16", "/vegetation/enabled=false"}) {
+      all.insert(all.end(), {"--set", change});
+    }
     all.insert(all.end(), more.begin(), more.end());
     return small_render("snow", all);
   }
