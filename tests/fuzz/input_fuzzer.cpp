@@ -6,6 +6,8 @@
 #include <cstdint>
 #include <cstdio>
 #include <cstdlib>
+#include <filesystem>
+#include <fstream>
 #include <string>
 
 #include "take_checkpoint.hpp"
@@ -32,6 +34,20 @@ std::string fault_of(const std::string& reader, const std::uint8_t* data, std::s
 }
 
 }  // namespace
+
+/// Writes the seed of checkpoints into the first folder of the command line. It is no file of the
+/// repository, because it has the layout of the structs of this build.
+extern "C" int LLVMFuzzerInitialize(int* count, char*** arguments) {
+  const char* const reader = std::getenv("AEROSTAT_FUZZ_READER");
+  if (reader == nullptr || std::string(reader) != "checkpoint") return 0;
+  for (int i = 1; i < *count; ++i) {
+    const std::filesystem::path folder = (*arguments)[i];
+    if (!std::filesystem::is_directory(folder)) continue;
+    std::ofstream(folder / "whole", std::ios::binary) << aerostat::test::whole_checkpoint();
+    break;
+  }
+  return 0;
+}
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   static const char* const reader = std::getenv("AEROSTAT_FUZZ_READER");
