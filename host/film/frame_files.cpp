@@ -33,6 +33,10 @@ std::uint64_t FrameMarks::checksum_of(int moment) {
 std::string FrameMarks::mark_of(int frame) {
   const scene::Scene scene = timeline_.scene_at(frame);
   std::string from = fmt::format("{:016x}", scene_checksum(scene));
+  for (int i = 0; timeline_.moments() > 1 && i < timeline_.moments(); ++i) {
+    const double time = timeline_.time_of_moment(frame, i);
+    from += fmt::format("+{:016x}", scene_checksum(timeline_.scene_at_time(time)));
+  }
   // Files of linear light are not exposed.
   if (format_ == FrameFormat::png && !scene.image.exposure_ev) {
     const MeterSpan span = meter_span(timeline_.film(), timeline_.time_of(frame));

@@ -23,8 +23,8 @@ enum class FrameState {
 };
 
 /// The marks of a film's frames. A mark tells the version of the program and what a frame is made
-/// from: its scene with size and quality, the scenes by whose light it is exposed, and the names
-/// and sizes of the files that they name.
+/// from: its scene with size and quality, those of its moments, the scenes by whose light it is
+/// exposed, and the names and sizes of the files that they name.
 class FrameMarks {
  public:
   FrameMarks(Timeline& timeline, FrameFormat format);

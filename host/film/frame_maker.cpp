@@ -1,5 +1,6 @@
 #include "film/frame_maker.hpp"
 
+#include <algorithm>
 #include <memory>
 #include <utility>
 
@@ -10,6 +11,7 @@
 #include "image/mark.hpp"
 #include "image/write.hpp"
 #include "render/development.hpp"
+#include "render/moments.hpp"
 #include "render/scene_cache.hpp"
 #include "scene/scene.hpp"
 #include "world/resolve.hpp"
@@ -48,6 +50,20 @@ double FrameMaker::metered_ev(const scene::Scene& scene) {
   return session_.render(resolved(scene), stop_, progress_, one).metered_ev;
 }
 
+/// Renders a frame, of which `scene` is the scene at its time.
+image::Film FrameMaker::film_of(int frame, const scene::Scene& scene) {
+  const int moments = timeline_.moments();
+  if (moments == 1) return session_.render(resolved(scene), stop_, progress_);
+  const auto at = [&](int moment) {
+    scene::Scene then = timeline_.scene_at_time(timeline_.time_of_moment(frame, moment));
+    // What belongs to the picture as a whole stays as it is at the frame's time.
+    then.image = scene.image;
+    then.image.spp = std::max(scene.image.spp, moments);
+    return resolved(then);
+  };
+  return render::render_moments(session_, at, moments, stop_, progress_);
+}
+
 std::vector<std::uint8_t> FrameMaker::make(int frame, const std::string& mark,
                                            const std::stop_token& stop,
                                            const render::ProgressCallback& progress) {
@@ -57,7 +73,7 @@ std::vector<std::uint8_t> FrameMaker::make(int frame, const std::string& mark,
   if (format_ == FrameFormat::png && !scene.image.exposure_ev) {
     scene.image.exposure_ev = exposure_.ev_at(timeline_.time_of(frame));
   }
-  const image::Film film = session_.render(resolved(scene), stop, progress);
+  const image::Film film = film_of(frame, scene);
   if (film.nan_pixels > 0) {
     warn(fmt::format("frame {}: {} pixels were not a number (NaN) and were set to black", frame,
                      film.nan_pixels));

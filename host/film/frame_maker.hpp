@@ -30,6 +30,7 @@ class FrameMaker {
 
  private:
   scene::ResolvedScene resolved(const scene::Scene& scene);
+  image::Film film_of(int frame, const scene::Scene& scene);
   double metered_ev(const scene::Scene& scene);
 
   Timeline& timeline_;

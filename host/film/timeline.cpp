@@ -9,8 +9,10 @@
 #include <vector>
 
 #include "film/camera.hpp"
+#include "film/clearings.hpp"
 #include "film/keys.hpp"
 #include "film/movers.hpp"
+#include "scatter/obstacle.hpp"
 #include "scene/balloons.hpp"
 #include "scene/io.hpp"
 #include "scene/scene.hpp"
@@ -38,17 +40,19 @@ struct Timeline::State {
         staged(staging::stage(given.without({"/film"}), reliefs_to_use)),
         reliefs(reliefs_to_use) {
     start = keyed(0.0);
-    scene::hold_festival(start);
     start.film = film;
+    const std::size_t festival = 1 + start.balloons.size();
+    scene::hold_festival(start);
     follow_tracks(given);
     move_along_tracks(start, 0.0);
     const auto ground = [this](double x, double z) { return height(x, z); };
     std::vector<bool> steered(1 + start.balloons.size(), false);
     for (const Track& track : tracks) steered[track.balloon] = true;
-    balloons.emplace(start, steered, ground);
+    balloons.emplace(start, steered, festival, ground);
     rig.emplace(
         start, [this](double time_s) { return balloon_at(time_s); }, ground);
     eye_start = eye_of(at(0.0, nullptr));
+    if (start.vegetation.enabled) find_clearings();
   }
 
   /// A balloon that goes along a recorded flight.
@@ -109,6 +113,22 @@ struct Timeline::State {
     return surface->height(x, z);
   }
 
+  /// Finds the room that plants leave to camera and balloons anywhere in the film.
+  void find_clearings() {
+    const auto flyers = [this](double time_s) {
+      scene::Scene scene = at(time_s, nullptr);
+      std::vector<Flyer> all{{eye_of(scene), scatter::kRoomOfEye_m}};
+      for (const scene::Balloon* balloon : scene::all_balloons(scene)) {
+        // What is not there is out of the way.
+        const dvec3 away(0.0, balloon->enabled ? 0.0 : 1e6, 0.0);
+        all.push_back({balloon->position + away, scatter::room_of(balloon->diameter_m)});
+      }
+      return all;
+    };
+    clearings = clearings_along(flyers, film.duration_s,
+                                [this](double x, double z) { return height(x, z); });
+  }
+
   dvec3 eye_of(const scene::Scene& scene) { return world::resolve(scene, reliefs).eye(); }
 
   /// Returns the scene at a time. `from` is where the eye was at the beginning, or null to leave
@@ -120,6 +140,8 @@ struct Timeline::State {
     balloons->move(scene, time_s);
     rig->move(scene, time_s);
     scene.film = {};
+    auto& cleared = scene.vegetation.clearings;
+    cleared.insert(cleared.end(), clearings.begin(), clearings.end());
     if (from != nullptr) {
       const dvec3 eye = eye_of(scene);
       move_clouds_and_waves(film, time_s, eye, eye - *from, scene);
@@ -136,6 +158,7 @@ struct Timeline::State {
   std::optional<world::Surface> surface;
   std::optional<Balloons> balloons;
   std::optional<CameraRig> rig;
+  std::vector<scene::Clearing> clearings;
   dvec3 eye_start{0.0};
 };
 
@@ -158,6 +181,17 @@ int Timeline::frames() const {
 
 double Timeline::time_of(int frame) const {
   return (frame - 1) / state_->film.fps;
+}
+
+int Timeline::moments() const {
+  return state_->film.shutter_angle_deg > 0.0 ? state_->film.shutter_moments : 1;
+}
+
+double Timeline::time_of_moment(int frame, int moment) const {
+  const scene::Film& film = state_->film;
+  const double open_s = film.shutter_angle_deg / 360.0 / film.fps;
+  const double share = (moment + 0.5) / moments();
+  return time_of(frame) + (moments() > 1 ? share * open_s : 0.0);
 }
 
 scene::Scene Timeline::scene_at(int frame) {

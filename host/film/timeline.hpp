@@ -36,6 +36,14 @@ class Timeline {
   /// Returns the time of a frame in seconds. The frames count from 1, and the first one is at 0.
   double time_of(int frame) const;
 
+  /// Returns the number of moments that a frame averages: 1, or more if the shutter has an angle.
+  int moments() const;
+
+  /// Returns the time of a moment of a frame in seconds. Moments count from 0. With an open
+  /// shutter, they are the middles of equal parts of the time for which it is open; otherwise, the
+  /// only one is time_of(frame).
+  double time_of_moment(int frame, int moment) const;
+
   /// Returns the scene of a frame. It has no film, and its heights of balloons and of the camera
   /// count from the sea.
   scene::Scene scene_at(int frame);

@@ -62,6 +62,7 @@ AeroCumulus pack_cumulus(const scene::Scene& scene) {
   cumulus.extinction = from.cover > 0.0 ? static_cast<float>(air::kCloudExtinction) : 0.0f;
   cumulus.seed = cumulus_seed(scene);
   copy_drift(cumulus.drift, from.drift_m);
+  cumulus.rise = static_cast<float>(from.rise_m);
   return cumulus;
 }
 
@@ -80,6 +81,7 @@ AeroSky pack_sky(const scene::Scene& scene) {
   sky.cloud_cover = static_cast<float>(scene.sky.cloud_cover);
   sky.cloud_height = static_cast<float>(scene.sky.cloud_height_m);
   copy_drift(sky.cloud_drift, scene.sky.cloud_drift_m);
+  sky.cloud_bend = static_cast<float>(scene.sky.cloud_bend_m);
   sky.sun_shadows = scene.sun.shadows ? 1u : 0u;
   sky.sun_spread = scene.sun.soft_shadows ? static_cast<float>(std::tan(radius)) : 0.0f;
   sky.ambient_reach =

@@ -55,6 +55,9 @@ struct Course {
   /// Is called at each pause. If it returns false, the render ends with the film so far. Pixels of
   /// that may have different numbers of samples.
   std::function<bool(const Pause&)> at_pause = nullptr;
+  /// The samples of each pixel after which the render ends with the film so far, as at a pause:
+  /// `at_pause` is called there. 0 means that all samples are taken.
+  int until = 0;
 };
 
 /// Reads the sums of the window from the films that hold its rows, and those of the guides if

@@ -16,11 +16,15 @@ PassPlan::PassPlan(const scene::Image& image, const Crop& crop, int lanes)
       lanes_(lanes) {}
 
 int PassPlan::samples_from(int done) const {
+  return samples_from(done, samples_);
+}
+
+int PassPlan::samples_from(int done, int end) const {
   const bool first_look = done == 0 && samples_ > lanes_;
   // Pixels are tested for convergence after the same numbers of samples, whatever the width of the
   // packets.
   const int round = done / AERO_LEAST_SAMPLES + 1;
-  const int until = adaptive_ ? std::min(samples_, round * AERO_LEAST_SAMPLES) : samples_;
+  const int until = adaptive_ ? std::min(end, round * AERO_LEAST_SAMPLES) : end;
   return 1 << packet_shape(lanes_, first_look ? 1 : until - done).log2_samples;
 }
 
@@ -40,8 +44,8 @@ Crop PassPlan::area_from(int done) const {
 
 std::uint64_t PassPlan::rays_until(int samples, int rows_left) const {
   std::uint64_t rays = 0;
-  for (int done = 0; done < samples; done += samples_from(done)) {
-    rays += static_cast<std::uint64_t>(samples_from(done)) * area_from(done).pixels();
+  for (int done = 0; done < samples; done += samples_from(done, samples)) {
+    rays += static_cast<std::uint64_t>(samples_from(done, samples)) * area_from(done).pixels();
   }
   const Crop now = area_from(samples);
   const Crop finished{0, 0, now.x1 - now.x0, std::max(0, now.y1 - now.y0 - rows_left)};

@@ -22,6 +22,8 @@ class PassPlan {
   /// short, so that a picture is seen early. Samples are added in their order, so every bit of the
   /// result is the same.
   int samples_from(int done) const;
+  /// Returns the number for a render that ends after `end` samples.
+  int samples_from(int done, int end) const;
   /// Returns whether pixels are tested for convergence before the pass that begins with sample
   /// `done`.
   bool decides_before(int done) const;

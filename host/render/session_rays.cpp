@@ -63,16 +63,17 @@ bool Session::State::pause(const Pass& pass, const RowQueue& queue,
   const bool is_pass_whole = waiting.empty();
   const bool is_last = pass.first_sample + pass.samples >= static_cast<int>(pass.frame.samples);
   if (is_pass_whole && is_last) return true;
-  const auto sums = [&] {
-    FilmSums read =
-        read_sums(team.film_rows(queue), area.window, layers_of(options) == Layers::all);
-    read.samples_done = pass.first_sample;
-    read.waiting = waiting;
-    read.metered_ev = metered_ev;
-    return read;
-  };
-  return course.at_pause(
-      {pass.first_sample, is_pass_whole || pass.first_sample > 0, fraction_done, sums});
+  return course.at_pause({pass.first_sample, is_pass_whole || pass.first_sample > 0, fraction_done,
+                          [&] { return read_sums_of(pass.first_sample, waiting, area, queue); }});
+}
+
+FilmSums Session::State::read_sums_of(int samples_done, std::vector<RowRange> waiting,
+                                      const FilmArea& area, const RowQueue& queue) {
+  FilmSums read = read_sums(team.film_rows(queue), area.window, layers_of(options) == Layers::all);
+  read.samples_done = samples_done;
+  read.waiting = std::move(waiting);
+  read.metered_ev = metered_ev;
+  return read;
 }
 
 /// Finds the exposure of all that the frame `metering` shows.
@@ -118,20 +119,27 @@ void Session::State::trace_passes(const scene::Scene& scene, const AeroFrame& wh
   const AeroConvergence convergence =
       convergence_of(scene.image, dvec3(daylight), window_of(area.window));
   const FilmSums* from = course.from.get();
-  for (passes_done = from != nullptr ? from->samples_done : 0; passes_done < scene.image.spp;
+  const int end = course.until > 0 ? std::min(course.until, scene.image.spp) : scene.image.spp;
+  for (passes_done = from != nullptr ? from->samples_done : 0; passes_done < end;
        passes_done += pass.samples) {
     if (passes_done > 0) publish(read_passes(scene, area, queue));
     pass.area = plan.area_from(passes_done);
     pass.first_sample = passes_done;
-    pass.samples = plan.samples_from(passes_done);
+    pass.samples = plan.samples_from(passes_done, end);
     if (from != nullptr) {
       queue.begin_pass(std::exchange(from, nullptr)->waiting);
     } else {
       if (plan.decides_before(passes_done)) team.mark_converged(convergence, queue);
       queue.begin_pass(pass.area.y0, pass.area.y1);
     }
-    if (!trace_pass(pass, queue, plan, area, course)) break;
+    if (!trace_pass(pass, queue, plan, area, course)) return;
   }
+  if (end == scene.image.spp || !course.at_pause) return;
+  if (plan.decides_before(end)) team.mark_converged(convergence, queue);
+  const Crop next = plan.area_from(end);
+  course.at_pause({end, true, fraction_done, [&] {
+                     return read_sums_of(end, {{next.y0, next.y1}}, area, queue);
+                   }});
 }
 
 image::Film Session::State::trace(const scene::ResolvedScene& resolved, const Crop& crop,

@@ -44,6 +44,8 @@ struct Session::State {
                   const Course& course);
   bool pause(const Pass& pass, const RowQueue& queue, const std::vector<RowRange>& waiting,
              const FilmArea& area, const Course& course);
+  FilmSums read_sums_of(int samples_done, std::vector<RowRange> waiting, const FilmArea& area,
+                        const RowQueue& queue);
   image::Film read_passes(const scene::Scene& scene, const FilmArea& area, const RowQueue& queue);
   void publish(image::Film read);
   void finish(const FilmArea& area, const RowQueue& queue);

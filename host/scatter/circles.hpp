@@ -12,10 +12,11 @@ namespace aerostat::scatter {
 class Circles {
  public:
   void add(const KeepOut& circle) { circles_.push_back(circle); }
-  /// Builds the index. Call it when all circles are added.
-  void index();
-  /// Returns whether a point lies within a circle.
-  bool hold(const dvec2& point) const;
+  /// Builds the index for `hold` with reaches up to `most_reach_m`. Call it when all circles are
+  /// added.
+  void index(double most_reach_m = 0.0);
+  /// Returns whether a point lies within a circle, or nearer to one than `reach_m`.
+  bool hold(const dvec2& point, double reach_m = 0.0) const;
 
  private:
   std::vector<KeepOut> circles_;

@@ -5,11 +5,15 @@
 
 #include "ground/ground_rule.hpp"
 #include "plant/random.hpp"
+#include "scatter/circles.hpp"
 #include "scatter/scatter.hpp"
 #include "scatter/sight.hpp"
 #include "scatter/surface.hpp"
 
 namespace aerostat::scatter {
+
+/// The distance from its axis within which a plant keeps out of circles, in heights of it.
+inline constexpr double kPlantReach = 0.35;
 
 /// A place where a plant or stone may stand.
 struct Site {
@@ -64,7 +68,7 @@ struct Place {
   float sea_level_m;
   /// The place from which reaches are counted.
   dvec2 center;
-  std::span<const KeepOut> keep_out;
+  const Circles& keep_out;
   std::uint32_t seed;
   /// The sight outside of which squares stay empty, or null if it does not limit the layers.
   const Sight* sight;

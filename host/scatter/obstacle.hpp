@@ -14,6 +14,17 @@ struct Obstacle {
   bool operator==(const Obstacle&) const = default;
 };
 
+/// The height in metres above the ground from which an object stands in no plant's way.
+inline constexpr double kClear_m = 45.0;
+
+/// The radius in metres of the circle around an eye in which nothing grows.
+inline constexpr double kRoomOfEye_m = 5.0;
+
+/// Returns the radius of the circle around an object of this width in which nothing grows.
+inline constexpr double room_of(double width_m) {
+  return 0.6 * width_m + 3.0;
+}
+
 /// The side in metres of the squares in plan by which the plants around an obstacle are chosen. An
 /// obstacle that moves within its square needs no other plants.
 inline constexpr double kObstacleSquare_m = 16.0;

@@ -156,11 +156,9 @@ class Planter {
                   fmt::format("a {} of {:.1f} m grows where {:.1f} m were expected at most",
                               plant::species_name(choice.model.species), height, place_.tallest_m));
     }
-    const double reach = 0.35 * height;
+    const double reach = kPlantReach * height;
     const dvec2 foot(site.position.x, site.position.z);
-    for (const KeepOut& out : place_.keep_out) {
-      if (glm::distance(foot, out.center) < out.radius_m + reach) return;
-    }
+    if (place_.keep_out.hold(foot, reach)) return;
     row.push_back(instance_of(candidate, choice));
   }
 

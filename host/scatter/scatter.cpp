@@ -14,8 +14,6 @@ namespace {
 
 // The width in metres below which noise does not decide whether a tree stands at a place.
 constexpr float kFootprintM = 1.0f;
-// The height in metres above the ground from which an object stands in no plant's way.
-constexpr double kClearM = 45.0;
 
 std::vector<plant::ModelKey> all_models() {
   std::vector<plant::ModelKey> models;
@@ -32,19 +30,24 @@ double height_above(const Surface& surface, const dvec3& place, bool counts_from
   return place.y - static_cast<double>(surface.height(place.x, place.z));
 }
 
-std::vector<KeepOut> kept_out(const scene::ResolvedScene& scene, const Surface& surface,
-                              std::span<const Obstacle> obstacles) {
-  std::vector<KeepOut> circles;
+Circles kept_out(const scene::ResolvedScene& scene, const Surface& surface,
+                 std::span<const Obstacle> obstacles, double tallest_m) {
+  Circles circles;
   const auto add = [&](const dvec3& at, double radius_m, bool above_ground = false) {
-    if (height_above(surface, at, above_ground) < kClearM) {
-      circles.push_back({{at.x, at.z}, radius_m});
+    if (height_above(surface, at, above_ground) < kClear_m) {
+      circles.add({{at.x, at.z}, radius_m});
     }
   };
-  add(scene::place_of(*scene, scene.eye()), 5.0);
+  add(scene::place_of(*scene, scene.eye()), kRoomOfEye_m);
   for (const Obstacle& obstacle : obstacles) {
-    add(scene::place_of(*scene, obstacle.position), 0.6 * obstacle.width_m + 3.0,
+    add(scene::place_of(*scene, obstacle.position), room_of(obstacle.width_m),
         obstacle.above_ground);
   }
+  for (const scene::Clearing& clearing : scene->vegetation.clearings) {
+    const dvec3 middle = scene::place_of(*scene, dvec3(clearing.center.x, 0.0, clearing.center.y));
+    circles.add({{middle.x, middle.z}, clearing.radius_m});
+  }
+  circles.index(kPlantReach * tallest_m);
   return circles;
 }
 
@@ -100,10 +103,10 @@ Growth scatter(const scene::ResolvedScene& scene, const mesh::GridMesh& ground, 
   growth.models = all_models();
   const Surface surface(ground, scene::place_of(*scene, scene.origin()));
   const ground::GroundRule rule(ground::ground_numbers(*scene), kFootprintM, cover);
-  const std::vector<KeepOut> circles = kept_out(scene, surface, obstacles);
   const Nature nature{*scene, surface, rule};
   const std::vector<Layer> layers = biome_layers(nature);
   const double tallest_m = tallest_of(growth.models, *scene);
+  const Circles circles = kept_out(scene, surface, obstacles, tallest_m);
   std::optional<Sight> sight;
   if (where == Where::in_sight) {
     sight.emplace(scene, ground, vegetation.reach_m, extent_of(layers, tallest_m), obstacles);
@@ -132,7 +135,7 @@ bool same_room(const scene::ResolvedScene& scene, const mesh::GridMesh& ground,
   const Surface surface(ground, scene::place_of(*scene, scene.origin()));
   const auto hovers = [&](const Obstacle& obstacle) {
     const dvec3 place = scene::place_of(*scene, obstacle.position);
-    return height_above(surface, place, obstacle.above_ground) >= kClearM;
+    return height_above(surface, place, obstacle.above_ground) >= kClear_m;
   };
   return std::equal(now.begin(), now.end(), before.begin(), before.end(),
                     [&](const Obstacle& a, const Obstacle& b) {

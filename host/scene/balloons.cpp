@@ -23,9 +23,13 @@ dvec3 any_place(const Festival& festival, Random& random) {
   return {x, std::lerp(festival.lowest_m, festival.highest_m, up), z};
 }
 
-bool has_room(const std::vector<const Balloon*>& others, const dvec3& place, double apart_m) {
+/// Returns whether a place is apart from all others. Balloons that take off in a film stand on the
+/// ground before, so that their heights do not count.
+bool has_room(const Scene& scene, const dvec3& place) {
+  const dvec3 counts(1.0, scene.film.launch_s > 0.0 ? 0.0 : 1.0, 1.0);
+  const auto others = balloons_of(scene);
   return std::none_of(others.begin(), others.end(), [&](const Balloon* other) {
-    return glm::distance(other->position, place) < apart_m;
+    return glm::length(counts * (other->position - place)) < scene.festival.apart_m;
   });
 }
 
@@ -49,7 +53,7 @@ void hold_festival(Scene& scene) {
   for (int i = 0; i < scene.festival.count; ++i) {
     for (int attempt = 0; attempt < kTries; ++attempt) {
       const dvec3 place = any_place(scene.festival, random);
-      if (!has_room(balloons_of(scene), place, scene.festival.apart_m)) continue;
+      if (!has_room(scene, place)) continue;
       scene.balloons.push_back(any_balloon(scene.festival, place, random));
       break;
     }

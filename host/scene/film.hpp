@@ -80,9 +80,16 @@ struct Film {
   double fps = 25.0;
   std::vector<KeyTrack> keys;
   std::vector<WindLayer> wind{WindLayer{}};
-  double turn_deg_s = 1.0;   // slow turn of balloons that drift
+  double cloud_change_m_s = 1.0;  // speed at which bulges rise through heaped clouds
+  double turn_deg_s = 1.0;        // slow turn of balloons that drift
+  double launch_s = 0.0;     // within which the festival's balloons take off; 0: all fly already
+  double climb_m_s = 2.5;    // speed at which they climb
   double track_speed = 1.0;  // seconds of a recorded flight in a second of the film
   double meter_s = 2.0;      // between the moments by whose light the film is exposed
+  /// The share of a frame's time for which the shutter is open, as the angle of a disc that turns
+  /// once a frame. 0: a frame shows one moment.
+  double shutter_angle_deg = 0.0;
+  int shutter_moments = 8;  // moments that a frame averages while the shutter is open
   CameraMove camera;
 
   bool operator==(const Film&) const = default;

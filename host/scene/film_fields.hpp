@@ -110,9 +110,26 @@ inline constexpr auto kTable<Film> = table(
                "Profile of the wind: layers with rising heights, at most {to}. It carries balloons "
                "and clouds along. By default, it blows from the west at 3 m/s. Without any layer, "
                "balloons and clouds stand still.")),
+    field("cloud_change_m_s", &Film::cloud_change_m_s,
+          number(0, 1000,
+                 "How fast clouds change their shape: the speed in metres per second at which "
+                 "bulges rise through heaped clouds, {from} to {to}. The pattern that bends the "
+                 "streaks of thin, high cloud moves ten times as fast. Films that show hours in "
+                 "seconds want 50 or more. 0 keeps the shapes.")),
     field("turn_deg_s", &Film::turn_deg_s,
           number(-360, 360,
                  "Slow turn of balloons in the wind in degrees per second, {from} to {to}.")),
+    field("launch_s", &Film::launch_s,
+          number(0, kLongestFilm_s,
+                 "Seconds from the beginning of the film within which the balloons of the festival "
+                 "take off, {from} to {to}. Each has its own time, which follows from the "
+                 "festival's seed, and stands on the ground until then; so their places are apart "
+                 "on the ground. If it is 0, all fly from the beginning.")),
+    field("climb_m_s", &Film::climb_m_s,
+          number(0, 50,
+                 "Speed in metres per second at which the balloons of the festival climb after "
+                 "take-off, above {from} to {to}. They slow down towards their height.")
+              .above()),
     field(
         "track_speed", &Film::track_speed,
         number(0, 100000,
@@ -125,6 +142,17 @@ inline constexpr auto kTable<Film> = table(
                  "The exposure goes evenly from one to the next, so that it never flickers. It "
                  "does not matter if /image/exposure_ev is given.")
               .above()),
+    field("shutter_angle_deg", &Film::shutter_angle_deg,
+          number(0, 360,
+                 "How long the shutter is open in each frame, in degrees of the frame's time, "
+                 "{from} to {to}: what moves is blurred along its way. 180, half of the time, is "
+                 "what cinema cameras have. 0 (the default) shows one moment, which is the "
+                 "fastest. The shutter opens at the time of the frame.")),
+    field("shutter_moments", &Film::shutter_moments,
+          number(2, 64,
+                 "How many moments a frame with an open shutter averages, {from} to {to}. They "
+                 "share the samples of a pixel, of which there are at least as many. What moves "
+                 "by more pixels within the shutter shows steps.")),
     field("camera", &Film::camera));
 
 }  // namespace aerostat::scene::detail

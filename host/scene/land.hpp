@@ -215,6 +215,17 @@ struct Biome {
   bool operator==(const Biome&) const = default;
 };
 
+/// A circle in plan in which nothing grows.
+struct Clearing {
+  dvec2 center{0.0};  // x and z
+  double radius_m = 10.0;
+
+  bool operator==(const Clearing&) const = default;
+};
+
+/// The most clearings of a scene.
+inline constexpr int kMostClearings = 4096;
+
 /// Plants and stones that stand on the ground, placed by the biome's rules.
 struct Vegetation {
   bool enabled = true;
@@ -222,6 +233,7 @@ struct Vegetation {
   double size = 1.0;        // factor on all heights
   double reach_m = 6000.0;  // distance from the camera within which single trees stand
   std::uint32_t seed = 1;
+  std::vector<Clearing> clearings;
 
   bool operator==(const Vegetation&) const = default;
 };

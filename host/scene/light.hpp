@@ -59,6 +59,7 @@ struct Cumulus {
   double size_m = 700.0;       // width of a cloud
   std::uint32_t seed = 1;
   dvec2 drift_m{0.0, 0.0};  // how far the wind has carried the clouds, along x and z
+  double rise_m = 0.0;      // how far their bulges have risen through them
 };
 
 /// The clouds and the light of the sky, apart from sun and air.
@@ -69,6 +70,7 @@ struct Sky {
   double cloud_cover = 0.4;        // share of the sky that thin high cloud covers, 0 to 1
   double cloud_height_m = 7000.0;  // height of the thin cloud above the eye
   dvec2 cloud_drift_m{0.0, 0.0};   // how far the wind has carried it, along x and z
+  double cloud_bend_m = 0.0;       // how far what bends its streaks has gone ahead
   bool ambient_occlusion = true;   // near surfaces block light of the sky
   double occlusion_m = 300.0;      // reach of the occlusion, which falls with distance
   bool bounced_light = true;  // near surfaces also send sunlight in place of the light they block

@@ -148,7 +148,11 @@ inline constexpr auto kTable<Cumulus> = table(
         "drift_m", &Cumulus::drift_m,
         number(-1e6, 1e6,
                "How far the wind has carried the clouds, [x, z] in metres, each {from} to {to}. A "
-               "film moves it by its wind.")));
+               "film moves it by its wind.")),
+    field("rise_m", &Cumulus::rise_m,
+          number(-1e6, 1e6,
+                 "How far the bulges of the clouds have risen through them in metres, {from} to "
+                 "{to}, which changes their shape. A film moves it.")));
 
 template <>
 inline constexpr auto kTable<Sky> = table(
@@ -170,6 +174,11 @@ inline constexpr auto kTable<Sky> = table(
                  "How far the wind has carried the thin, high clouds across the sky over the "
                  "camera, [x, z] in metres, each {from} to {to}. A film moves it by its wind, and "
                  "against its camera.")),
+    field("cloud_bend_m", &Sky::cloud_bend_m,
+          number(-1e6, 1e6,
+                 "How far the pattern that bends the streaks of the thin, high clouds has gone "
+                 "ahead of them in metres, {from} to {to}, which changes their shape. A film moves "
+                 "it.")),
     field("ambient_occlusion", &Sky::ambient_occlusion,
           truth("Whether nearby surfaces block the light of the sky (ambient occlusion). If it is "
                 "left out, the quality decides.")

@@ -55,10 +55,11 @@ typedef struct AeroCumulus {
   aero_float extinction;
   aero_uint seed;
   aero_float drift[2]; /* how far the wind has carried the clouds along x and z, metres */
+  aero_float rise;     /* how far their bulges have risen through them, metres */
   AeroCloudChart chart;
 } AeroCumulus;
 
-AERO_ASSERT_LAYOUT(AeroCumulus, 48);
+AERO_ASSERT_LAYOUT(AeroCumulus, 52);
 
 /* The sun and the clouds. By night the moon is the sun of all that light does here. */
 typedef struct AeroSky {
@@ -68,6 +69,7 @@ typedef struct AeroSky {
   aero_float cloud_cover;       /* cover of thin high cloud, 0 to 1 */
   aero_float cloud_height;      /* height of thin high cloud above the eye, metres */
   aero_float cloud_drift[2];    /* how far the wind has carried it along x and z, metres */
+  aero_float cloud_bend;        /* how far what bends its streaks has gone ahead, metres */
   aero_uint sun_shadows;
   aero_float sun_spread;    /* tangent of the disc's radius as shadows see it, or 0 for a point */
   aero_float ambient_reach; /* metres within which occluders of the sky count, or 0 if none do */
@@ -79,7 +81,7 @@ typedef struct AeroSky {
   AeroCumulus cumulus;
 } AeroSky;
 
-AERO_ASSERT_LAYOUT(AeroSky, 116);
+AERO_ASSERT_LAYOUT(AeroSky, 124);
 
 /* Lists the numbers that the host copies from scene::Ground as they are. NUMBER is called with the
  * member of AeroGround and the member of scene::Ground. */
@@ -210,7 +212,7 @@ typedef struct AeroScene {
   AeroCover cover;
 } AeroScene;
 
-AERO_ASSERT_LAYOUT(AeroScene, (1028 + AERO_MAX_BALLOONS * sizeof(AeroBalloon)) +
+AERO_ASSERT_LAYOUT(AeroScene, (1036 + AERO_MAX_BALLOONS * sizeof(AeroBalloon)) +
                                   sizeof(AeroGround) + sizeof(AeroNight) + sizeof(AeroDrape) +
                                   sizeof(AeroCover) + AERO_MAX_MATERIALS * sizeof(AeroMaterial));
 

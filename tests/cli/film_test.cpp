@@ -73,6 +73,31 @@ TEST_F(Film, FramesAreTheSameAloneInOrderAndInShards) {
   EXPECT_FALSE(fs::exists(folder_ / "alone/6.png"));
 }
 
+TEST_F(Film, BlurredFramesAreTheSameAloneInOrderAndInShards) {
+  const std::vector<std::string> open{"--set", "/film/shutter_angle_deg=180", "--set",
+                                      "/film/shutter_moments=3"};
+  const auto with = [&](std::vector<std::string> more) {
+    more.insert(more.end(), open.begin(), open.end());
+    return more;
+  };
+  ASSERT_EQ(run(small_film("closed/#.png")).code, 0);
+  ASSERT_EQ(run(small_film("all/#.png", open)).code, 0);
+  for (const char* shard : {"2/2", "1/2"}) {
+    ASSERT_EQ(run(small_film("parts/#.png", with({"--shard", shard}))).code, 0);
+  }
+  const Outcome stopped = run(small_film("resumed/#.png", with({"--time-limit", "0.001s"})));
+  EXPECT_EQ(stopped.code, 75);
+  ASSERT_EQ(run(small_film("resumed/#.png", open)).code, 0);
+  for (int number = 1; number <= 6; ++number) {
+    EXPECT_EQ(frame("parts", number), frame("all", number)) << number;
+    EXPECT_EQ(frame("resumed", number), frame("all", number)) << number;
+    EXPECT_NE(frame("closed", number), frame("all", number)) << number;
+  }
+  // The angle 0 makes the frames of a film that says nothing of a shutter.
+  const Outcome kept = run(small_film("closed/#.png", {"--set", "/film/shutter_angle_deg=0"}));
+  EXPECT_TRUE(contains(kept.err, "0 rendered, 6 kept")) << kept.err;
+}
+
 TEST_F(Film, FramesAreKeptUnlessTheyAreOfAnotherScene) {
   ASSERT_EQ(run(small_film("f/#.png")).code, 0);
   const std::string second = frame("f", 2), third = frame("f", 3);

@@ -16,7 +16,7 @@ constexpr const char* kScenes[] = {
     "snow",       "snow-basket", "tropical",  "tropical-basket", "sand",      "sand-basket",
     "sand-empty", "valley-fog",  "alpenglow", "night-glow",      "storm",     "autumn",
     "lake",       "canyon",      "festival",  "raetikon",        "st-helens", "grand-canyon",
-    "swallows",   "flight",      "whale"};
+    "swallows",   "flight",      "whale",     "descent",         "launch"};
 
 TEST_F(Scenes, AllAreGood) {
   for (const char* scene : kScenes) {
@@ -24,7 +24,7 @@ TEST_F(Scenes, AllAreGood) {
     EXPECT_EQ(outcome.code, 0) << outcome.err;
     // Only elevation data and films have a report.
     EXPECT_TRUE(outcome.out.empty() || contains(outcome.out, ": land from a file\n") ||
-                contains(outcome.out, "film: 500 frames"));
+                contains(outcome.out, "film: "));
   }
 }
 

@@ -124,9 +124,9 @@ TEST(Golden, LooksAsItDidInALargerPicture) {
 INSTANTIATE_TEST_SUITE_P(Scenes, Golden, testing::ValuesIn(kScenes), scene_test_name);
 
 /// The names of the scenes that no other test renders.
-constexpr std::array<const char*, 14> kShownScenes = {
-    "valley-fog", "alpenglow", "night-glow", "storm",        "autumn",   "lake",   "canyon",
-    "festival",   "raetikon",  "st-helens",  "grand-canyon", "swallows", "flight", "whale"};
+constexpr std::array<const char*, 16> kShownScenes = {
+    "valley-fog", "alpenglow", "night-glow",   "storm",    "autumn", "lake",  "canyon",  "festival",
+    "raetikon",   "st-helens", "grand-canyon", "swallows", "flight", "whale", "descent", "launch"};
 
 INSTANTIATE_TEST_SUITE_P(ShownScenes, Golden, testing::ValuesIn(kShownScenes), scene_test_name);
 

@@ -299,7 +299,7 @@ void ControlsTest::views() {
 
 void ControlsTest::cameras_of_the_scenes() {
   const auto of_sand = scene_presets(scene::BiomeKind::sand);
-  QCOMPARE(of_sand.size(), std::size_t{5});
+  QCOMPARE(of_sand.size(), std::size_t{6});
   QVERIFY(document_->set("biome", "/biome/kind", "\"sand\""));
   QVERIFY(document_->set("seed", "/terrain/seed", "7"));
   QVERIFY(document_->set("up", "/camera/lens", "\"panorama\""));

@@ -11,7 +11,7 @@ namespace aerostat::viewer {
 /// given in the scene file.
 bool is_named_in_files(const QString& pointer) {
   static const QRegularExpression kParts(
-      "^/film/|/(at|look_at|track|place|raw|objects|artwork|envelope|cover)/");
+      "^/film/|/(at|look_at|track|place|raw|objects|artwork|envelope|cover|clearings)/");
   return pointer.contains(kParts);
 }
 
@@ -23,6 +23,8 @@ QMap<QString, QString> set_otherwise() {
           {"/sky/radiance", "for comparisons, in the file"},
           {"/sky/cloud_drift_m", "moved by films"},
           {"/sky/cumulus/drift_m", "moved by films"},
+          {"/sky/cumulus/rise_m", "moved by films"},
+          {"/sky/cloud_bend_m", "moved by films"},
           {"/biome/water/time_s", "moved by films"},
           {"/stars/year", "follows from the date"},
           {"/terrain/source", "the file that is opened"},

@@ -16,7 +16,7 @@ constexpr float kBase = 1000.0f, kThickness = 800.0f, kExtinction = 1e-3f;
 /// Returns a scene with a deck without gaps. A footprint of 20 m does not resolve its bulges.
 pack::PackedScene closed_deck() {
   AeroScene scene = bare_scene();
-  scene.sky.cumulus = {kBase, kThickness, 10.0f, -1e6f, kExtinction, 7u, {}, {}};
+  scene.sky.cumulus = {kBase, kThickness, 10.0f, -1e6f, kExtinction, 7u, {}, 0.0f, {}};
   return with_even_sky(scene);
 }
 

@@ -1,11 +1,15 @@
 // Tests scenes in time: frames depend on their number alone, and things move as the film says.
 #include "film/timeline.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <string>
 
 #include <gtest/gtest.h>
 
+#include "film/frame_files.hpp"
+#include "film/movers.hpp"
 #include "model/balloon.hpp"
 #include "scene/io.hpp"
 #include "scene/scene.hpp"
@@ -33,6 +37,33 @@ TEST_F(TimelineTest, CountsItsFrames) {
   EXPECT_EQ(timeline.time_of(1), 0.0);
   EXPECT_EQ(timeline.time_of(11), 1.0);
   EXPECT_EQ(frame_count(source(R"("duration_s": 0.001)").scene().film), 1);
+}
+
+TEST_F(TimelineTest, AnOpenShutterSeesMomentsInEvenSteps) {
+  Timeline closed(source(R"("fps": 10, "shutter_moments": 4)"), reliefs_);
+  EXPECT_EQ(closed.moments(), 1);
+  EXPECT_EQ(closed.time_of_moment(11, 0), 1.0);
+  Timeline open(source(R"("fps": 10, "shutter_angle_deg": 180, "shutter_moments": 4)"), reliefs_);
+  ASSERT_EQ(open.moments(), 4);
+  // The shutter is open for 0.05 s from the frame's time on.
+  for (int i = 0; i < 4; ++i) {
+    EXPECT_NEAR(open.time_of_moment(11, i), 1.0 + 0.05 * (i + 0.5) / 4.0, 1e-12) << i;
+  }
+}
+
+TEST_F(TimelineTest, MarksKnowTheMomentsOfAFrame) {
+  // The sun jumps between the times of two frames.
+  const std::string keys = R"("fps": 10, "duration_s": 1, "keys": [{"value": "/sun/elevation_deg",
+      "ease": "hold", "keys": [{"time_s": 0, "is": 20}, {"time_s": 0.13, "is": 30}]}])";
+  const auto mark = [&](const std::string& more, int frame) {
+    Timeline timeline(source(keys + more), reliefs_);
+    return FrameMarks(timeline, FrameFormat::exr).mark_of(frame);
+  };
+  const std::string closed = mark("", 2), open = mark(R"(, "shutter_angle_deg": 180)", 2);
+  EXPECT_NE(closed, open);
+  EXPECT_NE(open, mark(R"(, "shutter_angle_deg": 90)", 2));
+  EXPECT_NE(open, mark(R"(, "shutter_angle_deg": 180, "shutter_moments": 9)", 2));
+  EXPECT_EQ(closed, mark(R"(, "shutter_moments": 9)", 2));
 }
 
 TEST_F(TimelineTest, FramesDependOnTheirNumberAlone) {
@@ -76,6 +107,8 @@ TEST_F(TimelineTest, TheWindCarriesBalloonsAndClouds) {
   EXPECT_NEAR(later.sky.cumulus.drift_m.x - start.sky.cumulus.drift_m.x, 20.0, 1e-9);
   EXPECT_NEAR(later.sky.cloud_drift_m.x - start.sky.cloud_drift_m.x, 20.0, 1e-9);
   EXPECT_EQ(later.biome.water.time_s, 4.0);
+  EXPECT_NEAR(later.sky.cumulus.rise_m, 4.0, 1e-9);
+  EXPECT_NEAR(later.sky.cloud_bend_m, 40.0, 1e-9);
   Timeline still(source(R"("fps": 10, "wind": [])"), reliefs_);
   EXPECT_EQ(still.scene_at(1).balloon.position, still.scene_at(90).balloon.position);
 }
@@ -111,6 +144,59 @@ TEST_F(TimelineTest, AFestivalDoesNotDependOnWhereTheBalloonIs) {
   const scene::Scene start = timeline.scene_at_time(0.0), later = timeline.scene_at_time(5.0);
   ASSERT_EQ(start.balloons.size(), 12u);
   EXPECT_EQ(start.balloons, later.balloons);
+}
+
+TEST_F(TimelineTest, AFestivalTakesOffAtTimesOfItsSeed) {
+  const auto film =
+      source(R"("wind": [{"speed_m_s": 2}], "duration_s": 300, "launch_s": 60, "climb_m_s": 3)",
+             R"(, "balloon": {"enabled": false},
+           "festival": {"count": 8, "spread_m": [200, 200], "lowest_m": 40, "highest_m": 90,
+                        "seed": 3})");
+  Timeline timeline(film, reliefs_), again(film, reliefs_);
+  const auto above = [&timeline](double time_s, std::size_t i) {
+    const dvec3 at = timeline.scene_at_time(time_s).balloons[i].position;
+    return at.y - timeline.ground_at(at.x, at.z);
+  };
+  const scene::Scene first = timeline.scene_at_time(0.0), last = timeline.scene_at_time(299.0);
+  EXPECT_EQ(first.balloons, again.scene_at_time(0.0).balloons);
+  std::size_t waiting = 0;
+  for (std::size_t i = 0; i < 8; ++i) {
+    const dvec3 start = first.balloons[i].position, end = last.balloons[i].position;
+    const double launch = launch_time(3, i, 60.0);
+    EXPECT_GE(launch, 0.0);
+    EXPECT_LT(launch, 60.0);
+    EXPECT_NEAR(above(0.999 * launch, i), 0.0, 1e-6) << i;
+    waiting += timeline.scene_at_time(30.0).balloons[i].position == start ? 1 : 0;
+    // All have come near to their heights above where they stood, and went with the wind.
+    EXPECT_GT(end.y - start.y, 39.0) << i;
+    EXPECT_NEAR(end.x - start.x, 2.0 * (299.0 - launch), 0.5);
+    for (std::size_t k = 0; k < i; ++k) {
+      const dvec3 off = start - first.balloons[k].position;
+      EXPECT_GT(std::hypot(off.x, off.z), 30.0) << "apart on the ground";
+    }
+  }
+  EXPECT_GT(waiting, 0u);
+  EXPECT_LT(waiting, 8u);
+  EXPECT_NE(launch_time(3, 0, 60.0), launch_time(4, 0, 60.0));
+}
+
+TEST(Launch, BeginsSoftlyAndEndsAtItsHeight) {
+  const Launch launch{10.0, 100.0, 3.0};
+  EXPECT_EQ(launch.climbed(10.0), 0.0);
+  EXPECT_LT(launch.climbed(10.1), 0.02);
+  EXPECT_NEAR(launch.climbed(300.0), 100.0, 0.1);
+  double before = 0.0, fastest = 0.0;
+  for (double time = 10.0; time < 200.0; time += 0.1) {
+    const double now = launch.climbed(time);
+    EXPECT_GE(now, before);
+    fastest = std::max(fastest, (now - before) / 0.1);
+    before = now;
+    EXPECT_GE(launch.burner(time), 0.0);
+    EXPECT_LE(launch.burner(time), 1.0);
+  }
+  EXPECT_LE(fastest, 3.0);
+  EXPECT_GT(fastest, 2.0);
+  EXPECT_EQ(launch.burner(1.0), 0.0);
 }
 
 TEST_F(TimelineTest, OrbitsCircleTheBalloon) {
