@@ -12,11 +12,13 @@
 
 #include "viewer/command_text.hpp"
 #include "viewer/export_dialog.hpp"
+#include "viewer/film_dialog.hpp"
 #include "viewer/message_bar.hpp"
 #include "viewer/panels.hpp"
 #include "viewer/picture_view.hpp"
 #include "viewer/scene_files.hpp"
 #include "viewer/screen_fit.hpp"
+#include "viewer/timeline_panel.hpp"
 
 namespace aerostat::viewer {
 
@@ -45,7 +47,11 @@ MainWindow::MainWindow(const QString& device, render::TestHooks hooks, QWidget* 
   render();
 }
 
-MainWindow::~MainWindow() = default;
+MainWindow::~MainWindow() {
+  // The docks are hidden when the members of this class are gone already.
+  findChild<QDockWidget*>(QStringLiteral("timeline"))->toggleViewAction()->disconnect(this);
+  timeline_->disconnect(this);
+}
 
 void MainWindow::build() {
   view_ = new PictureView;
@@ -63,8 +69,31 @@ void MainWindow::build() {
   dock->setObjectName(QStringLiteral("controls"));
   dock->setWidget(panels_);
   addDockWidget(Qt::RightDockWidgetArea, dock);
+  add_timeline();
   build_status();
   view_->setFocus();
+}
+
+void MainWindow::add_timeline() {
+  timeline_ = new TimelinePanel(document_);
+  auto* dock = new QDockWidget(tr("Timeline"));
+  dock->setObjectName(QStringLiteral("timeline"));
+  dock->setWidget(timeline_);
+  dock->hide();
+  addDockWidget(Qt::BottomDockWidgetArea, dock);
+  connect(timeline_, &TimelinePanel::time_changed, this, &MainWindow::render);
+  connect(timeline_, &TimelinePanel::export_asked, this, &MainWindow::export_film);
+  // Without its timeline, the window shows the still picture.
+  connect(dock->toggleViewAction(), &QAction::toggled, this, [this](bool is_open) {
+    if (!is_open && isVisible()) timeline_->show_still();
+  });
+  connect(&document_, &Document::file_changed, this, &MainWindow::show_timeline_of_films);
+}
+
+/// Opens the timeline for a scene that says something of a film.
+void MainWindow::show_timeline_of_films() {
+  auto* dock = findChild<QDockWidget*>(QStringLiteral("timeline"));
+  if (document_.source().gives("/film")) dock->show();
 }
 
 void MainWindow::connect_view() {
@@ -109,7 +138,9 @@ void MainWindow::renew_renderer() {
 }
 
 void MainWindow::render() {
-  request_ = renderer_->render(document_.scene());
+  const auto time = timeline_->shown_time();
+  request_ =
+      time ? renderer_->render(document_.source(), *time) : renderer_->render(document_.scene());
 }
 
 void MainWindow::choose_device(const QString& selector) {
@@ -163,6 +194,14 @@ bool MainWindow::open(const QString& path) {
 void MainWindow::export_picture() {
   renderer_->pause();
   ExportDialog dialog(document_, device_, this);
+  dialog.exec();
+  render();
+}
+
+void MainWindow::export_film() {
+  timeline_->pause();
+  renderer_->pause();
+  FilmDialog dialog(document_, device_, this);
   dialog.exec();
   render();
 }

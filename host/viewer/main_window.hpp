@@ -15,6 +15,7 @@ class MessageBar;
 class Panels;
 class PictureView;
 class SceneFiles;
+class TimelinePanel;
 
 /// The main window with the picture, the panels beside it, the menus, and a line that shows the
 /// progress of the picture.
@@ -33,6 +34,7 @@ class MainWindow : public QMainWindow {
   Panels& panels() { return *panels_; }
   PictureView& view() { return *view_; }
   MessageBar& messages() { return *messages_; }
+  TimelinePanel& timeline() { return *timeline_; }
   /// Returns the preview that is shown, or null before the first one.
   const std::shared_ptr<const Shown>& shown() const { return shown_; }
   /// Returns the number of the render that shows the present document.
@@ -72,6 +74,9 @@ class MainWindow : public QMainWindow {
   void choose_device(const QString& selector);
   void show_title();
   void export_picture();
+  void export_film();
+  void add_timeline();
+  void show_timeline_of_films();
   void copy_picture();
   void copy_command();
   void save_layout();
@@ -83,6 +88,7 @@ class MainWindow : public QMainWindow {
   PictureView* view_ = nullptr;
   MessageBar* messages_ = nullptr;
   SceneFiles* files_ = nullptr;
+  TimelinePanel* timeline_ = nullptr;
   /// The cameras of the installed scenes in the menu when it was shown last.
   std::vector<QAction*> scene_cameras_;
   QLabel* device_label_ = nullptr;

@@ -11,6 +11,7 @@
 #include "viewer/scene_files.hpp"
 #include "viewer/scene_presets.hpp"
 #include "viewer/shortcuts_dialog.hpp"
+#include "viewer/timeline_panel.hpp"
 
 namespace aerostat::viewer {
 
@@ -49,6 +50,8 @@ void MainWindow::add_file_menu() {
   menu->addSeparator();
   add_action(menu, tr("&Export Picture…"), QKeySequence(Qt::CTRL | Qt::Key_E),
              [this] { export_picture(); });
+  add_action(menu, tr("Export Fil&m…"), QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_E),
+             [this] { export_film(); });
   add_action(menu, tr("Copy &Image"), QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_C),
              [this] { copy_picture(); });
   add_action(menu, tr("Copy as Command &Line"), QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_L),
@@ -92,6 +95,13 @@ void MainWindow::add_view_menu() {
   QAction* dock = findChild<QDockWidget*>(QStringLiteral("controls"))->toggleViewAction();
   dock->setShortcut(QKeySequence(Qt::Key_F9));
   menu->addAction(dock);
+  QAction* timeline = findChild<QDockWidget*>(QStringLiteral("timeline"))->toggleViewAction();
+  timeline->setShortcut(QKeySequence(Qt::Key_F8));
+  menu->addAction(timeline);
+  add_action(menu, tr("P&lay the Film"), QKeySequence(Qt::CTRL | Qt::Key_Space), [this] {
+    findChild<QDockWidget*>(QStringLiteral("timeline"))->show();
+    timeline_->is_playing() ? timeline_->pause() : timeline_->play();
+  });
   add_action(menu, tr("F&ull Screen"), QKeySequence(Qt::Key_F11),
              [this] { setWindowState(windowState() ^ Qt::WindowFullScreen); });
   add_action(menu, tr("Go to the &Picture"), QKeySequence(Qt::Key_F6),

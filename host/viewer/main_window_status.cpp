@@ -7,6 +7,7 @@
 #include "viewer/main_window.hpp"
 #include "viewer/panels.hpp"
 #include "viewer/picture_view.hpp"
+#include "viewer/timeline_panel.hpp"
 
 namespace aerostat::viewer {
 namespace {
@@ -27,6 +28,16 @@ QString stage_text(const render::Progress& progress) {
     default:
       return {};
   }
+}
+
+/// Returns whether a playing film goes on after this look: it shows the fine land with large pixels
+/// at most, or it took so long that better ones would take too long.
+bool is_enough_to_play(const render::Preview& preview) {
+  // Chosen by eye.
+  constexpr int kMostShrink = 4;
+  constexpr double kPatience_s = 0.4;
+  return preview.complete || preview.seconds > kPatience_s ||
+         (!preview.rough && preview.shrink <= kMostShrink);
 }
 
 double rays_per_second(const render::Stats& stats) {
@@ -72,6 +83,7 @@ void MainWindow::show_look(std::shared_ptr<const Shown> shown) {
     place_label_->setText(tr("eye %1 m above ground").arg(*height, 0, 'f', 0));
   }
   panels_->show_view();
+  if (shown->request == request_ && is_enough_to_play(preview)) timeline_->frame_arrived();
   Q_EMIT look_arrived();
 }
 

@@ -3,8 +3,10 @@
 #include <QCoreApplication>
 #include <QMetaObject>
 
+#include "film/timeline.hpp"
 #include "image/write.hpp"
 #include "opencl/device.hpp"
+#include "render/scene_cache.hpp"
 #include "render/self_test.hpp"
 #include "scene/scene.hpp"
 #include "viewer/picture.hpp"
@@ -48,7 +50,13 @@ void RenderThread::tell_of_silence(int seconds) {
 }
 
 std::uint64_t RenderThread::render(const scene::Scene& scene) {
-  ask({std::make_shared<const scene::Scene>(scene), 0, false});
+  ask({std::make_shared<const scene::Scene>(scene), 0, false, nullptr, 0.0});
+  return last_number_;
+}
+
+std::uint64_t RenderThread::render(const scene::SceneSource& source, double time_s) {
+  ask({std::make_shared<const scene::Scene>(source.scene()), 0, false,
+       std::make_shared<const scene::SceneSource>(source), time_s});
   return last_number_;
 }
 
@@ -63,7 +71,7 @@ void RenderThread::use_device(const QString& selector) {
     const std::lock_guard lock(mutex_);
     selector_ = selector;
   }
-  ask({nullptr, 0, true});
+  ask({nullptr, 0, true, nullptr, 0.0});
 }
 
 /// Keeps the newest request. A change of the device is kept until it is served.
@@ -72,7 +80,11 @@ void RenderThread::ask(Request request) {
   request.number = ++last_number_;
   if (next_) {
     request.other_device = request.other_device || next_->other_device;
-    if (!request.scene) request.scene = next_->scene;
+    if (!request.scene) {
+      request.scene = next_->scene;
+      request.film = next_->film;
+      request.time_s = next_->time_s;
+    }
   }
   next_ = std::move(request);
   stop_.request_stop();
@@ -122,39 +134,58 @@ void RenderThread::guarded(std::uint64_t request, Action action) {
   } catch (const std::exception& error) {
     trouble.message = QString::fromUtf8(error.what());
   }
-  if (trouble.kind != ErrorKind::bad_data) progressive_.reset();
+  if (trouble.kind != ErrorKind::bad_data) {
+    progressive_.reset();
+    film_.reset();
+    cache_.reset();
+  }
   tell([this, trouble] { listener_.troubled(trouble); });
+}
+
+void RenderThread::make_renderer(const Request& request) {
+  QString selector;
+  {
+    const std::lock_guard lock(mutex_);
+    selector = selector_;
+  }
+  render::Options options;
+  // The test is not stopped by edits, because it would have to compile its kernels again.
+  render::SelfTest test;
+  test.integrator = request.scene->light;
+  test.progress = [this](const render::Progress& progress) {
+    watch_.sign(progress);
+    if (progress.stage != render::Stage::kernels) return;
+    tell([this, progress] { listener_.progressed(progress); });
+  };
+  options.devices = render::select_tested(opencl::effective_selector(selector.toStdString()), test);
+  device_.clear();
+  for (const auto& device : options.devices) {
+    device_ += (device_.isEmpty() ? "" : " + ") + QString::fromStdString(device.name);
+  }
+  options.cache = cache_;
+  progressive_ = std::make_unique<render::Progressive>(std::move(options), hooks_);
+}
+
+/// Returns the scene to render. A film is kept until another scene or another film is asked for.
+scene::Scene RenderThread::scene_of(const Request& request) {
+  if (!request.film) return *request.scene;
+  if (!film_ || film_text_ != request.film->text()) {
+    film_.reset();
+    film_ = std::make_unique<film::Timeline>(*request.film, cache_->reliefs);
+    film_text_ = request.film->text();
+  }
+  return film_->scene_at_time(request.time_s);
 }
 
 void RenderThread::serve(const Request& request, const std::stop_token& stop) {
   if (request.other_device) progressive_.reset();
   if (!request.scene) return;
-  if (!progressive_) {
-    QString selector;
-    {
-      const std::lock_guard lock(mutex_);
-      selector = selector_;
-    }
-    render::Options options;
-    // The test is not stopped by edits, because it would have to compile its kernels again.
-    render::SelfTest test;
-    test.integrator = request.scene->light;
-    test.progress = [this](const render::Progress& progress) {
-      watch_.sign(progress);
-      if (progress.stage != render::Stage::kernels) return;
-      tell([this, progress] { listener_.progressed(progress); });
-    };
-    options.devices =
-        render::select_tested(opencl::effective_selector(selector.toStdString()), test);
-    device_.clear();
-    for (const auto& device : options.devices) {
-      device_ += (device_.isEmpty() ? "" : " + ") + QString::fromStdString(device.name);
-    }
-    progressive_ = std::make_unique<render::Progressive>(std::move(options), hooks_);
-  }
+  if (!cache_) cache_ = std::make_shared<render::SceneCache>();
+  if (!progressive_) make_renderer(request);
   double told = -1.0;
   progressive_->render(
-      *request.scene, stop, [&](const render::Preview& preview) { show(preview, request.number); },
+      scene_of(request), stop,
+      [&](const render::Preview& preview) { show(preview, request.number); },
       [&](const render::Progress& progress) {
         watch_.sign(progress);
         if (progress.seconds - told < 0.1 && progress.seconds >= told) return;

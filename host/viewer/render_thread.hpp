@@ -11,12 +11,22 @@
 #include <mutex>
 #include <optional>
 #include <stop_token>
+#include <string>
 #include <thread>
 
 #include "core/error.hpp"
 #include "render/progressive.hpp"
 #include "render/test_hooks.hpp"
+#include "scene/source.hpp"
 #include "viewer/device_watch.hpp"
+
+namespace aerostat::film {
+class Timeline;
+}
+
+namespace aerostat::render {
+struct SceneCache;
+}
 
 namespace aerostat::viewer {
 
@@ -73,6 +83,8 @@ class RenderThread {
   /// Renders this scene instead of any other. The scene is not resolved. Returns the number of the
   /// request.
   std::uint64_t render(const scene::Scene& scene);
+  /// Renders the film of a scene at a time in seconds.
+  std::uint64_t render(const scene::SceneSource& source, double time_s);
   /// Gives up the present render. The next `render` goes on.
   void pause();
   /// Renders on another device from now on. The empty selector is the automatic one.
@@ -84,6 +96,9 @@ class RenderThread {
     std::shared_ptr<const scene::Scene> scene;
     std::uint64_t number = 0;
     bool other_device = false;
+    /// The film whose scene at a time is rendered in place of `scene`, or null.
+    std::shared_ptr<const scene::SceneSource> film;
+    double time_s = 0.0;
   };
 
   RenderThread(Listener listener, render::TestHooks hooks);
@@ -95,6 +110,8 @@ class RenderThread {
   template <typename Action>
   void guarded(std::uint64_t request, Action action);
   void serve(const Request& request, const std::stop_token& stop);
+  scene::Scene scene_of(const Request& request);
+  void make_renderer(const Request& request);
   void ask(Request request);
   void find_devices();
   void show(const render::Preview& preview, std::uint64_t request);
@@ -117,7 +134,12 @@ class RenderThread {
   /// The newest preview, which is not delivered yet.
   std::shared_ptr<const Shown> newest_;
 
+  /// What scenes need beside their geometry, for the renderer and the film.
+  std::shared_ptr<render::SceneCache> cache_;
   std::unique_ptr<render::Progressive> progressive_;
+  /// The film that was asked for last, and the text of its scene.
+  std::unique_ptr<film::Timeline> film_;
+  std::string film_text_;
   QString device_;
   std::promise<void> end_;
   std::future<void> ended_ = end_.get_future();

@@ -2015,6 +2015,50 @@
         <source>Rotation against the balloon in degrees, -360 to 360, clockwise as seen from above. At 0, the z of the file points backwards.</source>
         <translation>Поворот относительно шара в градусах, от -360 до 360, по часовой стрелке при взгляде сверху. При 0 ось z файла направлена назад.</translation>
     </message>
+    <message>
+        <source>Circles in which nothing grows, at most 4096. A film adds those that its camera and its balloons fly through, so that no plant vanishes before them.</source>
+        <translation>Круги, в которых ничего не растёт, не больше 4096. Фильм добавляет круги на путях камеры и шаров, чтобы растения не исчезали перед ними.</translation>
+    </message>
+    <message>
+        <source>A circle in which nothing grows.</source>
+        <translation>Круг, в котором ничего не растёт.</translation>
+    </message>
+    <message>
+        <source>Middle of the circle, [x, z] in metres, each -1000000 to 1000000.</source>
+        <translation>Середина круга, [x, z] в метрах, каждое число от -1000000 до 1000000.</translation>
+    </message>
+    <message>
+        <source>Radius of the circle in metres, 0 to 100000.</source>
+        <translation>Радиус круга в метрах, от 0 до 100000.</translation>
+    </message>
+    <message>
+        <source>How far the pattern that bends the streaks of the thin, high clouds has gone ahead of them in metres, -1000000 to 1000000, which changes their shape. A film moves it.</source>
+        <translation>Насколько узор, который изгибает полосы тонких высоких облаков, ушёл вперёд них, в метрах, от -1000000 до 1000000; от этого меняется их форма. Его двигает фильм.</translation>
+    </message>
+    <message>
+        <source>How far the bulges of the clouds have risen through them in metres, -1000000 to 1000000, which changes their shape. A film moves it.</source>
+        <translation>Насколько клубы облаков поднялись сквозь них, в метрах, от -1000000 до 1000000; от этого меняется их форма. Их двигает фильм.</translation>
+    </message>
+    <message>
+        <source>How fast clouds change their shape: the speed in metres per second at which bulges rise through heaped clouds, 0 to 1000. The pattern that bends the streaks of thin, high cloud moves ten times as fast. Films that show hours in seconds want 50 or more. 0 keeps the shapes.</source>
+        <translation>Как быстро облака меняют форму: скорость в метрах в секунду, с которой клубы поднимаются сквозь кучевые облака, от 0 до 1000. Узор, который изгибает полосы тонких высоких облаков, движется в десять раз быстрее. Фильмам, которые показывают часы за секунды, нужно 50 или больше. 0 сохраняет форму.</translation>
+    </message>
+    <message>
+        <source>Seconds from the beginning of the film within which the balloons of the festival take off, 0 to 86400. Each has its own time, which follows from the festival&apos;s seed, and stands on the ground until then; so their places are apart on the ground. If it is 0, all fly from the beginning.</source>
+        <translation>Секунды от начала фильма, за которые взлетают шары фестиваля, от 0 до 86400. У каждого своё время, которое следует из зерна фестиваля, а до него шар стоит на земле; поэтому места на земле отстоят друг от друга. При 0 все летят с самого начала.</translation>
+    </message>
+    <message>
+        <source>Speed in metres per second at which the balloons of the festival climb after take-off, above 0 to 50. They slow down towards their height.</source>
+        <translation>Скорость в метрах в секунду, с которой шары фестиваля поднимаются после взлёта, больше 0 и до 50. К своей высоте они замедляются.</translation>
+    </message>
+    <message>
+        <source>How long the shutter is open in each frame, in degrees of the frame&apos;s time, 0 to 360: what moves is blurred along its way. 180, half of the time, is what cinema cameras have. 0 (the default) shows one moment, which is the fastest. The shutter opens at the time of the frame.</source>
+        <translation>Сколько открыт затвор в каждом кадре, в градусах времени кадра, от 0 до 360: то, что движется, размывается вдоль пути. 180, половина времени, как у кинокамер. 0 (по умолчанию) показывает одно мгновение и быстрее всего. Затвор открывается в момент кадра.</translation>
+    </message>
+    <message>
+        <source>How many moments a frame with an open shutter averages, 2 to 64. They share the samples of a pixel, of which there are at least as many. What moves by more pixels within the shutter shows steps.</source>
+        <translation>Сколько мгновений усредняет кадр с открытым затвором, от 2 до 64. Они делят между собой пробы пикселя, которых не меньше. На том, что сдвигается за это время на большее число пикселей, видны ступени.</translation>
+    </message>
 </context>
 <context>
     <name>Units</name>
@@ -2717,6 +2761,104 @@
     </message>
 </context>
 <context>
+    <name>aerostat::viewer::FilmDialog</name>
+    <message>
+        <source>&amp;Browse…</source>
+        <translation>&amp;Обзор…</translation>
+    </message>
+    <message>
+        <source>&amp;Export</source>
+        <translation>&amp;Записать</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Закрыть</translation>
+    </message>
+    <message>
+        <source>Export Film</source>
+        <translation>Экспорт фильма</translation>
+    </message>
+    <message>
+        <source>Preview (small, to look at the movement)</source>
+        <translation>Проба (маленькая, чтобы посмотреть движение)</translation>
+    </message>
+    <message>
+        <source>As the scene says</source>
+        <translation>Как в сцене</translation>
+    </message>
+    <message>
+        <source>File</source>
+        <translation>Файл</translation>
+    </message>
+    <message>
+        <source>Quality</source>
+        <translation>Качество</translation>
+    </message>
+    <message>
+        <source>Film</source>
+        <translation>Фильм</translation>
+    </message>
+    <message>
+        <source>%1 frames of %2 × %3 pixels, %4 s</source>
+        <translation>кадров: %1, по %2 × %3 пикселей, %4 с</translation>
+    </message>
+    <message>
+        <source>Frames stay in a folder beside the film, so that a film that was cancelled goes on and only what changed is rendered again. Names end in .mp4, .mov, .mkv or .webm; a name such as frames/####.png makes frames alone.</source>
+        <translation>Кадры остаются в папке рядом с фильмом: прерванный фильм продолжается, и заново считается только то, что изменилось. Имена кончаются на .mp4, .mov, .mkv или .webm; имя вида frames/####.png даёт одни кадры.</translation>
+    </message>
+    <message>
+        <source>Films (*.mp4 *.mov *.mkv *.webm)</source>
+        <translation>Фильмы (*.mp4 *.mov *.mkv *.webm)</translation>
+    </message>
+    <message>
+        <source>This is the scene file itself; give the film another name.</source>
+        <translation>Это сам файл сцены; дайте фильму другое имя.</translation>
+    </message>
+    <message>
+        <source>%1 already exists. Replace it?</source>
+        <translation>Файл %1 уже существует. Заменить его?</translation>
+    </message>
+    <message>
+        <source>Cancelled; the frames that are made are kept.</source>
+        <translation>Отменено; готовые кадры сохранены.</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Отмена</translation>
+    </message>
+    <message>
+        <source>Cancelling…</source>
+        <translation>Отмена…</translation>
+    </message>
+</context>
+<context>
+    <name>aerostat::viewer::FilmJob</name>
+    <message>
+        <source>Encoding…</source>
+        <translation>Кодируется…</translation>
+    </message>
+    <message>
+        <source>Compiling kernels…</source>
+        <translation>Компилируются ядра…</translation>
+    </message>
+    <message>
+        <source>Frame %1, %2 of %3</source>
+        <translation>Кадр %1, %2 из %3</translation>
+    </message>
+    <message>
+        <source>%1, %2 frames/s</source>
+        <translation>%1, %2 кадров/с</translation>
+    </message>
+    <message>
+        <source>Wrote %1: %2 frames rendered, %3 kept</source>
+        <translation>Записан %1: кадров посчитано %2, сохранено %3</translation>
+    </message>
+    <message>
+        <source>Out of memory</source>
+        <translation>Не хватает памяти</translation>
+    </message>
+</context>
+<context>
     <name>aerostat::viewer::ItemPicker</name>
     <message>
         <source>One more lamp</source>
@@ -2976,6 +3118,18 @@
     <message>
         <source>&amp;Meadow</source>
         <translation>&amp;Луга</translation>
+    </message>
+    <message>
+        <source>Timeline</source>
+        <translation>Шкала времени</translation>
+    </message>
+    <message>
+        <source>Export Fil&amp;m…</source>
+        <translation>Экспорт &amp;фильма…</translation>
+    </message>
+    <message>
+        <source>P&amp;lay the Film</source>
+        <translation>&amp;Проиграть фильм</translation>
     </message>
 </context>
 <context>
@@ -3385,6 +3539,65 @@
     <message>
         <source>Reset the Sun</source>
         <translation>Сброс солнца</translation>
+    </message>
+</context>
+<context>
+    <name>aerostat::viewer::TimelinePanel</name>
+    <message>
+        <source>Play</source>
+        <translation>Проиграть</translation>
+    </message>
+    <message>
+        <source>Show the still picture</source>
+        <translation>Показать неподвижную картину</translation>
+    </message>
+    <message>
+        <source>Set Key</source>
+        <translation>Поставить ключ</translation>
+    </message>
+    <message>
+        <source>Remove Key</source>
+        <translation>Убрать ключ</translation>
+    </message>
+    <message>
+        <source>Export Film…</source>
+        <translation>Экспорт фильма…</translation>
+    </message>
+    <message>
+        <source>Frame</source>
+        <translation>Кадр</translation>
+    </message>
+    <message>
+        <source>Value with keys</source>
+        <translation>Значение с ключами</translation>
+    </message>
+    <message>
+        <source>The value whose keys are edited, by its JSON pointer</source>
+        <translation>Значение, ключи которого правятся, по его указателю JSON</translation>
+    </message>
+    <message>
+        <source>Value at this frame</source>
+        <translation>Значение в этом кадре</translation>
+    </message>
+    <message>
+        <source>The value at this frame; Enter makes it a key</source>
+        <translation>Значение в этом кадре; Enter делает его ключом</translation>
+    </message>
+    <message>
+        <source>Key of %1</source>
+        <translation>Ключ %1</translation>
+    </message>
+    <message>
+        <source>frame %1 of %2, %3 s</source>
+        <translation>кадр %1 из %2, %3 с</translation>
+    </message>
+    <message>
+        <source>, %1 frames/s</source>
+        <translation>, %1 кадров/с</translation>
+    </message>
+    <message>
+        <source>still picture</source>
+        <translation>неподвижная картина</translation>
     </message>
 </context>
 <context>
