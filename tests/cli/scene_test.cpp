@@ -16,7 +16,7 @@ constexpr const char* kScenes[] = {
     "snow",       "snow-basket", "tropical",  "tropical-basket", "sand",      "sand-basket",
     "sand-empty", "valley-fog",  "alpenglow", "night-glow",      "storm",     "autumn",
     "lake",       "canyon",      "festival",  "raetikon",        "st-helens", "grand-canyon",
-    "swallows",   "flight",      "whale",     "descent",         "launch"};
+    "swallows",   "flight",      "whale",     "descent",         "launch",    "village"};
 
 TEST_F(Scenes, AllAreGood) {
   for (const char* scene : kScenes) {
@@ -113,7 +113,7 @@ TEST_F(Scenes, InstalledOnesAreListed) {
   const Outcome list = run({"scenes"}, with_scenes());
   ASSERT_EQ(list.code, 0) << list.err;
   for (const char* scene : kScenes) EXPECT_TRUE(contains(list.out, std::string(scene) + " "));
-  EXPECT_EQ(std::count(list.out.begin(), list.out.end(), '\n'), 21);
+  EXPECT_EQ(std::count(list.out.begin(), list.out.end(), '\n'), 24);
   EXPECT_TRUE(contains(list.out, "without a balloon"));
   EXPECT_EQ(run({"scenes", "--folder"}, {"AEROSTAT_SCENE_DIR=/some/where"}).out, "/some/where\n");
   const Outcome none = run({"scenes"}, {"AEROSTAT_SCENE_DIR=" + folder_.string()});
