@@ -55,7 +55,7 @@ bool has_picture_size(std::span<const std::uint8_t> exr) {
 /// Decodes all pixels of a file, a row at a time, and keeps none.
 void decode_rows(Imf::InputFile& file) {
   const Imath::Box2i& data = file.header().dataWindow();
-  const auto width = static_cast<std::size_t>(data.max.x - data.min.x + 1);
+  const auto width = static_cast<std::size_t>(std::int64_t{data.max.x} - data.min.x + 1);
   std::vector<std::vector<std::uint32_t>> rows;
   Imf::FrameBuffer frame;
   const Imf::ChannelList& channels = file.header().channels();
