@@ -17,6 +17,7 @@
 #include "asset/gltf_materials.hpp"
 #include "asset/gltf_meshes.hpp"
 #include "asset/gltf_nodes.hpp"
+#include "asset/gltf_unread.hpp"
 #include "asset/json_value.hpp"
 #include "asset/reading.hpp"
 #include "asset/words.hpp"
@@ -68,6 +69,9 @@ class Assembler {
     note_left_out();
     take_off_origin();
   }
+
+  /// Returns whether meshes are left out because their size is 0.
+  bool hides_some() const { return hidden_ > 0; }
 
  private:
   void place_mesh(const JsonValue& node, const GltfNode& at, std::size_t mesh) {
@@ -225,7 +229,10 @@ void read_gltf(Reading& reading) {
   std::vector<GltfNode> nodes = read_gltf_nodes(root, reading.budget);
   const GltfMaterials materials(root, buffers, reading);
   std::vector<GltfMesh> meshes = read_gltf_meshes(root, accessors, materials, reading);
-  Assembler(root, accessors, std::move(meshes), std::move(nodes), reading).assemble();
+  Assembler assembler(root, accessors, std::move(meshes), std::move(nodes), reading);
+  assembler.assemble();
+  // What is not drawn because its size is 0 is no fault of something else.
+  if (reading.model.placements.empty() && !assembler.hides_some()) check_unread(root);
 }
 
 }  // namespace aerostat::asset

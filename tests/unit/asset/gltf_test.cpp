@@ -1,5 +1,6 @@
 #include <cstdint>
 #include <string>
+#include <utility>
 
 #include "gltf_builder.hpp"
 #include "support.hpp"
@@ -310,6 +311,68 @@ TEST(AssetGltf, JsonIsStrictAndHasLimits) {
   for (int i = 0; i < 200; ++i) odd += "\xC3\xA4";
   EXPECT_TRUE(track::is_utf8(gltf_message(odd + "\"}")));
   EXPECT_TRUE(track::is_utf8(gltf_message("{\"a\" \"'; expected \xff\"}")));
+}
+
+// Each file has nothing to draw and one fault in what is not read.
+TEST(AssetGltf, NamesTheFaultOfAFileWithoutTriangles) {
+  const auto message = [](const std::string& rest) {
+    return gltf_message(R"({"asset":{"version":"2.0"},)" + rest + "}");
+  };
+  const std::string times =
+      R"("accessors":[{"componentType":5126,"type":"SCALAR","count":1,"min":[0],"max":[1]},
+         {"componentType":5126,"type":"VEC3","count":1}],"nodes":[{},{"matrix":
+         [1,0,0,0, 0,1,0,0, 0,0,1,0, 0,0,0,1]}],)";
+  const auto animation = [&](const std::string& channels, const std::string& sampler) {
+    return message(times + R"("animations":[{"channels":[)" + channels + R"(],"samplers":[)" +
+                   sampler + "]}]");
+  };
+  const std::string good = R"({"sampler":0,"target":{"node":0,"path":"scale"}})";
+  const std::string sampler = R"({"input":0,"output":1})";
+  const auto channel = [&](const std::string& index, const std::string& target) {
+    return animation(R"({"sampler":)" + index + R"(,"target":{)" + target + "}}", sampler);
+  };
+  const std::pair<std::string, std::string> kCases[] = {
+      {message(R"("textures":[])"), "/textures: found [], expected at least one element"},
+      {message(R"("nodes":[{"children":[]}])"), "/nodes/0/children"},
+      {message(R"("scenes":[{"nodes":[]}])"), "/scenes/0/nodes"},
+      {message(R"("extensionsUsed":["A","A"])"), "/extensionsUsed/1"},
+      {message(R"("nodes":[{"camera":2}])"), "/nodes/0/camera"},
+      {message(R"("nodes":[{"weights":[1]}])"), "/nodes/0/mesh"},
+      {message(R"("nodes":[{"rotation":[0,0,0,2]}])"), "/nodes/0/rotation"},
+      {message(R"("cameras":[{}])"), "/cameras/0/type"},
+      {message(R"("cameras":[{"type":"perspective","perspective":{"yfov":1,"znear":2,"zfar":1}}])"),
+       "/cameras/0/perspective/zfar"},
+      {message(R"("cameras":[{"type":"orthographic",
+                  "orthographic":{"xmag":0,"ymag":1,"znear":0,"zfar":1}}])"),
+       "/cameras/0/orthographic/xmag"},
+      {animation("", sampler), "/animations/0/channels"},
+      {animation(good, ""), "/animations/0/samplers"},
+      {animation(good, R"({"input":1,"output":1})"), "/animations/0/samplers/0/input"},
+      {animation(good, R"({"input":0,"output":7})"), "/animations/0/samplers/0/output"},
+      {animation(good + "," + good, sampler), "/animations/0/channels/1/target"},
+      {channel("1", R"("path":"scale")"), "/animations/0/channels/0/sampler"},
+      {channel("0", R"("node":9,"path":"scale")"), "/animations/0/channels/0/target/node"},
+      {channel("0", R"("node":1,"path":"scale")"), "/animations/0/channels/0/target/node"},
+      {channel("0", R"("node":0)"), "/animations/0/channels/0/target/path"},
+      {animation(good, sampler), "no triangle that can be drawn"}};
+  for (const auto& [found, expected] : kCases) EXPECT_TRUE(holds(found, expected));
+}
+
+TEST(AssetGltf, NamesTheFaultOfMeshesThatStandNowhere) {
+  const auto message = [](const std::string& mesh) {
+    GltfBuilder builder;
+    builder.square().accessor(
+        R"({"componentType":5126,"type":"VEC3","count":4,"min":[0,0,0],"max":[1,1,0]})");
+    return gltf_message(builder.text(R"("nodes":[{}],"meshes":[{)" + mesh + "}]"));
+  };
+  EXPECT_TRUE(holds(message(R"("primitives":[{"attributes":{"POSITION":0}}])"),
+                    "/accessors/0/min: found nothing, expected 3 numbers"));
+  const std::string bounded = R"("attributes":{"POSITION":1})";
+  EXPECT_TRUE(
+      holds(message(R"("primitives":[{)" + bounded + R"(}],"weights":[1])"), "/meshes/0/weights"));
+  EXPECT_TRUE(holds(message(R"("primitives":[{)" + bounded + "},{" + bounded +
+                            R"(,"targets":[{"POSITION":0}]}])"),
+                    "/meshes/0/primitives/1/targets"));
 }
 
 }  // namespace
