@@ -19,6 +19,7 @@
 #include "pack/pack_cover.hpp"
 #include "pack/pack_materials.hpp"
 #include "pack/sky_importance.hpp"
+#include "rules/mirrors.h"
 #include "scene/balloons.hpp"
 #include "scene/key_light.hpp"
 #include "scene/local_frame.hpp"
@@ -150,17 +151,13 @@ AeroMaterial plain_model(const AeroMaterial& from) {
   return material;
 }
 
-/// The root mean square slope of waves up to which water mirrors what is there. In rougher water
-/// nothing can be made out. Chosen by eye.
-constexpr double kMirroringSlope = 0.05;
-
 /// Returns whether rays look for what water and models from files mirror.
 bool looks_into_mirrors(const scene::Scene& scene, bool has_models) {
   if (scene.surfaces != scene::Surfaces::full || scene.light != scene::Integrator::local) {
     return false;
   }
   const scene::Water& water = scene.biome.water;
-  return (water.enabled && water.wave_slope <= kMirroringSlope) || has_models;
+  return (water.enabled && water.wave_slope <= MIRRORING_SLOPE) || has_models;
 }
 
 /// Appends the materials of the scene's models and their textures.
