@@ -166,6 +166,7 @@ void Progressive::State::show_step(Session& session, const scene::Scene& scene, 
   Preview preview{image::Film(),
                   resolved(scene, rough),
                   surface,
+                  nullptr,
                   step.shrink,
                   0,
                   rough,
@@ -181,6 +182,7 @@ void Progressive::State::show_step(Session& session, const scene::Scene& scene, 
     }
     if (now.stage != Stage::rays || now.samples_done <= preview.samples) return;
     preview.film = session.snapshot();
+    preview.models = cache->models.models_of(shown);
     preview.samples = now.samples_done;
     preview.stats = session.stats();
     preview.seconds = watch.seconds();
@@ -188,6 +190,7 @@ void Progressive::State::show_step(Session& session, const scene::Scene& scene, 
   };
   preview.film = session.render(resolved(shown, rough), stop, watch_passes, {}, plants,
                                 step.shrink / world_shrink);
+  preview.models = cache->models.models_of(shown);
   preview.samples = shown.image.spp;
   preview.complete = last;
   preview.stats = session.stats();

@@ -10,6 +10,10 @@
 #include "scene/resolved_scene.hpp"
 #include "world/surface.hpp"
 
+namespace aerostat::world {
+struct SceneModels;
+}
+
 namespace aerostat::render {
 
 /// One of the pictures that a progressive render shows. Each is better than the one before.
@@ -19,6 +23,8 @@ struct Preview {
   scene::ResolvedScene scene;
   /// The surface of the scene.
   std::shared_ptr<const world::Surface> surface;
+  /// The models from files of the scene.
+  std::shared_ptr<const world::SceneModels> models;
   /// A pixel of the film is as wide as this number of pixels of the picture.
   int shrink = 1;
   /// The number of samples per pixel.

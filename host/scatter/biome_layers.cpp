@@ -78,6 +78,7 @@ Layer woods_layer(const Nature& nature, std::uint32_t id) {
   layer.spacing_m = spacing_of(nature, nature.scene.biome.ground.canopy_m);
   layer.reach_m = nature.scene.vegetation.reach_m;
   layer.highest = nature.rule.highest_tree();
+  layer.are_trees = true;
   layer.chance = [&rule = nature.rule](const Site& site) {
     return rule.forest(site.position, site.normal.y, site.noise);
   };
@@ -96,6 +97,7 @@ Layer boulder_layer(const Nature& nature, std::uint32_t id, double spacing_m, do
   layer.lowest = sea_level(nature) - 0.4f;
   layer.steepest_cos = std::cos(radians_from_degrees(42.0f));
   layer.most = 0.65f + heaps;
+  layer.are_stones = true;
   layer.chance = [&rule = nature.rule, heaps](const Site& site) {
     return boulder_chance(rule, site, heaps);
   };

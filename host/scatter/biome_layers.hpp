@@ -9,6 +9,10 @@ struct Nature {
   const scene::Scene& scene;
   const Surface& surface;
   const ground::GroundRule& rule;
+  /// The land cover, or null if there is none.
+  const CoverLookup* cover = nullptr;
+  /// The models of the species from files.
+  std::span<const SpeciesModel> species = {};
 };
 
 /// Returns the layers of plants and stones in a scene's biome. The layers refer to the members of

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <vector>
 
 #include "ground/ground_rule.hpp"
@@ -27,7 +28,14 @@ struct Site {
 
 /// The plant or stone that stands at a site.
 struct Choice {
+  /// The model, unless the plant is of a species from a file.
   plant::ModelKey model;
+  /// The species from a file, as an index into Vegetation::species.
+  std::optional<std::size_t> species = {};
+  /// The greater of the height and the width in metres of a plant from a file.
+  double extent_m = 0.0;
+  /// Tells that nothing grows there after all.
+  bool is_nothing = false;
   float scale = 1.0f;
   /// The direction of the axis: 1 is plumb, and 0 is at right angles to the ground.
   float upright = 1.0f;
@@ -57,6 +65,9 @@ struct Layer {
   /// If it is null, only `most` bounds `chance`.
   std::function<float(const Site&)> chance_at_most;
   std::function<Choice(const Site&, plant::Random&)> choose;
+  /// Tells whether the layer has the trees of the woods and their outskirts, or stones.
+  bool are_trees = false;
+  bool are_stones = false;
 };
 
 /// The ground, the sea and the other data that layers are placed with. Squares are counted by
@@ -77,8 +88,9 @@ struct Place {
 };
 
 /// Returns the instances of a layer in the order of its squares. Their models are indices into
-/// `models`, which must contain every model that `choose` returns. It runs on all cores, and the
-/// bits do not depend on their number.
+/// `models`, which must contain every model that `choose` returns. Those of species from files
+/// follow them in the order of Vegetation::species. It runs on all cores, and the bits do not
+/// depend on their number.
 std::vector<Instance> place_layer(const Layer& layer, const Place& place,
                                   std::span<const plant::ModelKey> models);
 

@@ -66,6 +66,7 @@ Layer woods(const Nature& nature) {
 Layer outskirts(const Nature& nature) {
   Layer layer;
   layer.id = 32;
+  layer.are_trees = true;
   layer.spacing_m = spacing_of(nature, 2.0 * nature.scene.biome.ground.canopy_m);
   layer.reach_m = reach_of(nature, 5000.0);
   layer.lowest = sea_level(nature) + 0.6f;

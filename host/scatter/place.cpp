@@ -150,11 +150,16 @@ class Planter {
     if (!(layer_.steepest_cos > 0.0f)) site.normal = place_.surface.normal(candidate.spot);
     if (!(candidate.fate < static_cast<double>(layer_.chance(site)))) return;
     const Choice choice = layer_.choose(site, candidate.random);
-    const double height = plant::model_height(choice.model) * static_cast<double>(choice.scale);
+    if (choice.is_nothing) return;
+    const double height =
+        choice.species ? choice.extent_m
+                       : plant::model_height(choice.model) * static_cast<double>(choice.scale);
     if (height > place_.tallest_m) {
       throw Error(ErrorKind::internal,
                   fmt::format("a {} of {:.1f} m grows where {:.1f} m were expected at most",
-                              plant::species_name(choice.model.species), height, place_.tallest_m));
+                              choice.species ? "plant from a file"
+                                             : plant::species_name(choice.model.species),
+                              height, place_.tallest_m));
     }
     const double reach = kPlantReach * height;
     const dvec2 foot(site.position.x, site.position.z);
@@ -173,6 +178,10 @@ class Planter {
     instance.lean = {axis.x, axis.z};
     instance.scale = choice.scale;
     instance.tint = choice.tint;
+    if (choice.species) {
+      instance.model = static_cast<std::uint32_t>(models_.size() + *choice.species);
+      return instance;
+    }
     const auto found = std::find(models_.begin(), models_.end(), choice.model);
     instance.model = static_cast<std::uint32_t>(found - models_.begin());
     return instance;

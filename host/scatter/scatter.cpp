@@ -6,6 +6,7 @@
 
 #include "ground/ground_numbers.hpp"
 #include "scatter/biome_layers.hpp"
+#include "scatter/species.hpp"
 #include "scene/local_frame.hpp"
 #include "scene/scene.hpp"
 
@@ -52,7 +53,8 @@ Circles kept_out(const scene::ResolvedScene& scene, const Surface& surface,
 }
 
 /// Returns a height that no plant exceeds. It is larger than what the layers allow.
-double tallest_of(const std::vector<plant::ModelKey>& models, const scene::Scene& scene) {
+double tallest_of(const std::vector<plant::ModelKey>& models, const Nature& nature) {
+  const scene::Scene& scene = nature.scene;
   double tallest = 0.0;
   for (const plant::ModelKey& model : models) {
     tallest = std::max(tallest, plant::model_height(model));
@@ -60,7 +62,13 @@ double tallest_of(const std::vector<plant::ModelKey>& models, const scene::Scene
   // If the canopy of the biome is wider than that of these models, all plants are larger.
   constexpr double kCanopyM = 5.8;
   const double wide = std::max(1.0, scene.biome.ground.canopy_m / kCanopyM);
-  return 1.5 * tallest * wide * scene.vegetation.size;
+  tallest *= 1.5 * wide;
+  for (std::size_t i = 0; i < nature.species.size(); ++i) {
+    // The height of a plant is rounded to single precision.
+    const double extent = greatest_extent(scene.vegetation.species[i], nature.species[i]);
+    tallest = std::max(tallest, 1.001 * extent);
+  }
+  return tallest * scene.vegetation.size;
 }
 
 /// Returns the extent of a plant as seen from the middle of its square. No plant is broader than
@@ -74,14 +82,21 @@ Extent extent_of(const std::vector<Layer>& layers, double tallest_m) {
 /// Leaves out the models that no instance uses.
 void drop_unused(Growth& growth) {
   std::vector<std::uint32_t> renumbered(growth.models.size(), 0);
-  for (const Instance& instance : growth.instances) renumbered[instance.model] = 1;
+  for (const Instance& instance : growth.instances) {
+    if (instance.model < renumbered.size()) renumbered[instance.model] = 1;
+  }
   std::vector<plant::ModelKey> used;
   for (std::size_t i = 0; i < growth.models.size(); ++i) {
     if (renumbered[i] == 0) continue;
     renumbered[i] = static_cast<std::uint32_t>(used.size());
     used.push_back(growth.models[i]);
   }
-  for (Instance& instance : growth.instances) instance.model = renumbered[instance.model];
+  const auto own = static_cast<std::uint32_t>(growth.models.size());
+  const auto kept = static_cast<std::uint32_t>(used.size());
+  for (Instance& instance : growth.instances) {
+    const std::uint32_t model = instance.model;
+    instance.model = model < own ? renumbered[model] : model - own + kept;
+  }
   growth.models = std::move(used);
 }
 
@@ -96,16 +111,18 @@ Axes axes_of(const Instance& instance) {
 }
 
 Growth scatter(const scene::ResolvedScene& scene, const mesh::GridMesh& ground, Where where,
-               std::span<const Obstacle> obstacles, const CoverLookup* cover) {
+               std::span<const Obstacle> obstacles, const CoverLookup* cover,
+               std::span<const SpeciesModel> species) {
   Growth growth;
   const scene::Vegetation& vegetation = scene->vegetation;
   if (!vegetation.enabled || !(vegetation.density > 0.0)) return growth;
   growth.models = all_models();
   const Surface surface(ground, scene::place_of(*scene, scene.origin()));
   const ground::GroundRule rule(ground::ground_numbers(*scene), kFootprintM, cover);
-  const Nature nature{*scene, surface, rule};
-  const std::vector<Layer> layers = biome_layers(nature);
-  const double tallest_m = tallest_of(growth.models, *scene);
+  const Nature nature{*scene, surface, rule, cover, species};
+  std::vector<Layer> layers = biome_layers(nature);
+  add_species(nature, layers);
+  const double tallest_m = tallest_of(growth.models, nature);
   const Circles circles = kept_out(scene, surface, obstacles, tallest_m);
   std::optional<Sight> sight;
   if (where == Where::in_sight) {

@@ -42,7 +42,15 @@ struct KeepOut {
 
 struct Growth {
   std::vector<plant::ModelKey> models;
+  /// The plants and stones. Their `model` is an index into `models`, or models.size() and the index
+  /// of a species from a file in Vegetation::species.
   std::vector<Instance> instances;
+};
+
+/// The size of a model from a file that grows as a species, in units of the file. Both are above 0.
+struct SpeciesModel {
+  double height = 1.0;
+  double width = 1.0;  // the greatest distance of two corners of its box in plan
 };
 
 /// Selects either all instances in reach, or only those that a picture of the scene can show or
@@ -53,12 +61,13 @@ enum class Where { everywhere, in_sight };
 /// and places follow from the biome and the rules of the ground. The woods have the density of the
 /// trees painted on the ground, and they thin out over the outer half of /vegetation/reach_m from
 /// the camera, where the painted trees replace them. The obstacles and the camera are kept free. A
-/// place has the same plants wherever the camera is. It runs on all cores, and the bits do not
+/// place has the same plants wherever the camera is. `species` has a model for each of the species
+/// from files. It runs on all cores, and the bits do not
 /// depend on their number. The result is empty if the vegetation is disabled. `cover` is the
 /// land cover of the terrain, or null if it has none.
 Growth scatter(const scene::ResolvedScene& scene, const mesh::GridMesh& ground,
                Where where = Where::everywhere, std::span<const Obstacle> obstacles = {},
-               const CoverLookup* cover = nullptr);
+               const CoverLookup* cover = nullptr, std::span<const SpeciesModel> species = {});
 
 /// Returns the level of detail that suffices for `eye`: near if the plant is more than 120 pixels
 /// high, middle above 30 pixels, far above 14 pixels, else outline.

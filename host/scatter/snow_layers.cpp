@@ -51,6 +51,7 @@ Layer woods(const Nature& nature) {
 Layer outskirts(const Nature& nature) {
   Layer layer;
   layer.id = 2;
+  layer.are_trees = true;
   layer.spacing_m = spacing_of(nature, 1.6 * nature.scene.biome.ground.canopy_m);
   layer.reach_m = reach_of(nature, 4000.0);
   layer.highest = nature.rule.highest_tree();

@@ -109,6 +109,7 @@ Layer shrubs(const Nature& nature) {
 Layer driftwood(const Nature& nature) {
   Layer layer;
   layer.id = 14;
+  layer.are_stones = true;
   layer.spacing_m = spacing_of(nature, 17.0);
   layer.reach_m = reach_of(nature, 900.0);
   layer.lowest = sea_level(nature) + 0.5f;

@@ -174,4 +174,10 @@ std::span<const char* const> enum_names<PlacedOn>() {
   return kNames;
 }
 
+template <>
+std::span<const char* const> enum_names<PlantPlace>() {
+  static constexpr const char* kNames[] = {"woods", "open", "anywhere"};
+  return kNames;
+}
+
 }  // namespace aerostat::scene::detail

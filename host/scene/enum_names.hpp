@@ -59,6 +59,8 @@ template <>
 std::span<const char* const> enum_names<ArtworkWrap>();
 template <>
 std::span<const char* const> enum_names<PlacedOn>();
+template <>
+std::span<const char* const> enum_names<PlantPlace>();
 
 /// Returns the word that scene files use for a value of an enum.
 template <class Enum>

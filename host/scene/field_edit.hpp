@@ -15,6 +15,7 @@ enum class EditGroup {
   land,
   snow_and_water,
   plants,
+  model,
   shape,
   dunes,
   ground,
@@ -62,7 +63,8 @@ struct FieldEdit : Edit {
 };
 
 /// Returns the controls for all values that a window edits, in the order of the scene file. Of the
-/// balloons, lamps and materials, only /balloon, /lights/0 and /materials/envelope are there.
+/// balloons, models, lamps and materials, only /balloon, /objects/0, /lights/0 and
+/// /materials/envelope are there.
 const std::vector<FieldEdit>& field_edits();
 
 }  // namespace aerostat::scene

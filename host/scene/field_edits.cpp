@@ -53,6 +53,10 @@ class Collector {
     add_object<PointLight>(pointer + "/0");
   }
 
+  void add_parts(const std::string& pointer, std::type_identity<std::vector<PlacedModel>>) {
+    add_object<PlacedModel>(pointer + "/0");
+  }
+
   void add_parts(const std::string& pointer,
                  std::type_identity<std::array<Material, kMaterialCount>>) {
     add_object<Material>(pointer + "/" + material_name(MaterialId::envelope));

@@ -8,6 +8,7 @@
 #include "core/earth.hpp"
 #include "core/land_cover.hpp"
 #include "core/math.hpp"
+#include "scene/up_axis.hpp"
 
 /// The land of a scene: its heights, its colours, the sea and what grows on it.
 namespace aerostat::scene {
@@ -226,6 +227,32 @@ struct Clearing {
 /// The most clearings of a scene.
 inline constexpr int kMostClearings = 4096;
 
+/// Where plants of a species from a file grow.
+enum class PlantPlace {
+  woods,    // in place of trees of the woods
+  open,     // outside of the woods
+  anywhere  // on dry land
+};
+
+/// The most species from files.
+inline constexpr int kMostSpecies = 16;
+
+/// A species of plants whose shape is a model from a file.
+struct PlantSpecies {
+  std::string file;
+  UpAxis up = UpAxis::y;
+  PlantPlace grows = PlantPlace::woods;
+  std::optional<dvec2> height_m{};     // least and greatest of the plants; default: the file's own
+  double share = 0.5;                  // of the trees of the woods
+  double per_hectare = 20.0;           // plants elsewhere
+  dvec2 slope_deg{0.0, 45.0};          // of the ground
+  dvec2 heights_m{-12000.0, 12000.0};  // of the ground above the sea
+  std::vector<CoverClass> cover{};     // the land cover on which they grow; empty: on any
+  double tint = 0.15;                  // how much their brightness differs
+
+  bool operator==(const PlantSpecies&) const = default;
+};
+
 /// Plants and stones that stand on the ground, placed by the biome's rules.
 struct Vegetation {
   bool enabled = true;
@@ -234,6 +261,8 @@ struct Vegetation {
   double reach_m = 6000.0;  // distance from the camera within which single trees stand
   std::uint32_t seed = 1;
   std::vector<Clearing> clearings;
+  bool usual = true;                       // the species of the biome grow, too
+  std::vector<PlantSpecies> species = {};  // from files
 
   bool operator==(const Vegetation&) const = default;
 };

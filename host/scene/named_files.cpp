@@ -18,6 +18,7 @@ std::vector<std::string*> named_files(Scene& scene) {
     if (balloon->envelope) names.push_back(&balloon->envelope->file);
   }
   for (PlacedModel& model : scene.objects) names.push_back(&model.file);
+  for (PlantSpecies& species : scene.vegetation.species) names.push_back(&species.file);
   std::erase_if(names, [](const std::string* name) { return name->empty(); });
   return names;
 }

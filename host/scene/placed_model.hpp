@@ -3,7 +3,9 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <vector>
 
+#include "core/land_cover.hpp"
 #include "core/math.hpp"
 #include "scene/geo_point.hpp"
 #include "scene/height_reference.hpp"
@@ -28,6 +30,7 @@ struct PlacedArea {
   PlacedOn on = PlacedOn::land;
   dvec2 slope_deg{0.0, 90.0};
   dvec2 heights_m{-12000.0, 12000.0};  // of the ground above the sea
+  std::vector<CoverClass> cover{};     // the land cover on which they stand; empty: on any
   double apart_m = 0.0;                // least distance between two instances
   dvec2 sizes{1.0, 1.0};               // least and greatest factor on the size
   bool turned = true;                  // each has a heading of its own

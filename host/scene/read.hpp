@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <string>
+#include <vector>
 
 #include "scene/faults.hpp"
 #include "scene/json_text.hpp"
@@ -20,6 +21,13 @@ Json parse_document(const std::string& text, Faults& faults);
 /// Turns the names of files in a document, which count from `folder`, into absolute paths. An empty
 /// folder is the current one, in which names stay as they are.
 void name_files_from(const std::filesystem::path& folder, Json& document);
+
+/// Turns absolute paths of files in `folder` or below it into names that count from it. All other
+/// names stay as they are. An empty folder is the current one.
+void name_files_below(const std::filesystem::path& folder, Json& document);
+
+/// Returns the names of files in a document that are absolute paths.
+std::vector<std::string> absolute_files(Json& document);
 
 /// Adds a fault for each name of a file in a document that is absolute or leads out of the folder
 /// of the scene by "..". Links are not followed.

@@ -138,6 +138,8 @@ class Rules {
     rule["maxItems"] = number_json(about.to);
     if constexpr (kNumberCount < T >> 0) {
       rule["items"] = this->rule<T>(color(about.part_text));
+    } else if constexpr (std::is_enum_v<T>) {
+      rule["items"] = {{"type", "string"}, {"enum", words_of<T>({})}};
     } else {
       rule["items"] = structured({}, std::type_identity<T>());
     }

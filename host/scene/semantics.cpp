@@ -153,16 +153,32 @@ void check_artworks(const Scene& scene, const std::string& name) {
   }
 }
 
-/// Checks that the ranges of an area begin with the lesser number.
+/// Checks that a range begins with the lesser number.
+void check_range(Pointer pointer, const char* key, const dvec2& range, const std::string& name) {
+  if (range.x <= range.y) return;
+  pointer.emplace_back(key);
+  fail(name, pointer, fmt::format("[{}, {}]", range.x, range.y), "the smaller one first");
+}
+
 void check_area(const PlacedArea& area, const std::string& index, const std::string& name) {
-  const auto check = [&](const char* key, const dvec2& range) {
-    if (range.x <= range.y) return;
-    fail(name, {"objects", index, "area", key}, fmt::format("[{}, {}]", range.x, range.y),
-         "the smaller one first");
-  };
-  check("slope_deg", area.slope_deg);
-  check("heights_m", area.heights_m);
-  check("sizes", area.sizes);
+  const Pointer at{"objects", index, "area"};
+  check_range(at, "slope_deg", area.slope_deg, name);
+  check_range(at, "heights_m", area.heights_m, name);
+  check_range(at, "sizes", area.sizes, name);
+}
+
+/// Checks the ranges of each species from a file, and that it has a file.
+void check_species(const Scene& scene, const std::string& name) {
+  const auto& species = scene.vegetation.species;
+  for (std::size_t i = 0; i < species.size(); ++i) {
+    const Pointer at{"vegetation", "species", std::to_string(i)};
+    check_range(at, "slope_deg", species[i].slope_deg, name);
+    check_range(at, "heights_m", species[i].heights_m, name);
+    if (species[i].height_m) check_range(at, "height_m", *species[i].height_m, name);
+    if (!species[i].file.empty()) continue;
+    fail(name, {"vegetation", "species", std::to_string(i), "file"}, "an empty name",
+         "the name of a file");
+  }
 }
 
 /// Checks that each model has a file, and that there are not too many instances.
@@ -283,6 +299,7 @@ void check_semantics(const Json& document, const Scene& scene, Faults& faults) {
   faults.gather([&] { check_balloons(scene, name); });
   faults.gather([&] { check_artworks(scene, name); });
   faults.gather([&] { check_objects(scene, name); });
+  faults.gather([&] { check_species(scene, name); });
   faults.gather([&] { check_source(scene.terrain, name); });
   faults.gather([&] { check_geo_points(scene, name); });
   faults.gather([&] { check_terrain_place(scene.terrain, name); });

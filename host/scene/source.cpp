@@ -85,9 +85,10 @@ void erase(Json& document, const Pointer& pointer, std::size_t depth, const Json
   }
   if (!document.is_object() || !document.contains(token)) return;
   if (depth + 1 == pointer.size()) {
-    // Models and artwork have no other file, and a lamp must have a position.
+    // Models, artwork and species have no other file, and a lamp must have a position.
     const bool in_list = pointer[0] == "objects" ||
                          (depth > 1 && pointer[depth - 2] == "artwork") ||
+                         (depth > 1 && pointer[depth - 2] == "species") ||
                          (depth > 0 && pointer[depth - 1] == "envelope");
     if (in_list && token == "file") return;
     const bool required = pointer[0] == "lights" && token == "position";
@@ -143,6 +144,7 @@ struct SceneSource::State {
     }
     usual.lights.resize(scene.lights.size());
     usual.objects.resize(scene.objects.size());
+    usual.vegetation.species.resize(scene.vegetation.species.size());
     usual_values = shown(usual);
     // Biome, season, view, mood and quality choose all other defaults. Their own defaults are these
     // words.
@@ -156,10 +158,37 @@ struct SceneSource::State {
     for (const auto& [key, value] : document["sun"].items()) values["sun"][key] = value;
   }
 
+  std::string print(Json left) const;
+
   Json document;
   Scene scene;
   Json values, usual_values;
 };
+
+/// Returns the text of a document, which is that of the state with other names of files at most.
+std::string SceneSource::State::print(Json left) const {
+  Json usual = usual_values;
+  // The version is always written, because without it the file cannot be read.
+  usual.erase("version");
+  // Lists have no default elements, so that each element is written in full.
+  usual["balloons"] = usual["lights"] = usual["objects"] = Json::array();
+  usual["vegetation"]["species"] = Json::array();
+  usual["biome"].erase("kind");
+  left["biome"]["kind"] = values["biome"]["kind"];
+  // Angles are left out only if both equal their defaults. An angle that is left out alone would
+  // be worked out from the default direction when the text is read, with other rounding.
+  const bool both = left.contains("sun") && left["sun"].contains("azimuth_deg") &&
+                    left["sun"].contains("elevation_deg") &&
+                    left["sun"]["azimuth_deg"] == usual["sun"]["azimuth_deg"] &&
+                    left["sun"]["elevation_deg"] == usual["sun"]["elevation_deg"];
+  if (!both) usual["sun"].erase("azimuth_deg"), usual["sun"].erase("elevation_deg");
+  prune(left, usual);
+  if (left["biome"].size() == 1) left["biome"] = left["biome"]["kind"];
+  OrderedJson model = OrderedJson::object();
+  model["$schema"] = nullptr;
+  model.update(detail::to_json(scene));
+  return detail::print_json(ordered(left, model));
+}
 
 SceneSource::SceneSource() : SceneSource(std::make_shared<State>(Json{{"version", 1}})) {}
 
@@ -214,27 +243,19 @@ bool SceneSource::differs(const std::string& pointer) const {
 }
 
 std::string SceneSource::text() const {
-  Json left = state_->document;
-  Json usual = state_->usual_values;
-  // The version is always written, because without it the file cannot be read.
-  usual.erase("version");
-  // Lists have no default elements, so that each element is written in full.
-  usual["balloons"] = usual["lights"] = usual["objects"] = Json::array();
-  usual["biome"].erase("kind");
-  left["biome"]["kind"] = state_->values["biome"]["kind"];
-  // Angles are left out only if both equal their defaults. An angle that is left out alone would
-  // be worked out from the default direction when the text is read, with other rounding.
-  const bool both = left.contains("sun") && left["sun"].contains("azimuth_deg") &&
-                    left["sun"].contains("elevation_deg") &&
-                    left["sun"]["azimuth_deg"] == usual["sun"]["azimuth_deg"] &&
-                    left["sun"]["elevation_deg"] == usual["sun"]["elevation_deg"];
-  if (!both) usual["sun"].erase("azimuth_deg"), usual["sun"].erase("elevation_deg");
-  prune(left, usual);
-  if (left["biome"].size() == 1) left["biome"] = left["biome"]["kind"];
-  OrderedJson model = OrderedJson::object();
-  model["$schema"] = nullptr;
-  model.update(detail::to_json(state_->scene));
-  return detail::print_json(ordered(left, model));
+  return state_->print(state_->document);
+}
+
+std::string SceneSource::text_in(const std::filesystem::path& folder) const {
+  Json document = state_->document;
+  detail::name_files_below(folder, document);
+  return state_->print(std::move(document));
+}
+
+std::vector<std::string> SceneSource::files_outside(const std::filesystem::path& folder) const {
+  Json document = state_->document;
+  detail::name_files_below(folder, document);
+  return detail::absolute_files(document);
 }
 
 std::optional<std::vector<Override>> SceneSource::changes_from(const SceneSource& base) const {

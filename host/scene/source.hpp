@@ -52,6 +52,13 @@ class SceneSource {
   /// usual order and with a line end. Reading the text gives the same scene. Comments are lost.
   std::string text() const;
 
+  /// Returns the same text for a file in `folder`: files there or below it are named from it. All
+  /// other files keep their absolute paths.
+  std::string text_in(const std::filesystem::path& folder) const;
+
+  /// Returns the absolute paths of the files that `text_in` cannot name from the folder.
+  std::vector<std::string> files_outside(const std::filesystem::path& folder) const;
+
   /// Returns the changes that turn `base` into this source. Returns nothing if "--set" cannot
   /// make them, because a value without a default was removed.
   std::optional<std::vector<Override>> changes_from(const SceneSource& base) const;

@@ -2,6 +2,7 @@
 
 #include "scene/field.hpp"
 #include "scene/land.hpp"
+#include "scene/plant_fields.hpp"
 
 /// What stands on the ground.
 namespace aerostat::scene::detail {
@@ -41,6 +42,14 @@ inline constexpr auto kTable<Vegetation> = table(
     field("clearings", &Vegetation::clearings,
           list(kMostClearings,
                "Circles in which nothing grows, at most {to}. A film adds those that its camera "
-               "and its balloons fly through, so that no plant vanishes before them.")));
+               "and its balloons fly through, so that no plant vanishes before them.")),
+    field("usual", &Vegetation::usual,
+          truth("Whether the usual plants of the biome grow. Without them, stones and the species "
+                "from files remain.")
+              .control(EditGroup::plants, "Plants of the biome")),
+    field("species", &Vegetation::species,
+          list(kMostSpecies,
+               "Species of plants from files, at most {to}, which grow beside the "
+               "usual ones or in their place.")));
 
 }  // namespace aerostat::scene::detail

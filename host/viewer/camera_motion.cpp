@@ -97,4 +97,28 @@ Sight sight_at(const scene::Camera& camera, double aspect, double x, double y) {
           glm::normalize(forward + right * (across * half * aspect) + up * (above * half))};
 }
 
+std::optional<dvec2> place_in_picture(const scene::Camera& camera, double aspect,
+                                      const dvec3& point) {
+  const auto [right, up, forward] = scene::view_axes(camera);
+  const dvec3 away = point - *camera.position;
+  const double ahead = glm::dot(away, forward);
+  double across = glm::dot(away, right), above = glm::dot(away, up);
+  if (camera.lens == scene::Lens::panorama) {
+    const double rise = std::atan2(above, std::hypot(ahead, across));
+    across = std::atan2(across, ahead) / std::numbers::pi;
+    above = rise / (0.5 * std::numbers::pi);
+  } else if (camera.lens == scene::Lens::orthographic) {
+    const double half = 0.5 * camera.view_height_m;
+    across /= half * aspect;
+    above /= half;
+  } else {
+    if (!(ahead > 0.0)) return std::nullopt;
+    const double half = ahead * std::tan(camera.fov_y_deg * (std::numbers::pi / 360.0));
+    across /= half * aspect;
+    above /= half;
+  }
+  if (!(std::abs(across) <= 1.0 && std::abs(above) <= 1.0)) return std::nullopt;
+  return dvec2(0.5 + 0.5 * across, 0.5 - 0.5 * above);
+}
+
 }  // namespace aerostat::viewer

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 
 #include "core/math.hpp"
 #include "scene/picture.hpp"
@@ -58,5 +59,10 @@ struct Sight {
 /// Returns the ray through a point of the picture. (0, 0) is the upper left corner and (1, 1) the
 /// lower right one. The ray of a thin lens goes through the middle of the lens.
 Sight sight_at(const scene::Camera& camera, double aspect, double x, double y);
+
+/// Returns the place in the picture of a point in the world, the inverse of `sight_at`, or nothing
+/// if the point is outside of the picture or behind the camera.
+std::optional<dvec2> place_in_picture(const scene::Camera& camera, double aspect,
+                                      const dvec3& point);
 
 }  // namespace aerostat::viewer

@@ -2,6 +2,7 @@
 
 #include <QFileInfo>
 #include <QRegularExpression>
+#include <filesystem>
 
 namespace aerostat::viewer {
 namespace {
@@ -33,9 +34,12 @@ QString command_text(const Document& document, const QString& device) {
                                      ? QStringLiteral("aerostat.png")
                                      : QFileInfo(document.path()).completeBaseName() + ".png") +
                       device_option(device);
+  const QString leave = QStringLiteral(" --allow-external-paths");
   if (!document.path().isEmpty()) {
     if (const auto changes = document.source().changes_from(document.saved())) {
       QString command = "aerostat render " + shell_word(document.path());
+      const auto folder = std::filesystem::path(document.path().toStdString()).parent_path();
+      if (!document.saved().files_outside(folder).empty()) command += leave;
       for (const scene::Override& one : *changes) {
         command += " --set " + shell_word(QString::fromStdString(one.pointer + "=" + one.value));
       }
@@ -43,7 +47,8 @@ QString command_text(const Document& document, const QString& device) {
     }
   }
   return "printf %s " + shell_word(packed(document.source().text())) +
-         " | aerostat render /dev/stdin" + end;
+         " | aerostat render /dev/stdin" +
+         (document.source().files_outside("/dev").empty() ? QString() : leave) + end;
 }
 
 }  // namespace aerostat::viewer

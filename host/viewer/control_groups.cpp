@@ -13,6 +13,7 @@ constexpr ControlGroup kGroups[] = {
     {EditGroup::land, Panel::land, QT_TRANSLATE_NOOP("Controls", "Land")},
     {EditGroup::snow_and_water, Panel::land, QT_TRANSLATE_NOOP("Controls", "Snow and water")},
     {EditGroup::plants, Panel::land, QT_TRANSLATE_NOOP("Controls", "Plants")},
+    {EditGroup::model, Panel::land, QT_TRANSLATE_NOOP("Controls", "Models from files"), kFolded},
     {EditGroup::shape, Panel::land, QT_TRANSLATE_NOOP("Controls", "Shape in detail"), kFolded},
     {EditGroup::dunes, Panel::land, QT_TRANSLATE_NOOP("Controls", "Dunes"), kFolded},
     {EditGroup::ground, Panel::land, QT_TRANSLATE_NOOP("Controls", "Ground"), kFolded},

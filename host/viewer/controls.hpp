@@ -13,8 +13,8 @@ namespace aerostat::viewer {
 using scene::Editor;
 
 /// A control of one value of the scene. Its range, words and tooltip come from the schema. For the
-/// lists of balloons, lamps and materials, the list has the controls of one object, and the panels
-/// bind them to others.
+/// lists of balloons, models, lamps and materials, the list has the controls of one object, and the
+/// panels bind them to others.
 using Control = scene::FieldEdit;
 
 enum class Panel { land, light, balloon, materials, view, picture };

@@ -2,6 +2,7 @@
 
 #include <QUndoCommand>
 #include <chrono>
+#include <filesystem>
 #include <new>
 
 #include "core/error.hpp"
@@ -13,6 +14,19 @@ namespace aerostat::viewer {
 namespace {
 
 constexpr std::chrono::milliseconds kSameStep(1000);
+
+/// Returns what follows from files that a saved scene names elsewhere.
+QString tell_of(const std::vector<std::string>& outside) {
+  const QString first = QString::fromStdString(outside.front());
+  const auto further = static_cast<int>(outside.size()) - 1;
+  const QString files =
+      further == 0 ? first : Document::tr("%1 and %n more", nullptr, further).arg(first);
+  return Document::tr(
+             "Saved. The scene names files outside of its folder: %1. This window opens it, but "
+             "aerostat render needs --allow-external-paths. Without that, copy them beside the "
+             "scene and name the copies.")
+      .arg(files);
+}
 
 }  // namespace
 
@@ -76,11 +90,25 @@ QString Document::value(const QString& pointer) const {
   return QString::fromStdString(source_.value(pointer.toStdString()));
 }
 
+/// Returns the pointers of the places on the Earth that positions in `changes` replace. A place
+/// would win over a position when the file is read again.
+std::vector<std::string> Document::replaced_places(
+    const std::vector<scene::Override>& changes) const {
+  std::vector<std::string> places;
+  for (const scene::Override& one : changes) {
+    const std::size_t at = one.pointer.find("/position");
+    if (at == std::string::npos) continue;
+    const std::string place = one.pointer.substr(0, at) + "/at";
+    if (source_.gives(place)) places.push_back(place);
+  }
+  return places;
+}
+
 bool Document::change(const QString& what, const std::vector<scene::Override>& changes) {
   return guarded([&] {
     QString key = what;
     for (const auto& one : changes) key += QString::fromStdString("\n" + one.pointer);
-    replace(what, source_.with(changes), key);
+    replace(what, source_.without(replaced_places(changes)).with(changes), key);
   });
 }
 
@@ -147,7 +175,8 @@ bool Document::open(const QString& path) {
 
 bool Document::save(const QString& path) {
   return guarded([&] {
-    const std::string text = source_.text();
+    const std::filesystem::path folder = std::filesystem::path(path.toStdString()).parent_path();
+    const std::string text = source_.text_in(folder);
     write_file(path.toStdString(),
                {reinterpret_cast<const std::uint8_t*>(text.data()), text.size()});
     path_ = path;
@@ -156,6 +185,8 @@ bool Document::save(const QString& path) {
     undo_.setClean();
     end_gesture();
     Q_EMIT file_changed();
+    const auto outside = source_.files_outside(folder);
+    if (!outside.empty()) Q_EMIT saved_with(tell_of(outside));
   });
 }
 

@@ -5,6 +5,8 @@
 #include <QString>
 #include <QUndoStack>
 #include <memory>
+#include <string>
+#include <vector>
 
 #include "core/file.hpp"
 #include "scene/source.hpp"
@@ -59,11 +61,14 @@ class Document : public QObject {
   /// Reports that the document has another file, or that its file was saved.
   void file_changed();
   void failed(const QString& message);
+  /// Reports what the user should know about a file that was saved.
+  void saved_with(const QString& message);
 
  private:
   friend class SourceCommand;
   template <typename Action>
   bool guarded(Action action);
+  std::vector<std::string> replaced_places(const std::vector<scene::Override>& changes) const;
   void show(const scene::SceneSource& source);
   scene::SceneSource staged(const scene::SceneSource& source);
   void begin(const scene::SceneSource& source, const QString& path, const FileStamp& stamp);

@@ -1,6 +1,7 @@
 #include "viewer/item_picker.hpp"
 
 #include <QComboBox>
+#include <QFileInfo>
 #include <QHBoxLayout>
 #include <QJsonArray>
 #include <QJsonDocument>
@@ -41,11 +42,17 @@ ItemPicker::ItemPicker(Kind kind, Document& document, std::function<dvec3()> nea
   layout->addWidget(fewer_);
   items_->setFocusPolicy(Qt::StrongFocus);
   setFocusProxy(items_);
+  items_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
   if (kind == Kind::lamp) items_->setPlaceholderText(tr("No lamp"));
+  if (kind == Kind::model) items_->setPlaceholderText(tr("No model"));
   more_->setText(QStringLiteral("+"));
-  more_->setToolTip(kind == Kind::lamp ? tr("One more lamp") : tr("One more balloon"));
+  more_->setToolTip(kind == Kind::lamp    ? tr("One more lamp")
+                    : kind == Kind::model ? tr("One more model, from a file")
+                                          : tr("One more balloon"));
   fewer_->setText(QStringLiteral("−"));
-  fewer_->setToolTip(kind == Kind::lamp ? tr("Remove this lamp") : tr("Remove this balloon"));
+  fewer_->setToolTip(kind == Kind::lamp    ? tr("Remove this lamp")
+                     : kind == Kind::model ? tr("Remove this model")
+                                           : tr("Remove this balloon"));
   for (QToolButton* button : {more_, fewer_}) {
     button->setAccessibleName(button->toolTip());
     button->setVisible(kind != Kind::material);
@@ -66,11 +73,13 @@ ItemPicker::ItemPicker(Kind kind, Document& document, std::function<dvec3()> nea
 }
 
 QString ItemPicker::list() const {
+  if (kind_ == Kind::model) return QStringLiteral("/objects");
   return kind_ == Kind::lamp ? QStringLiteral("/lights") : QStringLiteral("/balloons");
 }
 
 int ItemPicker::count() const {
   const scene::Scene& scene = document_.scene();
+  if (kind_ == Kind::model) return static_cast<int>(scene.objects.size());
   return static_cast<int>(kind_ == Kind::lamp ? scene.lights.size() : scene.balloons.size());
 }
 
@@ -88,12 +97,17 @@ void ItemPicker::choose(const QString& pointer) {
 }
 
 QString ItemPicker::prefix_of(const QString& pointer) const {
-  constexpr const char* kPrefixes[] = {"/balloon", "/lights/0", "/materials/envelope"};
+  constexpr const char* kPrefixes[] = {"/balloon", "/objects/0", "/lights/0",
+                                       "/materials/envelope"};
   const QString prefix = QString::fromLatin1(kPrefixes[static_cast<std::size_t>(kind_)]);
   return pointer.startsWith(prefix + "/") ? prefix : QString();
 }
 
 void ItemPicker::add() {
+  if (kind_ == Kind::model) {
+    Q_EMIT file_asked();
+    return;
+  }
   const scene::Scene& scene = document_.scene();
   const int number = count();
   dvec3 place;
@@ -125,6 +139,21 @@ void ItemPicker::remove() {
   }
 }
 
+QString ItemPicker::name_of(int index) const {
+  if (kind_ == Kind::lamp) return tr("Lamp %1").arg(index + 1);
+  if (kind_ == Kind::balloon) return tr("Balloon %1").arg(index + 2);
+  const auto& file = document_.scene().objects[static_cast<std::size_t>(index)].file;
+  return QStringLiteral("%1: %2").arg(index + 1).arg(
+      QFileInfo(QString::fromStdString(file)).fileName());
+}
+
+/// Shows the names of models, which change when one of them is removed.
+void ItemPicker::show_names() {
+  for (int i = 0; i < items_->count(); ++i) {
+    if (items_->itemText(i) != name_of(i)) items_->setItemText(i, name_of(i));
+  }
+}
+
 /// Updates the list from the document. An addition that is undone removes its item as well.
 void ItemPicker::refresh() {
   if (kind_ != Kind::material) {
@@ -133,13 +162,13 @@ void ItemPicker::refresh() {
     while (items_->count() > wanted) items_->removeItem(items_->count() - 1);
     while (items_->count() < wanted) {
       const int i = items_->count() - (balloons ? 1 : 0);
-      items_->addItem(balloons ? tr("Balloon %1").arg(i + 2) : tr("Lamp %1").arg(i + 1),
-                      list() + "/" + QString::number(i));
+      items_->addItem(i < 0 ? QString() : name_of(i), list() + "/" + QString::number(i));
       if (i < 0) {
         items_->setItemText(0, tr("Balloon %1").arg(1));
         items_->setItemData(0, QStringLiteral("/balloon"));
       }
     }
+    if (kind_ == Kind::model) show_names();
     items_->setEnabled(wanted > 0);
     fewer_->setVisible(wanted > 0);
     more_->setEnabled(count() < most());

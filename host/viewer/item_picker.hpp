@@ -10,12 +10,13 @@ class QToolButton;
 
 namespace aerostat::viewer {
 
-/// Chooses the object of a list that a panel's controls edit: a balloon, a lamp or a material.
+/// Chooses the object of a list that a panel's controls edit: a balloon, a model, a lamp or a
+/// material.
 class ItemPicker : public QWidget {
   Q_OBJECT
 
  public:
-  enum class Kind { balloon, lamp, material };
+  enum class Kind { balloon, model, lamp, material };
 
   /// Makes a picker for one kind of objects. `near` returns a place above the sea beside which a
   /// new object is put.
@@ -26,7 +27,8 @@ class ItemPicker : public QWidget {
   /// is none.
   QString chosen() const;
   void choose(const QString& pointer);
-  /// Appends an object of the kind near those that exist, and chooses it.
+  /// Appends an object of the kind near those that exist, and chooses it. A model needs a file, so
+  /// that for models it only reports `file_asked`.
   void add();
   /// Removes the chosen object, unless it is the balloon that always exists.
   void remove();
@@ -37,11 +39,14 @@ class ItemPicker : public QWidget {
 
  Q_SIGNALS:
   void chosen_changed(const QString& pointer);
+  void file_asked();
 
  private:
   QString list() const;
   int count() const;
   int most() const;
+  QString name_of(int index) const;
+  void show_names();
   void refresh();
 
   Kind kind_;

@@ -5,7 +5,6 @@
 #include <QCloseEvent>
 #include <QDockWidget>
 #include <QFileInfo>
-#include <QMimeData>
 #include <QSettings>
 #include <QVBoxLayout>
 #include <utility>
@@ -23,12 +22,17 @@
 namespace aerostat::viewer {
 
 MainWindow::MainWindow(const QString& device, render::TestHooks hooks, QWidget* parent)
-    : QMainWindow(parent), camera_(document_), device_(device), hooks_(std::move(hooks)) {
+    : QMainWindow(parent),
+      camera_(document_),
+      models_(document_),
+      device_(device),
+      hooks_(std::move(hooks)) {
   if (device_.isEmpty()) device_ = QSettings().value(QStringLiteral("device")).toString();
   setObjectName(QStringLiteral("main"));
   setAcceptDrops(true);
   build();
   connect_view();
+  connect_models();
   add_file_menu();
   add_edit_menu();
   add_view_menu();
@@ -38,6 +42,8 @@ MainWindow::MainWindow(const QString& device, render::TestHooks hooks, QWidget* 
   panels_->show_device(device_);
   connect(&document_, &Document::changed, this, &MainWindow::render);
   connect(&document_, &Document::failed, this,
+          [this](const QString& message) { messages_->show_message(message); });
+  connect(&document_, &Document::saved_with, this,
           [this](const QString& message) { messages_->show_message(message); });
   connect(&document_, &Document::file_changed, this, &MainWindow::show_title);
   connect(files_, &SceneFiles::changed_elsewhere, this, &MainWindow::show_changed_file);
@@ -231,20 +237,6 @@ void MainWindow::closeEvent(QCloseEvent* event) {
   save_layout();
   renderer_->pause();
   event->accept();
-}
-
-void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
-  const auto urls = event->mimeData()->urls();
-  if (urls.size() != 1 || !urls.front().isLocalFile()) return;
-  // A pipe is refused, because the window would wait for its writer. A folder is accepted, so that
-  // opening it can report that it is not a file.
-  const QFileInfo file(urls.front().toLocalFile());
-  if (file.isFile() || file.isDir()) event->acceptProposedAction();
-}
-
-void MainWindow::dropEvent(QDropEvent* event) {
-  const auto urls = event->mimeData()->urls();
-  if (!urls.isEmpty()) files_->open(urls.front().toLocalFile());
 }
 
 void MainWindow::save_layout() {

@@ -5,6 +5,7 @@
 
 #include "viewer/camera_control.hpp"
 #include "viewer/document.hpp"
+#include "viewer/model_control.hpp"
 #include "viewer/render_thread.hpp"
 
 class QLabel;
@@ -31,6 +32,7 @@ class MainWindow : public QMainWindow {
 
   Document& document() { return document_; }
   CameraControl& camera() { return camera_; }
+  ModelControl& models() { return models_; }
   Panels& panels() { return *panels_; }
   PictureView& view() { return *view_; }
   MessageBar& messages() { return *messages_; }
@@ -41,6 +43,10 @@ class MainWindow : public QMainWindow {
   std::uint64_t request() const { return request_; }
 
   bool open(const QString& path);
+  /// Does with a file what its kind and the place of the picture suggest at which it was dropped:
+  /// models stand there, pictures become artwork, and all else is opened. The place is nothing
+  /// outside of the picture.
+  void take_file(const QString& path, const std::optional<QPointF>& place);
 
  Q_SIGNALS:
   void look_arrived();
@@ -54,6 +60,11 @@ class MainWindow : public QMainWindow {
   void build();
   void build_status();
   void connect_view();
+  void connect_models();
+  void put_artwork(const QString& path, const std::optional<QPointF>& place);
+  void offer_wraps(const QString& name, const QString& pointer);
+  void ask_for_model();
+  void show_mark();
   void add_file_menu();
   void add_edit_menu();
   void add_view_menu();
@@ -84,6 +95,7 @@ class MainWindow : public QMainWindow {
 
   Document document_;
   CameraControl camera_;
+  ModelControl models_;
   Panels* panels_ = nullptr;
   PictureView* view_ = nullptr;
   MessageBar* messages_ = nullptr;

@@ -69,6 +69,10 @@ void MainWindow::add_edit_menu() {
       {QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_Z), QKeySequence(Qt::CTRL | Qt::Key_Y)});
   menu->addActions({undo, redo});
   menu->addSeparator();
+  add_action(menu, tr("Put a &Model…"), QKeySequence(Qt::CTRL | Qt::Key_M),
+             [this] { ask_for_model(); });
+  add_action(menu, tr("&Remove the Model"), QKeySequence(), [this] { models_.remove(); });
+  menu->addSeparator();
   add_action(menu, tr("Reset &Everything but the Biome"), QKeySequence(), [this] {
     const std::string kind = document_.source().value("/biome/kind");
     document_.end_gesture();

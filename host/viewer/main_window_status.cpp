@@ -63,6 +63,7 @@ void MainWindow::show_look(std::shared_ptr<const Shown> shown) {
   const render::Preview& preview = shown->preview;
   shown_ = shown;
   camera_.note(shown);
+  models_.note(shown);
   view_->show_image(shown->image, QSize(preview.scene->image.width, preview.scene->image.height));
   QStringList parts;
   parts << tr("%1 × %2").arg(preview.scene->image.width).arg(preview.scene->image.height);
@@ -84,6 +85,7 @@ void MainWindow::show_look(std::shared_ptr<const Shown> shown) {
   }
   panels_->show_view();
   if (shown->request == request_ && is_enough_to_play(preview)) timeline_->frame_arrived();
+  show_mark();
   Q_EMIT look_arrived();
 }
 

@@ -59,6 +59,7 @@ Panels::Panels(Document& document, CameraControl& camera, QWidget* parent)
       camera_(camera),
       sun_(new SunPanel(document)),
       balloons_(new ItemPicker(ItemPicker::Kind::balloon, document)),
+      models_(new ItemPicker(ItemPicker::Kind::model, document)),
       lamps_(new ItemPicker(ItemPicker::Kind::lamp, document,
                             [&camera] { return camera.balloon_place(); })),
       materials_(new ItemPicker(ItemPicker::Kind::material, document)),
@@ -79,7 +80,7 @@ Panels::Panels(Document& document, CameraControl& camera, QWidget* parent)
   add_rows(picture, Panel::view);
   add_rows(picture, Panel::picture);
   add_device(picture);
-  for (ItemPicker* picker : {balloons_, lamps_, materials_}) {
+  for (ItemPicker* picker : {balloons_, models_, lamps_, materials_}) {
     connect(picker, &ItemPicker::chosen_changed, this, [this, picker] { bind_rows(*picker); });
     bind_rows(*picker);
   }
@@ -131,16 +132,22 @@ void Panels::add_group(QFormLayout* form, const ControlGroup& group) {
     ControlRow* row = ControlRow::make(control, document_, this);
     form->addRow(row->label(), row->editor());
     rows_.push_back(row);
-    const bool of_lamp = !lamps_->prefix_of(pointer).isEmpty();
-    if (fold != nullptr) hide_with(*fold, *form, row->editor(), of_lamp ? lamps_ : nullptr);
+    ItemPicker* of = nullptr;
+    for (ItemPicker* picker : {lamps_, models_}) {
+      if (!picker->prefix_of(pointer).isEmpty()) of = picker;
+    }
+    if (of == models_) models_fold_ = fold;
+    if (fold != nullptr) hide_with(*fold, *form, row->editor(), of);
     if (pointer == QLatin1String("/image/height")) add_sizes(form);
   }
 }
 
 /// Adds the picker of the object that a control edits, unless the picker already has its place.
 void Panels::add_picker(QFormLayout* form, const QString& pointer, QToolButton* fold) {
-  const std::pair<ItemPicker*, QString> pickers[] = {
-      {balloons_, tr("Balloon")}, {lamps_, tr("Lamp")}, {materials_, tr("Material of")}};
+  const std::pair<ItemPicker*, QString> pickers[] = {{balloons_, tr("Balloon")},
+                                                     {models_, tr("Model")},
+                                                     {lamps_, tr("Lamp")},
+                                                     {materials_, tr("Material of")}};
   for (const auto& [picker, text] : pickers) {
     if (picker->prefix_of(pointer).isEmpty() || picker->parentWidget() != nullptr) continue;
     auto* label = new QLabel(text);
@@ -273,6 +280,18 @@ void Panels::show_device(const QString& selector) {
     index = devices_->count() - 1;
   }
   devices_->setCurrentIndex(index);
+}
+
+void Panels::show_model(const QString& pointer) {
+  models_->choose(pointer);
+  models_fold_->setChecked(true);
+  for (int i = 0; i < count(); ++i) {
+    auto* scroll = qobject_cast<QScrollArea*>(widget(i));
+    if (scroll == nullptr || !scroll->isAncestorOf(models_)) continue;
+    setCurrentIndex(i);
+    scroll->widget()->layout()->activate();
+    scroll->ensureWidgetVisible(models_, 0, scroll->viewport()->height() / 2);
+  }
 }
 
 void Panels::show_view() {

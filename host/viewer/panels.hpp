@@ -27,11 +27,14 @@ class Panels : public QTabWidget {
   const std::vector<ControlRow*>& rows() const { return rows_; }
   SunPanel& sun() { return *sun_; }
   ItemPicker& balloons() { return *balloons_; }
+  ItemPicker& models() { return *models_; }
   ItemPicker& lamps() { return *lamps_; }
   ItemPicker& materials() { return *materials_; }
 
   void show_devices(const std::vector<DeviceChoice>& devices);
   void show_device(const QString& selector);
+  /// Shows the controls of a model, which is a pointer such as "/objects/0".
+  void show_model(const QString& pointer);
   /// Draws the direction of the camera on the disc of the sun.
   void show_view();
 
@@ -58,6 +61,8 @@ class Panels : public QTabWidget {
   std::vector<ControlRow*> rows_;
   SunPanel* sun_;
   ItemPicker* balloons_;
+  ItemPicker* models_;
+  QToolButton* models_fold_ = nullptr;
   ItemPicker* lamps_;
   ItemPicker* materials_;
   QComboBox* view_;

@@ -7,6 +7,7 @@
 #include <QWheelEvent>
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace aerostat::viewer {
 namespace {
@@ -16,6 +17,11 @@ constexpr int kFlightTick_ms = 33;
 constexpr double kKeyTurn = 0.04;
 /// The factor of the distance to the target for one notch of the wheel. Chosen by eye.
 constexpr double kDollyPerNotch = 0.85;
+
+/// The half width of the mark of a model in pixels, and the way in pixels by which the mouse may
+/// move in a click. Chosen by eye.
+constexpr double kMarkWidth = 14.0;
+constexpr double kClickSlack = 4.0;
 
 bool flies(int key) {
   switch (key) {
@@ -112,6 +118,33 @@ void PictureView::paintEvent(QPaintEvent*) {
   // they are.
   painter.setRenderHint(QPainter::SmoothPixmapTransform, fit_ || image_.size() != size_);
   painter.drawImage(rect, image_);
+  paint_mark(painter, rect);
+}
+
+void PictureView::set_mark(const std::optional<QPointF>& place, const QString& name) {
+  if (place == mark_ && name == mark_name_) return;
+  mark_ = place;
+  mark_name_ = name;
+  viewport()->update();
+}
+
+void PictureView::paint_mark(QPainter& painter, const QRectF& picture) const {
+  if (!mark_) return;
+  const QPointF at =
+      picture.topLeft() + QPointF(mark_->x() * picture.width(), mark_->y() * picture.height());
+  painter.setRenderHint(QPainter::Antialiasing);
+  const QRectF ring(at.x() - kMarkWidth, at.y() - 0.5 * kMarkWidth, 2.0 * kMarkWidth, kMarkWidth);
+  const QPointF text = at + QPointF(kMarkWidth + 6.0, 5.0);
+  // The dark lines below the bright ones are seen before any background.
+  const std::pair<QColor, double> lines[] = {{QColor(0, 0, 0, 160), 4.0}, {Qt::white, 1.8}};
+  for (const auto& [color, width] : lines) {
+    painter.setPen(QPen(color, width));
+    painter.drawEllipse(ring);
+  }
+  painter.setPen(QColor(0, 0, 0, 200));
+  painter.drawText(text + QPointF(1.0, 1.0), mark_name_);
+  painter.setPen(Qt::white);
+  painter.drawText(text, mark_name_);
 }
 
 void PictureView::resizeEvent(QResizeEvent*) {
@@ -125,22 +158,44 @@ void PictureView::mousePressEvent(QMouseEvent* event) {
     return;
   }
   dragged_from_ = event->position();
-  viewport()->setCursor(Qt::ClosedHandCursor);
+  pressed_at_.reset();
+  carries_ = false;
+  if (event->button() == Qt::LeftButton) {
+    pressed_at_ = event->position();
+    const auto at = place_at(event->position());
+    carries_ = at && grab_ && grab_(*at);
+  }
+  viewport()->setCursor(carries_ ? Qt::SizeAllCursor : Qt::ClosedHandCursor);
 }
 
 void PictureView::mouseMoveEvent(QMouseEvent* event) {
   if (!dragged_from_) return;
-  const QPointF by = event->position() - *dragged_from_;
-  dragged_from_ = event->position();
-  if (event->buttons() & Qt::MiddleButton) {
+  // A hand that trembles does not drag.
+  if (pressed_at_ && (event->position() - *pressed_at_).manhattanLength() < kClickSlack) return;
+  pressed_at_.reset();
+  drag(*event);
+}
+
+void PictureView::drag(const QMouseEvent& event) {
+  const QPointF by = event.position() - *dragged_from_;
+  dragged_from_ = event.position();
+  if (event.buttons() & Qt::MiddleButton) {
     horizontalScrollBar()->setValue(horizontalScrollBar()->value() - static_cast<int>(by.x()));
     verticalScrollBar()->setValue(verticalScrollBar()->value() - static_cast<int>(by.y()));
     viewport()->update();
     return;
   }
   const double height = std::max(1.0, picture_rect().height());
+  if (carries_) {
+    if ((event.modifiers() & Qt::ShiftModifier) != 0) {
+      Q_EMIT turned(by.x() / height);
+    } else if (const auto at = place_at(event.position())) {
+      Q_EMIT carried(*at);
+    }
+    return;
+  }
   const bool looks =
-      (event->buttons() & Qt::RightButton) != 0 || (event->modifiers() & Qt::ShiftModifier) != 0;
+      (event.buttons() & Qt::RightButton) != 0 || (event.modifiers() & Qt::ShiftModifier) != 0;
   if (looks) {
     Q_EMIT looked(by.x() / height, by.y() / height);
   } else {
@@ -151,6 +206,11 @@ void PictureView::mouseMoveEvent(QMouseEvent* event) {
 void PictureView::mouseReleaseEvent(QMouseEvent*) {
   if (!dragged_from_) return;
   dragged_from_.reset();
+  carries_ = false;
+  if (pressed_at_) {
+    if (const auto at = place_at(*pressed_at_)) Q_EMIT clicked(*at);
+    pressed_at_.reset();
+  }
   viewport()->setCursor(placing_ ? Qt::CrossCursor : Qt::OpenHandCursor);
   Q_EMIT gesture_ended();
 }
@@ -211,6 +271,10 @@ void PictureView::keyPressEvent(QKeyEvent* event) {
   }
   if (event->key() == Qt::Key_Escape && placing_) {
     set_placing(false);
+  } else if (event->key() == Qt::Key_Escape && mark_) {
+    Q_EMIT mark_dropped();
+  } else if (event->key() == Qt::Key_Delete && plain) {
+    Q_EMIT removal_asked();
   } else if (!turn_by_key(event->key(), event->modifiers())) {
     QAbstractScrollArea::keyPressEvent(event);
   }

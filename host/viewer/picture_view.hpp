@@ -4,8 +4,10 @@
 #include <QElapsedTimer>
 #include <QImage>
 #include <QTimer>
+#include <functional>
 #include <optional>
 #include <set>
+#include <utility>
 
 #include "viewer/camera_motion.hpp"
 
@@ -30,6 +32,13 @@ class PictureView : public QAbstractScrollArea {
   void set_placing(bool placing);
   bool is_placing() const { return placing_; }
 
+  /// Sets what tells whether a drag that begins at a place of the picture moves what is there,
+  /// instead of the camera.
+  void set_grab(std::function<bool(const QPointF& place)> grab) { grab_ = std::move(grab); }
+
+  /// Draws a mark with a name at a place of the picture, or none.
+  void set_mark(const std::optional<QPointF>& place, const QString& name);
+
   /// Returns the place of a point of the viewport in the picture, with both coordinates from 0 to
   /// 1. Returns nothing for a point outside the picture.
   std::optional<QPointF> place_at(const QPointF& point) const;
@@ -48,6 +57,15 @@ class PictureView : public QAbstractScrollArea {
   /// Reports a click at a place of the picture, with both coordinates from 0 to 1.
   void aimed(const QPointF& place);
   void placed(const QPointF& place);
+  /// Reports a press and a release of the mouse without a drag.
+  void clicked(const QPointF& place);
+  /// Reports that what was grabbed was dragged to a place of the picture, or turned to the right by
+  /// a share of the picture's height.
+  void carried(const QPointF& place);
+  void turned(double right);
+  /// Reports the keys that remove what is marked and that take the mark away.
+  void removal_asked();
+  void mark_dropped();
   void placing_changed(bool placing);
   void fit_changed(bool fit);
 
@@ -71,11 +89,20 @@ class PictureView : public QAbstractScrollArea {
   void fly_on();
   bool turn_by_key(int key, Qt::KeyboardModifiers modifiers);
 
+  void drag(const QMouseEvent& event);
+  void paint_mark(class QPainter& painter, const QRectF& picture) const;
+
   QImage image_;
   QSize size_;
   bool fit_ = true;
   bool placing_ = false;
   std::optional<QPointF> dragged_from_;
+  /// The point at which the left button was pressed, until the mouse moves away from it.
+  std::optional<QPointF> pressed_at_;
+  std::function<bool(const QPointF&)> grab_;
+  bool carries_ = false;
+  std::optional<QPointF> mark_;
+  QString mark_name_;
   std::set<int> held_;
   bool fast_ = false;
   QTimer flight_timer_;

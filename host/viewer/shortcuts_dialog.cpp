@@ -27,6 +27,11 @@ QString picture_rows() {
              ShortcutsDialog::tr("closer, away")) +
          row(ShortcutsDialog::tr("Double click"), ShortcutsDialog::tr("aim there")) +
          row(ShortcutsDialog::tr("Ctrl+click"), ShortcutsDialog::tr("put the balloon above it")) +
+         row(ShortcutsDialog::tr("Click"), ShortcutsDialog::tr("pick a model")) +
+         row(ShortcutsDialog::tr("Drag, Shift+drag on the picked model"),
+             ShortcutsDialog::tr("move it, turn it")) +
+         row(ShortcutsDialog::tr("Delete, Escape"),
+             ShortcutsDialog::tr("remove the picked model, let it go")) +
          row(ShortcutsDialog::tr("W A S D"),
              ShortcutsDialog::tr("fly ahead, left, back, right (Shift: fast)")) +
          row(ShortcutsDialog::tr("Q, E"), ShortcutsDialog::tr("down, up")) +

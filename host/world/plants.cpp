@@ -42,6 +42,11 @@ void choose_details(const scene::ResolvedScene& scene, const std::vector<plant::
   const dvec3 eye = scene.eye() - scene.origin();
   tbb::parallel_for(std::size_t{0}, instances.size(), [&](std::size_t i) {
     scatter::Instance& instance = instances[i];
+    // A species from a file has one detail, and follows those of the others.
+    if (instance.model >= models.size()) {
+      instance.model += static_cast<std::uint32_t>(models.size() * (kDetails - 1));
+      return;
+    }
     const plant::Detail detail = scatter::detail_of(instance, models[instance.model], eye, pixel);
     instance.model = instance.model * kDetails + static_cast<std::uint32_t>(detail);
   });
@@ -109,19 +114,43 @@ void clear_strewn(const GroupInput& input, std::vector<scatter::Instance>& insta
   });
 }
 
+/// Returns the sizes of the species from files.
+std::vector<scatter::SpeciesModel> sizes_of(const SceneModels& models) {
+  std::vector<scatter::SpeciesModel> sizes;
+  for (const std::size_t number : models.of_species) {
+    const dvec3& size = models.models[number]->size;
+    sizes.push_back({size.y, std::hypot(size.x, size.z)});
+  }
+  return sizes;
+}
+
+/// Returns the model of a species from a file. In pictures with ids it is a plant.
+InstanceModel species_model(const SceneModels& models, std::size_t species) {
+  const std::size_t number = models.of_species[species];
+  Objects parts = *models.models[number]->parts;
+  for (Object& part : parts) part.id = scene::ObjectId::plant;
+  InstanceModel model = instance_model(std::move(parts));
+  model.first_file_material = models.first_material[number];
+  return model;
+}
+
 Shape build(const GroupInput& input) {
   const scene::ResolvedScene& scene = input.request.scene;
   const std::shared_ptr<const land::Cover> cover = terrain::cover_of(scene->terrain, input.reliefs);
   const CoverLookup lookup = cover_lookup(cover.get());
-  scatter::Growth growth = scatter::scatter(scene, *input.ground, input.request.where,
-                                            input.request.obstacles, cover ? &lookup : nullptr);
+  const SceneModels& models = *input.request.models;
+  const auto species = sizes_of(models);
+  scatter::Growth growth =
+      scatter::scatter(scene, *input.ground, input.request.where, input.request.obstacles,
+                       cover ? &lookup : nullptr, species);
   clear_pictures(input, growth.instances);
   clear_water(input, growth.instances);
   clear_strewn(input, growth.instances);
   choose_details(scene, growth.models, growth.instances);
   Instances plants;
   plants.places = std::move(growth.instances);
-  std::vector<std::uint32_t> number(growth.models.size() * kDetails, 0);
+  const std::size_t own = growth.models.size() * kDetails;
+  std::vector<std::uint32_t> number(own + species.size(), 0);
   for (const scatter::Instance& instance : plants.places) number[instance.model] = 1;
   std::vector<std::uint32_t> used;
   for (std::uint32_t k = 0; k < number.size(); ++k) {
@@ -131,6 +160,10 @@ Shape build(const GroupInput& input) {
   }
   plants.models.resize(used.size());
   tbb::parallel_for(std::size_t{0}, used.size(), [&](std::size_t i) {
+    if (used[i] >= own) {
+      plants.models[i] = species_model(models, used[i] - own);
+      return;
+    }
     const plant::ModelKey& key = growth.models[used[i] / kDetails];
     const auto detail = static_cast<plant::Detail>(used[i] % kDetails);
     Object model = object_of(key.species);
@@ -146,6 +179,8 @@ bool same(const GroupRequest& now, const GroupRequest& before) {
     return false;
   }
   if (!same_strewn(*now.scene, *before.scene)) return false;
+  // The numbers of the materials of species go by all models of the scene.
+  if (!now.models->of_species.empty() && now.models != before.models) return false;
   if (!scatter::same_room(now.scene, *now.ground, now.obstacles, before.obstacles)) return false;
   const scene::Scene &a = *now.scene, &b = *before.scene;
   return a.vegetation == b.vegetation && scene::at_rest(a.biome) == scene::at_rest(b.biome) &&

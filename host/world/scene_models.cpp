@@ -65,6 +65,9 @@ std::shared_ptr<const SceneModels> ModelCache::models_of(const scene::Scene& sce
   for (const scene::PlacedModel& placed : scene.objects) {
     keys.objects.push_back({placed.file, placed.up});
   }
+  for (const scene::PlantSpecies& species : scene.vegetation.species) {
+    keys.species.push_back({species.file, species.up});
+  }
   for (const scene::Balloon* balloon : scene::balloons_of(scene)) {
     const auto& envelope = balloon->envelope;
     keys.envelopes.push_back(envelope ? ModelKey{envelope->file, envelope->up} : ModelKey{});
@@ -90,14 +93,23 @@ int ModelCache::files_read() const {
 std::shared_ptr<const SceneModels> ModelCache::make(const Keys& keys) {
   auto set = std::make_shared<SceneModels>();
   std::map<ModelKey, std::size_t> number;
-  for (const ModelKey& key : keys.objects) {
+  const auto number_of = [&](const ModelKey& key) {
     const auto [entry, is_new] = number.try_emplace(key, set->models.size());
     if (is_new) {
       set->models.push_back(model(key));
       set->first_material.push_back(set->material_count);
       set->material_count += static_cast<std::uint32_t>(set->models.back()->materials.size());
     }
-    set->of_object.push_back(entry->second);
+    return entry->second;
+  };
+  for (const ModelKey& key : keys.objects) set->of_object.push_back(number_of(key));
+  for (const ModelKey& key : keys.species) {
+    set->of_species.push_back(number_of(key));
+    if (set->models[set->of_species.back()]->size.y > 0.0) continue;
+    throw Error(ErrorKind::bad_data,
+                fmt::format("{}: found a flat model, expected one with a height for a species of "
+                            "plants",
+                            key.file.string()));
   }
   for (const ModelKey& key : keys.envelopes) {
     set->envelopes.push_back(key.file.empty() ? nullptr : model(key));
@@ -132,6 +144,13 @@ std::shared_ptr<const FileModel> ModelCache::model(const ModelKey& key) {
 /// Tells the size of each model that was not told before. Of a model that stands in several places,
 /// the least and the greatest size are told.
 void ModelCache::tell(const scene::Scene& scene, const SceneModels& models) {
+  for (std::size_t i = 0; i < models.of_species.size(); ++i) {
+    const scene::PlantSpecies& species = scene.vegetation.species[i];
+    scene::PlacedModel placed;
+    if (species.height_m) placed.height_m = species.height_m->y * scene.vegetation.size;
+    const std::string note = size_note(placed, *models.models[models.of_species[i]]);
+    if (told_.insert(note).second) warn(note);
+  }
   for (std::size_t i = 0; i < models.models.size(); ++i) {
     const scene::PlacedModel *least = nullptr, *most = nullptr;
     const FileModel& model = *models.models[i];
@@ -142,6 +161,7 @@ void ModelCache::tell(const scene::Scene& scene, const SceneModels& models) {
       if (most == nullptr || scale_of(placed, model) > scale_of(*most, model)) most = &placed;
     }
     for (const scene::PlacedModel* placed : {least, most}) {
+      if (placed == nullptr) continue;  // The model is only a species of plants.
       std::string note = size_note(*placed, model);
       if (told_.insert(note).second) warn(note);
     }

@@ -60,6 +60,8 @@ struct SceneModels {
   std::vector<std::shared_ptr<const FileModel>> envelopes;
   /// The index in `models` of each of Scene::objects.
   std::vector<std::size_t> of_object;
+  /// The index in `models` of each species of plants from files.
+  std::vector<std::size_t> of_species;
   /// The number of the first material of each model among those of all models.
   std::vector<std::uint32_t> first_material;
   std::uint32_t material_count = 0;
@@ -80,10 +82,10 @@ class ModelCache {
   int files_read() const;
 
  private:
-  /// The files of a scene: those of its objects, and of the envelopes of its balloons, which are
-  /// empty for usual ones.
+  /// The files of a scene: those of its objects, of its species of plants, and of the envelopes of
+  /// its balloons, which are empty for usual ones.
   struct Keys {
-    std::vector<ModelKey> objects, envelopes;
+    std::vector<ModelKey> objects, species, envelopes;
 
     bool operator==(const Keys&) const = default;
   };

@@ -3,13 +3,16 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <unordered_map>
 #include <utility>
 
 #include "core/random.hpp"
 #include "core/stop_scope.hpp"
+#include "scene/local_frame.hpp"
 #include "scene/scene.hpp"
+#include "terrain/cover.hpp"
 #include "terrain/height_field.hpp"
 #include "world/scene_models.hpp"
 
@@ -69,6 +72,8 @@ class Strewer {
     if (input.local.biome.water.enabled) sea_ = input.local.biome.water.level_m;
     field_.emplace(input.local.terrain, input.request.carving, input.reliefs);
     if (!field_->has_water()) field_.reset();
+    cover_ = terrain::cover_of(input.request.scene->terrain, input.reliefs);
+    origin_ = scene::place_of(*input.request.scene, input.request.scene.origin());
   }
 
   Strewn run(std::size_t object) {
@@ -104,7 +109,7 @@ class Strewer {
     if (!surface_.covers(place.x, place.y) || !taken.has_room(place)) return std::nullopt;
     const scatter::SurfacePoint ground = surface_.at(place.x, place.y);
     const auto water = water_above(ground.position);
-    if (!suits(area, ground, water.has_value())) return std::nullopt;
+    if (!suits(area, ground, water.has_value()) || !has_cover(area, place)) return std::nullopt;
     scatter::Instance instance;
     instance.position = {static_cast<float>(place.x), static_cast<float>(placed.position.y),
                          static_cast<float>(place.y)};
@@ -135,6 +140,24 @@ class Strewer {
     return slope_deg >= area.slope_deg.x && slope_deg <= area.slope_deg.y;
   }
 
+  /// Returns whether more than half of what covers a place is of the classes of an area.
+  bool has_cover(const scene::PlacedArea& area, const dvec2& place) const {
+    if (area.cover.empty()) return true;
+    if (!cover_) return false;
+    const double east = origin_.x + place.x, south = origin_.z + place.y;
+    const double footprint_m = cover_->ground().texel_m;
+    const CoverShares shares = cover_->at(east, south, footprint_m);
+    float share = 0.0f;
+    for (const CoverClass one : area.cover) {
+      if (one != CoverClass::water) {
+        share += shares[static_cast<std::size_t>(one)];
+      } else if (cover_->has_water()) {
+        share += cover_->water_at(east, south, footprint_m);
+      }
+    }
+    return share > 0.5f;
+  }
+
   /// Returns the level of the water that covers a point of the ground, or nothing if it is dry.
   std::optional<double> water_above(const vec3& ground) const {
     const double height = static_cast<double>(ground.y);
@@ -148,6 +171,8 @@ class Strewer {
   const scatter::Surface& surface_;
   std::optional<double> sea_;
   std::optional<terrain::HeightField> field_;
+  std::shared_ptr<const land::Cover> cover_;
+  dvec3 origin_{0.0};  // the place over the terrain from which positions count
   std::vector<dvec2> all_;
 };
 

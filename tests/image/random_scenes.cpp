@@ -184,6 +184,7 @@ class Maker {
     }
     if (made["lights"].is_null()) made.erase("lights");
     made.erase("objects");
+    if (made.contains("vegetation")) made["vegetation"].erase("species");
     if (!made.contains("terrain")) return;
     Json& terrain = made["terrain"];
     for (const char* key : {"source", "place", "image_heights_m", "drape", "cover"})

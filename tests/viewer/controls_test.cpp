@@ -32,7 +32,6 @@ QJsonObject dump(const Document& document) {
       .object();
 }
 
-/// Returns the value at a pointer.
 QJsonValue at(const QJsonObject& scene, const QString& pointer) {
   QJsonValue value = scene;
   for (const QString& token : pointer.mid(1).split('/')) {
@@ -41,7 +40,6 @@ QJsonValue at(const QJsonObject& scene, const QString& pointer) {
   return value;
 }
 
-/// Returns "/balloons/1" for "/balloons/1/gores", and "/balloon" for "/balloon/gores".
 QString object_of(const QString& pointer) {
   return pointer.section('/', 0, pointer.startsWith("/balloon/") ? 1 : 2);
 }
@@ -139,8 +137,8 @@ void ControlsTest::every_control_data() {
   for (const Control& control : controls()) {
     const QString own = QString::fromStdString(control.pointer);
     QTest::newRow(control.pointer.c_str()) << own << own;
-    // The same control is tested again, bound to another object of its list.
     const std::pair<QString, QString> others[] = {{"/balloon/", "/balloons/1/"},
+                                                  {"/objects/0/", "/objects/1/"},
                                                   {"/materials/envelope/", "/materials/rim/"},
                                                   {"/lights/0/", "/lights/1/"}};
     for (const auto& [first, other] : others) {
@@ -151,11 +149,13 @@ void ControlsTest::every_control_data() {
   }
 }
 
-/// Adds two further balloons and two lamps.
 void ControlsTest::fill_lists() {
+  const QString model = "{\"file\": \"" + folder_.filePath("church.glb") + "\"}";
+  QVERIFY(document_->set("models", "/objects", "[" + model + "," + model + "]"));
   for (int i = 0; i < 2; ++i) panels_->balloons().add();
   for (int i = 0; i < 2; ++i) panels_->lamps().add();
   panels_->balloons().choose("/balloon");
+  panels_->models().choose("/objects/0");
   panels_->lamps().choose("/lights/0");
   document_->start(document_->source(), {});
 }
@@ -166,11 +166,11 @@ void ControlsTest::every_control() {
   fill_lists();
   ControlRow* control = row(pointer);
   QVERIFY(control != nullptr);
-  for (ItemPicker* picker : {&panels_->balloons(), &panels_->lamps(), &panels_->materials()}) {
+  for (ItemPicker* picker :
+       {&panels_->balloons(), &panels_->models(), &panels_->lamps(), &panels_->materials()}) {
     if (!picker->prefix_of(pointer).isEmpty()) picker->choose(object_of(bound_to));
   }
   pointer = bound_to;
-  // An object that was just placed returns to its usual place.
   control->reset();
   document_->start(document_->source(), {});
   const QJsonObject before = dump(*document_);

@@ -11,7 +11,7 @@ namespace aerostat::viewer {
 /// given in the scene file.
 bool is_named_in_files(const QString& pointer) {
   static const QRegularExpression kParts(
-      "^/film/|/(at|look_at|track|place|raw|objects|artwork|envelope|cover|clearings)/");
+      "^/film/|/(at|look_at|track|place|raw|objects|artwork|envelope|cover|clearings|species)/");
   return pointer.contains(kParts);
 }
 

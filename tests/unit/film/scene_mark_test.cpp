@@ -44,6 +44,10 @@ scene::Scene scene_with(const std::string& file) {
   scene.balloon.track->file = file;
   scene.balloon.artwork.resize(1);
   scene.balloon.artwork[0].file = file;
+  scene.balloon.envelope.emplace();
+  scene.balloon.envelope->file = file;
+  scene.vegetation.species.resize(1);
+  scene.vegetation.species[0].file = file;
   return scene;
 }
 
@@ -76,6 +80,12 @@ TEST_F(SceneMark, EachFileCountsByItsSize) {
   EXPECT_TRUE(differs(other));
   other = scene;
   other.balloon.artwork[0].file = large;
+  EXPECT_TRUE(differs(other));
+  other = scene;
+  other.balloon.envelope->file = large;
+  EXPECT_TRUE(differs(other));
+  other = scene;
+  other.vegetation.species[0].file = large;
   EXPECT_TRUE(differs(other));
 }
 

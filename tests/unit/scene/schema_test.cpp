@@ -67,6 +67,7 @@ Scene full_scene() {
   scene.terrain.place = {46.8, 9.8, 2600000.0, 1200000.0};
   scene.objects.push_back({.file = "a.glb", .at = GeoPoint{}, .height_m = 2.0});
   scene.objects.back().area = PlacedArea{};
+  scene.vegetation.species.push_back({.file = "b.glb", .height_m = dvec2(3.0, 4.0)});
   scene.terrain.drape.corners = {dvec2(46.9, 9.7), dvec2(46.7, 9.9)};
   scene.film.keys = {{"/image/spp", Easing::smooth, {{1.0, {{4.0}, false, ""}}}}};
   scene.film.camera.path.resize(1);
@@ -134,6 +135,14 @@ constexpr const char* kArtwork = R"({"version": 1,
     "balloon": {"artwork": [{"file": "a.png", "wrap": "motif"}]},
     "balloons": [{"artwork": [{"file": "a.png", "wrap": "motif"}]}]})";
 
+/// A model and a species of plants.
+constexpr const char* kModels = R"({"version": 1, "objects": [{"file": "a.obj"}],
+    "vegetation": {"species": [{"file": "a.obj"}]}})";
+
+bool is_of_models(const std::string& path) {
+  return path.starts_with("/objects/") || path.starts_with("/vegetation/species/");
+}
+
 bool is_of_artwork(const std::string& path) {
   return path.find("/artwork/") != std::string::npos;
 }
@@ -144,12 +153,11 @@ TEST(SceneSchema, AcceptsEveryWordThatItNames) {
   walk(root, root, "", [&words](const std::string& path, const json& rule) {
     for (const json& word : rule.value("enum", json::array())) {
       const bool needs_source = path == "/terrain/kind" && word == "elevation";
-      const bool needs_file = path.starts_with("/objects/");
       const std::string text = path.starts_with("/film/") ? kFilm
                                : needs_source ? R"({"version": 1, "terrain": {"source": "a.tif"}})"
                                : is_of_artwork(path)  ? kArtwork
                                : is_of_envelope(path) ? kEnvelope
-                               : needs_file ? R"({"version": 1, "objects": [{"file": "a.obj"}]})"
+                               : is_of_models(path)   ? kModels
                                : path.starts_with("/lights/")
                                    ? R"({"version": 1, "lights": [{"position": [0, 0, 0]}]})"
                                    : R"({"version": 1})";
@@ -187,7 +195,7 @@ TEST(SceneSchema, BoundsAreEnforcedAtBothEnds) {
     if (path.starts_with("/lights/")) {
       text = R"({"version": 1, "lights": [{"position": [0, 0, 0]}]})";
     }
-    if (path.starts_with("/objects/")) text = R"({"version": 1, "objects": [{"file": "a.obj"}]})";
+    if (is_of_models(path)) text = kModels;
     if (path.find("at/") != std::string::npos || path.find("/track/") != std::string::npos) {
       text = R"({"version": 1, "terrain": {"source": "a.tif"},
                  "balloon": {"at": {"latitude_deg": 0, "longitude_deg": 0}, "track": {"file": "a.igc"}},

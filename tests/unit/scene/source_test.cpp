@@ -175,5 +175,48 @@ TEST(FieldRule, SaysWhatTheSchemaSays) {
   EXPECT_THROW(field_rule("/terrain/sed"), Error);
 }
 
+TEST(SceneSource, NamesFilesFromAFolder) {
+  const SceneSource source =
+      SceneSource().with({{"/objects/0", R"({"file": "/land/village/models/church.obj"})"},
+                          {"/vegetation/species/0", R"({"file": "/land/village/oak.glb"})"},
+                          {"/balloon/artwork/0", R"({"file": "/land/logo.svg"})"}});
+  const std::string whole = source.text();
+  EXPECT_NE(whole.find("\"/land/village/models/church.obj\""), std::string::npos);
+  const std::string text = source.text_in("/land/village");
+  EXPECT_NE(text.find("\"models/church.obj\""), std::string::npos);
+  EXPECT_NE(text.find("\"oak.glb\""), std::string::npos);
+  EXPECT_NE(text.find("\"/land/logo.svg\""), std::string::npos);
+  EXPECT_EQ(source.files_outside("/land/village"), std::vector<std::string>{"/land/logo.svg"});
+  EXPECT_TRUE(source.files_outside("/land").empty());
+  EXPECT_EQ(source.files_outside("/land/villa").size(), 3u);
+}
+
+TEST(SceneSource, KeepsSpeciesOfPlants) {
+  const SceneSource source = SceneSource().with(
+      {{"/vegetation/species/0", R"({"file": "oak.glb", "share": 0.25, "cover": ["woods"]})"},
+       {"/vegetation/usual", "false"}});
+  const SceneSource again = SceneSource::from_text(source.text(), "again");
+  EXPECT_TRUE(again.scene().vegetation == source.scene().vegetation);
+  EXPECT_EQ(again.scene().vegetation.species[0].cover, std::vector<CoverClass>{CoverClass::woods});
+  const SceneSource usual = source.without({"/vegetation/species/0/share"});
+  EXPECT_EQ(usual.scene().vegetation.species[0].share, PlantSpecies().share);
+  EXPECT_EQ(source.without({"/vegetation/species/0/file"}).text(), source.text());
+  const auto fault = [](const char* species) {
+    try {
+      SceneSource().with({{"/vegetation/species/0", species}});
+    } catch (const std::exception& error) {
+      return std::string(error.what());
+    }
+    return std::string();
+  };
+  EXPECT_NE(fault(R"({"file": "a.obj", "height_m": [5, 4]})").find("height_m"), std::string::npos);
+  EXPECT_NE(fault(R"({"file": "a.obj", "slope_deg": [5, 4]})").find("slope_deg"),
+            std::string::npos);
+  EXPECT_NE(fault(R"({"file": "a.obj", "heights_m": [5, 4]})").find("heights_m"),
+            std::string::npos);
+  EXPECT_NE(fault(R"({"file": ""})").find("an empty name"), std::string::npos);
+  EXPECT_NE(fault(R"({"file": "a.obj", "cover": ["lava"]})").find("cover"), std::string::npos);
+}
+
 }  // namespace
 }  // namespace aerostat::scene
