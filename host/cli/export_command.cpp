@@ -12,6 +12,7 @@
 #include "core/error.hpp"
 #include "core/file.hpp"
 #include "mesh/export.hpp"
+#include "render/cloths.hpp"
 #include "scene/local_frame.hpp"
 #include "world/exported.hpp"
 #include "world/exported_model.hpp"
@@ -83,7 +84,8 @@ void write_triangles(const std::filesystem::path& output, const ExportOptions& o
 void write_gltf(const std::filesystem::path& output, const ExportOptions& options,
                 MeshFormat format, const world::World& world) {
   require_few(world::count_model_triangles(world, placed_of(options)), options);
-  const asset::Model model = world::exported_model(world, placed_of(options));
+  const std::vector<asset::Texture> cloths = render::cloths_of(*world.scene);
+  const asset::Model model = world::exported_model(world, placed_of(options), cloths);
   if (format == MeshFormat::glb) {
     write_file(output, asset::glb_bytes(model));
     return;

@@ -101,11 +101,10 @@ void append_layer(const ArtworkLayer& layer, std::uint32_t texture,
   words[first + AERO_ARTWORK_WIDTH] = bits_of(layer.width);
 }
 
-Thumbnail thumbnail_of(const ArtworkTexture& texture) {
-  constexpr std::uint32_t kMostSide = 64;
+Thumbnail thumbnail_of(const ArtworkTexture& texture, std::uint32_t most_side) {
   Thumbnail result;
   std::uint32_t level = 0;
-  while (std::max(texture.width >> level, texture.height >> level) > kMostSide) ++level;
+  while (std::max(texture.width >> level, texture.height >> level) > most_side) ++level;
   result.width = std::max(texture.width >> level, 1u);
   result.height = std::max(texture.height >> level, 1u);
   const std::size_t first = texture.words[AERO_TEXTURE_PLACES + level];
@@ -116,6 +115,25 @@ Thumbnail thumbnail_of(const ArtworkTexture& texture) {
     result.texels.emplace_back(color * opacity, opacity);
   }
   return result;
+}
+
+dvec3 with_artwork(const artwork::Unrolled& cloth, const dvec3& cloth_color,
+                   const std::vector<ArtworkLayer>& layers, const std::vector<Thumbnail>& pictures,
+                   const dvec2& place) {
+  const double height = place.y;
+  dvec3 color = cloth_color;
+  for (std::size_t i = 0; i < layers.size(); ++i) {
+    const ArtworkLayer& layer = layers[i];
+    const double turned = place.x - layer.middle;
+    const double around = turned - layer.period * std::floor(turned / layer.period + 0.5);
+    const double beside =
+        layer.width > 0.0 ? around * cloth.gore_width(height) / layer.width : around / layer.period;
+    if (height < layer.from || height > layer.to || std::abs(beside) > 0.5) continue;
+    const glm::vec4 seen =
+        color_at(pictures[i], beside + 0.5, (layer.to - height) / (layer.to - layer.from));
+    color = dvec3(vec3(seen)) + color * (1.0 - static_cast<double>(seen.w));
+  }
+  return color;
 }
 
 dvec3 mean_with_artwork(const artwork::Unrolled& cloth, const dvec3& cloth_color,
@@ -129,19 +147,7 @@ dvec3 mean_with_artwork(const artwork::Unrolled& cloth, const dvec3& cloth_color
     const double gore = cloth.gore_width(height);
     for (int column = 0; column < kColumns; ++column) {
       const double u = cloth.gores() * (column + 0.5) / kColumns;
-      dvec3 color = cloth_color;
-      for (std::size_t i = 0; i < layers.size(); ++i) {
-        const ArtworkLayer& layer = layers[i];
-        const double turned = u - layer.middle;
-        const double around = turned - layer.period * std::floor(turned / layer.period + 0.5);
-        const double beside =
-            layer.width > 0.0 ? around * gore / layer.width : around / layer.period;
-        if (height < layer.from || height > layer.to || std::abs(beside) > 0.5) continue;
-        const glm::vec4 seen =
-            color_at(pictures[i], beside + 0.5, (layer.to - height) / (layer.to - layer.from));
-        color = dvec3(vec3(seen)) + color * (1.0 - static_cast<double>(seen.w));
-      }
-      sum += gore * color;
+      sum += gore * with_artwork(cloth, cloth_color, layers, pictures, {u, height});
       area += gore;
     }
   }

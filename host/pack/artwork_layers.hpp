@@ -36,7 +36,14 @@ struct Thumbnail {
   std::uint32_t width = 1, height = 1;
   std::vector<glm::vec4> texels;
 };
-Thumbnail thumbnail_of(const ArtworkTexture& texture);
+/// Returns the first level of detail whose sides have at most so many texels.
+Thumbnail thumbnail_of(const ArtworkTexture& texture, std::uint32_t most_side = 64);
+
+/// Returns a colour of the cloth with pictures over it. `place` counts gores around and metres up
+/// the cloth.
+dvec3 with_artwork(const artwork::Unrolled& cloth, const dvec3& cloth_color,
+                   const std::vector<ArtworkLayer>& layers, const std::vector<Thumbnail>& pictures,
+                   const dvec2& place);
 
 /// Returns the mean colour of the cloth by area, with pictures over `cloth_color`.
 dvec3 mean_with_artwork(const artwork::Unrolled& cloth, const dvec3& cloth_color,

@@ -59,7 +59,8 @@ class Packer {
     std::vector<Thumbnail> pictures;
     for (std::size_t i = 0; i < balloon.artwork.size(); ++i) {
       const scene::Artwork& artwork = balloon.artwork[i];
-      const auto texture = picture(artwork, balloon, fmt::format("{}/artwork/{}", pointer, i));
+      const auto texture =
+          artwork_texture(artwork, balloon, cache_, fmt::format("{}/artwork/{}", pointer, i));
       layers.push_back(artwork_layer(artwork, cloth, texture->width, texture->height));
       pictures.push_back(thumbnail_of(*texture));
       append_layer(layers.back(), place_of(texture), words_);
@@ -81,16 +82,6 @@ class Packer {
   }
 
  private:
-  std::shared_ptr<const ArtworkTexture> picture(const scene::Artwork& artwork,
-                                                const scene::Balloon& balloon,
-                                                const std::string& pointer) {
-    try {
-      return cache_.picture(key_of(artwork, balloon), balloon);
-    } catch (const Error& error) {
-      throw Error(error.kind(), fmt::format("{}: {}", pointer, error.what()));
-    }
-  }
-
   /// Returns the place of a picture, which is there once for all that use it.
   std::uint32_t place_of(const std::shared_ptr<const ArtworkTexture>& texture) {
     const auto [entry, is_new] = places_.try_emplace(texture.get(), 0u);
@@ -157,6 +148,17 @@ std::shared_ptr<const std::vector<std::uint32_t>> ArtworkCache::layout(
 int ArtworkCache::files_read() const {
   const std::lock_guard lock(mutex_);
   return files_read_;
+}
+
+std::shared_ptr<const ArtworkTexture> artwork_texture(const scene::Artwork& artwork,
+                                                      const scene::Balloon& balloon,
+                                                      ArtworkCache& cache,
+                                                      const std::string& pointer) {
+  try {
+    return cache.picture(key_of(artwork, balloon), balloon);
+  } catch (const Error& error) {
+    throw Error(error.kind(), fmt::format("{}: {}", pointer, error.what()));
+  }
 }
 
 dvec3 mean_palette(const scene::Balloon& balloon) {

@@ -79,6 +79,13 @@ struct PackedArtwork {
 std::vector<PackedArtwork> pack_artwork(const scene::Scene& scene, ArtworkCache& cache,
                                         Texels& texels);
 
+/// Returns a picture on the envelope of a balloon. Throws what ArtworkCache::picture() throws, with
+/// the JSON pointer of the picture in front.
+std::shared_ptr<const ArtworkTexture> artwork_texture(const scene::Artwork& artwork,
+                                                      const scene::Balloon& balloon,
+                                                      ArtworkCache& cache,
+                                                      const std::string& pointer);
+
 /// Returns the mean albedo of a balloon's palette.
 dvec3 mean_palette(const scene::Balloon& balloon);
 

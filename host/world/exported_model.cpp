@@ -9,6 +9,8 @@
 #include <variant>
 #include <vector>
 
+#include "model/envelope_shape.hpp"
+#include "scene/balloons.hpp"
 #include "scene/scene.hpp"
 #include "world/scene_models.hpp"
 
@@ -38,7 +40,8 @@ asset::Material material_of(scene::MaterialId id, const scene::Material& from) {
 
 class Exporter {
  public:
-  Exporter(const World& world, Placed instances) : world_(world), placed_(instances) {
+  Exporter(const World& world, Placed instances, std::span<const asset::Texture> cloths)
+      : world_(world), placed_(instances), cloths_(cloths) {
     model_.origin = world.scene.origin();
     for (std::size_t i = 0; world.models && i < world.models->models.size(); ++i) add_file(i);
   }
@@ -52,7 +55,11 @@ class Exporter {
   }
 
   void operator()(const Objects& objects) {
-    for (const Object& object : objects) place(add_mesh({object}, 0), glm::dmat4(1.0));
+    for (const Object& object : objects) {
+      const std::size_t mesh = add_mesh({object}, 0);
+      if (is_dyed(object)) dye(object, model_.meshes[mesh].primitives.front());
+      place(mesh, glm::dmat4(1.0));
+    }
   }
 
   void operator()(const HeightGrid& grid) {
@@ -124,20 +131,44 @@ class Exporter {
     return model_.meshes.size() - 1;
   }
 
+  bool is_dyed(const Object& object) const {
+    return object.id == scene::ObjectId::envelope && object.balloon < cloths_.size() &&
+           cloths_[object.balloon].width > 0;
+  }
+
+  /// Lays the texture of a cloth on the mesh of an envelope.
+  void dye(const Object& envelope, asset::Primitive& primitive) {
+    const scene::Balloon& balloon = *scene::balloons_of(*world_.scene)[envelope.balloon];
+    const model::EnvelopeShape shape(balloon.diameter_m, balloon.gores);
+    asset::Material material = model_.materials[primitive.material];
+    material.base_color_texture =
+        asset::TextureUse{model_.textures.size(), asset::Wrap::repeat, asset::Wrap::clamp};
+    model_.textures.push_back(cloths_[envelope.balloon]);
+    primitive.material = model_.materials.size();
+    model_.materials.push_back(std::move(material));
+    primitive.colors.clear();
+    for (const vec2& uv : envelope.mesh.uvs) {
+      primitive.uv.emplace_back(uv.x / static_cast<float>(shape.gores()),
+                                1.0f - uv.y / static_cast<float>(shape.panels() + 1));
+    }
+  }
+
   void place(std::size_t mesh, const glm::dmat4& transform) {
     model_.placements.push_back({mesh, transform});
   }
 
   const World& world_;
   Placed placed_;
+  std::span<const asset::Texture> cloths_;
   asset::Model model_;
   std::map<scene::MaterialId, std::size_t> fixed_;
 };
 
 }  // namespace
 
-asset::Model exported_model(const World& world, Placed instances) {
-  return Exporter(world, instances).run();
+asset::Model exported_model(const World& world, Placed instances,
+                            std::span<const asset::Texture> cloths) {
+  return Exporter(world, instances, cloths).run();
 }
 
 }  // namespace aerostat::world

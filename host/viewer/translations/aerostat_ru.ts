@@ -715,6 +715,30 @@
         <source>nobody</source>
         <translation>никого</translation>
     </message>
+    <message>
+        <source>Models from files</source>
+        <translation>Модели из файлов</translation>
+    </message>
+    <message>
+        <source>Plants of the biome</source>
+        <translation>Растения биома</translation>
+    </message>
+    <message>
+        <source>Scale</source>
+        <translation>Масштаб</translation>
+    </message>
+    <message>
+        <source>Height of the model</source>
+        <translation>Высота модели</translation>
+    </message>
+    <message>
+        <source>Upward axis</source>
+        <translation>Ось вверх</translation>
+    </message>
+    <message>
+        <source>Copies</source>
+        <translation>Экземпляры</translation>
+    </message>
 </context>
 <context>
     <name>NumberBox</name>
@@ -2059,6 +2083,46 @@
         <source>How many moments a frame with an open shutter averages, 2 to 64. They share the samples of a pixel, of which there are at least as many. What moves by more pixels within the shutter shows steps.</source>
         <translation>Сколько мгновений усредняет кадр с открытым затвором, от 2 до 64. Они делят между собой пробы пикселя, которых не меньше. На том, что сдвигается за это время на большее число пикселей, видны ступени.</translation>
     </message>
+    <message>
+        <source>Whether the usual plants of the biome grow. Without them, stones and the species from files remain.</source>
+        <translation>Растут ли обычные растения биома. Без них остаются камни и виды из файлов.</translation>
+    </message>
+    <message>
+        <source>Species of plants from files, at most 16, which grow beside the usual ones or in their place.</source>
+        <translation>Виды растений из файлов, не больше 16, которые растут рядом с обычными или вместо них.</translation>
+    </message>
+    <message>
+        <source>Species of plants whose shape is a model from a file. Its foot is the lowest point, in the middle of its bounding box.</source>
+        <translation>Вид растений, форма которых — модель из файла. Её основание — нижняя точка посередине ограничивающего параллелепипеда.</translation>
+    </message>
+    <message>
+        <source>Where the plants grow: in the woods (the default) in place of some of their trees, in the open outside of the woods, or anywhere on dry land.</source>
+        <translation>Где растут растения: в лесу (по умолчанию) вместо части его деревьев, на открытых местах вне леса или повсюду на суше.</translation>
+    </message>
+    <message>
+        <source>Least and greatest height of the plants in metres, each 0 to 1000. By default, all are as high as the model in the file. The size of /vegetation multiplies it.</source>
+        <translation>Наименьшая и наибольшая высота растений в метрах, каждая от 0 до 1000. По умолчанию все они такой же высоты, как модель в файле. Размер из /vegetation умножает её.</translation>
+    </message>
+    <message>
+        <source>Share of the trees of the woods that are of this species, 0 to 1. If the shares of all species together exceed 1, or if the biome&apos;s own do not grow, they count in proportion.</source>
+        <translation>Доля деревьев леса, относящихся к этому виду, от 0 до 1. Если доли всех видов вместе превышают 1 или если растения самого биома не растут, они считаются пропорционально.</translation>
+    </message>
+    <message>
+        <source>Number of plants on a hectare, 0 to 10000, if they do not grow in the woods. The density of /vegetation multiplies it.</source>
+        <translation>Число растений на гектаре, от 0 до 10000, если они растут не в лесу. Густота из /vegetation умножает его.</translation>
+    </message>
+    <message>
+        <source>Classes of land cover on which the plants grow, at most 9. By default, they grow on any. Where the scene has no land cover, plants with this rule do not grow.</source>
+        <translation>Классы земного покрова, на которых растут растения, не больше 9. По умолчанию они растут на любом. Где в сцене нет земного покрова, растения с этим правилом не растут.</translation>
+    </message>
+    <message>
+        <source>Share by which the brightness of the plants differs from that of the file at most, 0 to 1.</source>
+        <translation>Доля, на которую яркость растений самое большее отличается от яркости в файле, от 0 до 1.</translation>
+    </message>
+    <message>
+        <source>Classes of land cover on which instances stand, at most 9. By default, they stand on any. Where the scene has no land cover, the rule leaves no room.</source>
+        <translation>Классы земного покрова, на которых стоят экземпляры, не больше 9. По умолчанию они стоят на любом. Где в сцене нет земного покрова, это правило не оставляет места.</translation>
+    </message>
 </context>
 <context>
     <name>Units</name>
@@ -2533,6 +2597,10 @@
         <source>passenger</source>
         <translation>пассажир</translation>
     </message>
+    <message>
+        <source>open</source>
+        <translation>открытые места</translation>
+    </message>
 </context>
 <context>
     <name>aerostat::viewer::CameraControl</name>
@@ -2632,6 +2700,18 @@
     <message>
         <source>Out of memory</source>
         <translation>Не хватает памяти</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 and %n more</source>
+        <translation>
+            <numerusform>%1 и ещё %n</numerusform>
+            <numerusform>%1 и ещё %n</numerusform>
+            <numerusform>%1 и ещё %n</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Saved. The scene names files outside of its folder: %1. This window opens it, but aerostat render needs --allow-external-paths. Without that, copy them beside the scene and name the copies.</source>
+        <translation>Сохранено. Сцена называет файлы вне своей папки: %1. Это окно откроет её, но для aerostat render нужен ключ --allow-external-paths. Чтобы обойтись без него, скопируйте файлы к сцене и назовите копии.</translation>
     </message>
 </context>
 <context>
@@ -2888,6 +2968,18 @@
         <source>No lamp</source>
         <translation>Нет ламп</translation>
     </message>
+    <message>
+        <source>No model</source>
+        <translation>Нет моделей</translation>
+    </message>
+    <message>
+        <source>One more model, from a file</source>
+        <translation>Ещё одна модель, из файла</translation>
+    </message>
+    <message>
+        <source>Remove this model</source>
+        <translation>Убрать эту модель</translation>
+    </message>
 </context>
 <context>
     <name>aerostat::viewer::MainWindow</name>
@@ -3131,12 +3223,95 @@
         <source>P&amp;lay the Film</source>
         <translation>&amp;Проиграть фильм</translation>
     </message>
+    <message>
+        <source>Drop %1 on the picture, where it shall stand.</source>
+        <translation>Бросьте %1 на картину, туда, где модель должна стоять.</translation>
+    </message>
+    <message>
+        <source>Open as Elevation Data</source>
+        <translation>Открыть как данные высот</translation>
+    </message>
+    <message>
+        <source>%1 can be dropped on an envelope, where it becomes artwork.</source>
+        <translation>%1 можно бросить на оболочку, где файл станет рисунком.</translation>
+    </message>
+    <message>
+        <source>%1 lies on the envelope.</source>
+        <translation>%1 лежит на оболочке.</translation>
+    </message>
+    <message>
+        <source>As a Band</source>
+        <translation>Поясом</translation>
+    </message>
+    <message>
+        <source>Artwork as a Band</source>
+        <translation>Рисунок поясом</translation>
+    </message>
+    <message>
+        <source>All Around</source>
+        <translation>По всей оболочке</translation>
+    </message>
+    <message>
+        <source>Artwork All Around</source>
+        <translation>Рисунок по всей оболочке</translation>
+    </message>
+    <message>
+        <source>Put a Model</source>
+        <translation>Поставить модель</translation>
+    </message>
+    <message>
+        <source>Models (*.glb *.gltf *.obj *.ply *.stl)</source>
+        <translation>Модели (*.glb *.gltf *.obj *.ply *.stl)</translation>
+    </message>
+    <message>
+        <source>Put a &amp;Model…</source>
+        <translation>Поставить &amp;модель…</translation>
+    </message>
+    <message>
+        <source>&amp;Remove the Model</source>
+        <translation>&amp;Убрать модель</translation>
+    </message>
 </context>
 <context>
     <name>aerostat::viewer::MessageBar</name>
     <message>
         <source>Dismiss</source>
         <translation>Скрыть</translation>
+    </message>
+</context>
+<context>
+    <name>aerostat::viewer::ModelControl</name>
+    <message>
+        <source>%1 can be put into the picture as soon as there is one.</source>
+        <translation>%1 можно поставить на картину, как только она появится.</translation>
+    </message>
+    <message>
+        <source>%1 fell into the sky. Drop it where the ground is seen.</source>
+        <translation>%1 попал в небо. Бросьте файл туда, где видна земля.</translation>
+    </message>
+    <message>
+        <source>Put %1</source>
+        <translation>Поставить %1</translation>
+    </message>
+    <message>
+        <source>Balloons of a festival have no artwork.</source>
+        <translation>На шарах фестиваля нет рисунков.</translation>
+    </message>
+    <message>
+        <source>An envelope of a special shape has no artwork.</source>
+        <translation>На оболочке особой формы нет рисунков.</translation>
+    </message>
+    <message>
+        <source>Move %1</source>
+        <translation>Передвинуть %1</translation>
+    </message>
+    <message>
+        <source>Turn %1</source>
+        <translation>Повернуть %1</translation>
+    </message>
+    <message>
+        <source>Remove %1</source>
+        <translation>Убрать %1</translation>
     </message>
 </context>
 <context>
@@ -3251,6 +3426,10 @@
     <message>
         <source>As in the file</source>
         <translation>Как в файле</translation>
+    </message>
+    <message>
+        <source>Model</source>
+        <translation>Модель</translation>
     </message>
 </context>
 <context>
@@ -3440,6 +3619,30 @@
     <message>
         <source>On the controls</source>
         <translation>На настройках</translation>
+    </message>
+    <message>
+        <source>Click</source>
+        <translation>Щелчок</translation>
+    </message>
+    <message>
+        <source>pick a model</source>
+        <translation>выбрать модель</translation>
+    </message>
+    <message>
+        <source>Drag, Shift+drag on the picked model</source>
+        <translation>Протянуть, Shift+протянуть выбранную модель</translation>
+    </message>
+    <message>
+        <source>move it, turn it</source>
+        <translation>передвинуть её, повернуть её</translation>
+    </message>
+    <message>
+        <source>Delete, Escape</source>
+        <translation>Delete, Escape</translation>
+    </message>
+    <message>
+        <source>remove the picked model, let it go</source>
+        <translation>убрать выбранную модель, отпустить её</translation>
     </message>
 </context>
 <context>
