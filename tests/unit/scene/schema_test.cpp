@@ -67,6 +67,7 @@ Scene full_scene() {
   scene.terrain.place = {46.8, 9.8, 2600000.0, 1200000.0};
   scene.objects.push_back({.file = "a.glb", .at = GeoPoint{}, .height_m = 2.0});
   scene.objects.back().area = PlacedArea{};
+  scene.vegetation.clearings.emplace_back();
   scene.vegetation.species.push_back({.file = "b.glb", .height_m = dvec2(3.0, 4.0)});
   scene.terrain.drape.corners = {dvec2(46.9, 9.7), dvec2(46.7, 9.9)};
   scene.film.keys = {{"/image/spp", Easing::smooth, {{1.0, {{4.0}, false, ""}}}}};
@@ -135,12 +136,12 @@ constexpr const char* kArtwork = R"({"version": 1,
     "balloon": {"artwork": [{"file": "a.png", "wrap": "motif"}]},
     "balloons": [{"artwork": [{"file": "a.png", "wrap": "motif"}]}]})";
 
-/// A model and a species of plants.
+/// A model, a species of plants and a clearing.
 constexpr const char* kModels = R"({"version": 1, "objects": [{"file": "a.obj"}],
-    "vegetation": {"species": [{"file": "a.obj"}]}})";
+    "vegetation": {"species": [{"file": "a.obj"}], "clearings": [{"center": [0, 0]}]}})";
 
 bool is_of_models(const std::string& path) {
-  return path.starts_with("/objects/") || path.starts_with("/vegetation/species/");
+  return path.starts_with("/objects/") || path.starts_with("/vegetation/");
 }
 
 bool is_of_artwork(const std::string& path) {
