@@ -2,6 +2,7 @@
 #include "pack/dyed_cloth.hpp"
 
 #include <algorithm>
+#include <cstdlib>
 #include <fstream>
 #include <string>
 #include <vector>
@@ -69,7 +70,8 @@ TEST_F(DyedCloth, HasThePicturesOverTheFabric) {
   }
   // The checks are those of the fabric, two gores wide and two panels high.
   const glm::ivec3 here = texel(cloths[0], 1.0, 4.5, unrolled);
-  EXPECT_NE(here, texel(cloths[0], 3.0, 4.5, unrolled));
+  const glm::ivec3 beside = texel(cloths[0], 3.0, 4.5, unrolled);
+  EXPECT_GT(std::abs(here.x - beside.x), 200);
   // Panels of one colour differ a little, as lots of cloth do.
   const glm::ivec3 other = texel(cloths[0], 3.0, 6.5, unrolled);
   for (int i = 0; i < 3; ++i) EXPECT_NEAR(here[i], other[i], 8);
