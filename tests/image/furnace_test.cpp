@@ -119,7 +119,8 @@ TEST(Furnace, NoMaterialMakesLight) {
     const double noise = std::sqrt(std::max(squares / count - mean * mean, 0.0) / count);
     std::printf("%s: %.4f +- %.4f\n", scene::material_name(id).c_str(), mean, noise);
     EXPECT_GT(count, 400.0);
-    EXPECT_LT(mean, 1.0 + 4.0 * noise) << scene::material_name(id);
+    // Materials without noise are off by the rounding of sums in single precision.
+    EXPECT_LT(mean, 1.0 + 4.0 * noise + 1e-6) << scene::material_name(id);
     if (id == scene::MaterialId::terrain || id == scene::MaterialId::flame) continue;
     EXPECT_GT(mean, 0.93) << scene::material_name(id);
   }
