@@ -12,6 +12,7 @@
 
 #include "model/envelope_pattern.hpp"
 #include "pack/artwork_layers.hpp"
+#include "pack/mip_levels.hpp"
 #include "pack/pack_artwork.hpp"
 #include "scene/scene.hpp"
 
@@ -20,13 +21,6 @@ namespace {
 
 /// The samples along each side of a texel, so that edges are smooth.
 constexpr int kSamples = 2;
-
-std::uint8_t encoded(float linear) {
-  const float held = std::clamp(linear, 0.0f, 1.0f);
-  const float value =
-      held <= 0.0031308f ? 12.92f * held : 1.055f * std::pow(held, 1.0f / 2.4f) - 0.055f;
-  return static_cast<std::uint8_t>(std::lround(255.0f * value));
-}
 
 /// The cloth of one envelope with its pictures.
 class Dyer {
@@ -48,7 +42,7 @@ class Dyer {
       std::uint8_t* texel = &result.rgba[std::size_t{4} * kClothWidth * row];
       for (std::uint32_t column = 0; column < kClothWidth; ++column, texel += 4) {
         const vec3 color = mean_at(column, row);
-        for (int i = 0; i < 3; ++i) texel[i] = encoded(color[i]);
+        for (int i = 0; i < 3; ++i) texel[i] = static_cast<std::uint8_t>(srgb_byte(color[i]));
         texel[3] = 255;
       }
     });

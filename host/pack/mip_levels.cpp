@@ -138,6 +138,10 @@ std::uint32_t number_of(asset::Wrap wrap) {
 
 }  // namespace
 
+std::uint32_t srgb_byte(float linear) {
+  return byte_of(encoded_of(linear));
+}
+
 std::vector<std::uint32_t> texture_words(const asset::Texture& texture,
                                          const asset::TextureUse& use, TexelKind kind) {
   constexpr std::uint32_t kMostSide = 1u << (AERO_TEXTURE_MOST_LEVELS - 1);

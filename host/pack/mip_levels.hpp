@@ -14,6 +14,9 @@ enum class TexelKind {
   data           // all four count as they are
 };
 
+/// Returns the byte of a linear value in sRGB (IEC 61966-2-1). Values beyond 0 to 1 are cut off.
+std::uint32_t srgb_byte(float linear);
+
 /// Returns a texture for the kernels: the header and all levels of texture.h. Each level is a mean
 /// by area over the one before, of linear values. Throws Error{bad_data} for a texture of no size
 /// or of more levels than the header has room for.

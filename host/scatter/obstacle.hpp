@@ -14,7 +14,7 @@ struct Obstacle {
   bool operator==(const Obstacle&) const = default;
 };
 
-/// The height in metres above the ground from which an object stands in no plant's way.
+/// Plants may grow below objects that are at least this high above the ground, in metres.
 inline constexpr double kClear_m = 45.0;
 
 /// The radius in metres of the circle around an eye in which nothing grows.

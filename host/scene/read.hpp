@@ -22,8 +22,8 @@ Json parse_document(const std::string& text, Faults& faults);
 /// folder is the current one, in which names stay as they are.
 void name_files_from(const std::filesystem::path& folder, Json& document);
 
-/// Turns absolute paths of files in `folder` or below it into names that count from it. All other
-/// names stay as they are. An empty folder is the current one.
+/// Makes the absolute paths of files in `folder` or below it relative to `folder`. All other paths
+/// stay as they are. An empty folder is the current one.
 void name_files_below(const std::filesystem::path& folder, Json& document);
 
 /// Returns the names of files in a document that are absolute paths.

@@ -43,9 +43,9 @@ class MainWindow : public QMainWindow {
   std::uint64_t request() const { return request_; }
 
   bool open(const QString& path);
-  /// Does with a file what its kind and the place of the picture suggest at which it was dropped:
-  /// models stand there, pictures become artwork, and all else is opened. The place is nothing
-  /// outside of the picture.
+  /// Takes a file that was dropped on the window at a place of the picture, or beside the picture
+  /// if there is no place. A model is put there, a picture on an envelope becomes its artwork, and
+  /// any other file is opened.
   void take_file(const QString& path, const std::optional<QPointF>& place);
 
  Q_SIGNALS:
