@@ -79,4 +79,16 @@ ProjObject ProjContext::horizontal(const ProjObject& crs, const std::string& tex
   return part;
 }
 
+bool ProjContext::knows_datum(const PJ* crs) const {
+  // PROJ gives 70 of 100 to a system of the same numbers whose name is nearly the same.
+  constexpr int kLeastSure = 70;
+  const ProjObject base(proj_crs_get_geodetic_crs(context_.get(), crs));
+  if (!base) return false;
+  int* sure = nullptr;
+  const std::unique_ptr<PJ_OBJ_LIST, DestroyProj> found(
+      proj_identify(context_.get(), base.get(), nullptr, nullptr, &sure));
+  const std::unique_ptr<int, DestroyProj> owner(sure);
+  return found && proj_list_get_count(found.get()) > 0 && sure[0] >= kLeastSure;
+}
+
 }  // namespace aerostat::geo

@@ -16,6 +16,7 @@ struct DestroyProj {
     proj_operation_factory_context_destroy(context);
   }
   void operator()(PJ_CONTEXT* context) const { proj_context_destroy(context); }
+  void operator()(int* numbers) const { proj_int_list_destroy(numbers); }
 };
 using ProjObject = std::unique_ptr<PJ, DestroyProj>;
 
@@ -37,6 +38,10 @@ class ProjContext {
   /// Returns the geographic or projected system in `crs`, which may be compound. Throws
   /// Error{bad_data} as crs() does if there is none.
   ProjObject horizontal(const ProjObject& crs, const std::string& text) const;
+
+  /// Returns whether the database of PROJ has the geographic system that `crs` stands on, by its
+  /// code or by its name and numbers.
+  bool knows_datum(const PJ* crs) const;
 
  private:
   static void keep_complaint(void* self, int level, const char* message);

@@ -58,33 +58,71 @@ bool suits(PJ* operation) {
   return std::hypot(point.x, point.y) < 1.0;
 }
 
+/// The ways that PROJ knows between two systems around a place, best first.
+class Ways {
+ public:
+  Ways(const ProjContext& context, const PJ* from, const PJ* to, const Place& middle)
+      : context_(context.get()),
+        from_(from),
+        to_(to),
+        factory_(proj_create_operation_factory_context(context_, nullptr)) {
+    if (!factory_) return;
+    constexpr double kAround_deg = 0.01;
+    const double lon = longitude_near(middle.longitude_deg, 0.0), lat = middle.latitude_deg;
+    proj_operation_factory_context_set_area_of_interest(
+        context_, factory_.get(), std::max(lon - kAround_deg, -180.0),
+        std::max(lat - kAround_deg, -90.0), std::min(lon + kAround_deg, 180.0),
+        std::min(lat + kAround_deg, 90.0));
+    proj_operation_factory_context_set_spatial_criterion(
+        context_, factory_.get(), PROJ_SPATIAL_CRITERION_PARTIAL_INTERSECTION);
+    proj_operation_factory_context_set_grid_availability_use(
+        context_, factory_.get(), PROJ_GRID_AVAILABILITY_DISCARD_OPERATION_IF_MISSING_GRID);
+  }
+
+  struct Way {
+    ProjObject operation;  // null if there is none
+    bool guesses = false;  // the datums are taken as equal, because nothing is known between them
+  };
+
+  /// Returns the first way that suits the place. `use` says whether it may lead through a third
+  /// system.
+  Way first(PROJ_INTERMEDIATE_CRS_USE use) const {
+    if (!factory_) return {};
+    proj_operation_factory_context_set_allow_use_intermediate_crs(context_, factory_.get(), use);
+    const std::unique_ptr<PJ_OBJ_LIST, DestroyProj> list(
+        proj_create_operations(context_, from_, to_, factory_.get()));
+    const int count = list ? proj_list_get_count(list.get()) : 0;
+    for (int i = 0; i < count; ++i) {
+      const ProjObject plain(proj_list_get(context_, list.get(), i));
+      if (!plain) continue;
+      ProjObject operation(proj_normalize_for_visualization(context_, plain.get()));
+      if (!operation || !suits(operation.get())) continue;
+      const bool guesses =
+          proj_coordoperation_has_ballpark_transformation(context_, plain.get()) != 0;
+      return {std::move(operation), guesses};
+    }
+    return {};
+  }
+
+ private:
+  PJ_CONTEXT* context_;
+  const PJ* from_;
+  const PJ* to_;
+  std::unique_ptr<PJ_OPERATION_FACTORY_CONTEXT, DestroyProj> factory_;
+};
+
 /// Returns the best operation around a place. It is one operation for the whole scene, because two
 /// of them would differ by metres at a seam.
 ProjObject best_operation(const ProjContext& context, const PJ* from, const PJ* to,
                           const Place& middle) {
-  PJ_CONTEXT* const c = context.get();
-  const std::unique_ptr<PJ_OPERATION_FACTORY_CONTEXT, DestroyProj> factory(
-      proj_create_operation_factory_context(c, nullptr));
-  if (!factory) return nullptr;
-  constexpr double kAround_deg = 0.01;
-  const double lon = longitude_near(middle.longitude_deg, 0.0), lat = middle.latitude_deg;
-  proj_operation_factory_context_set_area_of_interest(
-      c, factory.get(), std::max(lon - kAround_deg, -180.0), std::max(lat - kAround_deg, -90.0),
-      std::min(lon + kAround_deg, 180.0), std::min(lat + kAround_deg, 90.0));
-  proj_operation_factory_context_set_spatial_criterion(c, factory.get(),
-                                                       PROJ_SPATIAL_CRITERION_PARTIAL_INTERSECTION);
-  proj_operation_factory_context_set_grid_availability_use(
-      c, factory.get(), PROJ_GRID_AVAILABILITY_DISCARD_OPERATION_IF_MISSING_GRID);
-  const std::unique_ptr<PJ_OBJ_LIST, DestroyProj> list(
-      proj_create_operations(c, from, to, factory.get()));
-  const int count = list ? proj_list_get_count(list.get()) : 0;
-  for (int i = 0; i < count; ++i) {
-    const ProjObject plain(proj_list_get(c, list.get(), i));
-    if (!plain) continue;
-    ProjObject operation(proj_normalize_for_visualization(c, plain.get()));
-    if (operation && suits(operation.get())) return operation;
+  const Ways ways(context, from, to, middle);
+  Ways::Way direct = ways.first(PROJ_INTERMEDIATE_CRS_USE_NEVER);
+  // PROJ searches for a third system for up to a second, and in vain if it does not know this one.
+  if ((direct.operation && !direct.guesses) || !context.knows_datum(from)) {
+    return std::move(direct.operation);
   }
-  return nullptr;
+  Ways::Way through = ways.first(PROJ_INTERMEDIATE_CRS_USE_IF_NO_DIRECT_TRANSFORMATION);
+  return std::move(through.operation ? through.operation : direct.operation);
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 #include "geo/transform.hpp"
 
 #include <cmath>
+#include <ctime>
 #include <string>
 #include <thread>
 #include <vector>
@@ -87,6 +88,41 @@ TEST(Transform, ShiftsOldDatums) {
   // MGI in Austria lies some 69 m off.
   const dvec2 mgi = to_local("EPSG:4312", {47.2, 11.4}, {11.4, 47.2});
   EXPECT_NEAR(std::hypot(mgi.x, mgi.y), 69.0, 5.0);
+}
+
+TEST(Transform, LeadsThroughAThirdSystemWhereItMust) {
+  // PROJ knows a way from the German railways' datum to WGS 84 only by way of ETRS89. The national
+  // datum DHDN lies some metres from that of the railways, and WGS 84 some 150 m. ESRI's text has
+  // no code, so the datum is known by its name.
+  const Place bonn{50.7, 7.1};
+  dvec2 national(0.0);
+  Transform("EPSG:31466", bonn).from_local({&national, 1});
+  for (const std::string& crs : {std::string("EPSG:5682"), esri_wkt("EPSG:5682")}) {
+    const dvec2 point = to_local(crs, bonn, national);
+    EXPECT_LT(std::hypot(point.x, point.y), 20.0) << crs;
+  }
+}
+
+TEST(Transform, DoesNotSearchLongForUnknownDatums) {
+  // A search for a third system takes PROJ a second of processor time for each of these.
+  const std::string datums[] = {
+      R"(DATUM["D_North_American_1983",SPHEROID["GRS_1980",6378147.0,298.257222101]],)"
+      R"(PRIMEM["Greenwich",0.0])",
+      R"(DATUM["D_North_American_1983",SPHEROID["GRS_1980",6378137.0,298.257222101]],)"
+      R"(PRIMEM["Greenwich",9.0])"};
+  const std::clock_t before = std::clock();
+  for (const std::string& datum : datums) {
+    const std::string crs =
+        R"(PROJCS["Albers",GEOGCS["GCS_North_American_1983",)" + datum +
+        R"(,UNIT["Degree",0.0174532925199433]],PROJECTION["Albers"],)"
+        R"(PARAMETER["Central_Meridian",9.0],PARAMETER["Standard_Parallel_1",29.5],)"
+        R"(PARAMETER["Standard_Parallel_2",45.5],PARAMETER["Latitude_Of_Origin",23.0],)"
+        R"(UNIT["Meter",1.0]])";
+    const dvec2 point = to_local(crs, kDavos, {0.0, 0.0});
+    EXPECT_TRUE(std::isfinite(point.x)) << crs;
+  }
+  const double seconds = static_cast<double>(std::clock() - before) / CLOCKS_PER_SEC;
+  EXPECT_LT(seconds, 0.6);
 }
 
 TEST(Transform, IsTrueToScaleAroundTheMiddle) {
