@@ -1,15 +1,21 @@
 // Tests where pictures lie on the cloth, and the mean colour of an envelope with them.
+#include <cmath>
 #include <cstdint>
+#include <fstream>
 #include <numbers>
+#include <string>
 #include <vector>
 
 #include <gtest/gtest.h>
 
 #include "artwork/unrolled.hpp"
 #include "asset/model.hpp"
+#include "image/write.hpp"
 #include "pack/artwork_layers.hpp"
 #include "pack/mip_levels.hpp"
+#include "pack/pack_artwork.hpp"
 #include "scene/balloon.hpp"
+#include "support/temporary_folder.hpp"
 
 namespace aerostat::pack {
 namespace {
@@ -85,6 +91,39 @@ TEST(ArtworkMean, IsByAreaAndOpacity) {
             cloth.gore_width((i + 0.5) * cloth.height() / 1000.0);
   }
   EXPECT_NEAR(mean(placed, plain(255, 255)).z, 0.6 * (1.0 - 32.0 / area), 2e-3);
+}
+
+/// Returns the mean opacity of a picture that is drawn on the template of 8 gores, with nothing
+/// between them.
+double mean_opacity(ArtworkWrap wrap) {
+  scene::Balloon balloon;
+  balloon.gores = 8;
+  const artwork::Unrolled cloth(balloon);
+  constexpr int kGore = 64, kWidth = 8 * kGore, kHeight = 128;
+  std::vector<std::uint8_t> rgba;
+  for (int y = 0; y < kHeight; ++y) {
+    const double height = (1.0 - (y + 0.5) / kHeight) * cloth.height();
+    const double half = 0.5 * cloth.gore_width(height) / cloth.widest_gore();
+    for (int x = 0; x < kWidth; ++x) {
+      const bool is_cloth = std::abs((x % kGore + 0.5) / kGore - 0.5) < half;
+      rgba.insert(rgba.end(), {255, 0, 0, static_cast<std::uint8_t>(is_cloth ? 255 : 0)});
+    }
+  }
+  const test::TemporaryFolder folder;
+  const std::vector<std::uint8_t> png = image::encode_png(rgba, kWidth, kHeight);
+  scene::Artwork artwork = artwork_of(wrap);
+  artwork.file = (folder.path() / "gores.png").string();
+  std::ofstream(artwork.file, std::ios::binary) << std::string(png.begin(), png.end());
+  ArtworkCache cache;
+  const Thumbnail picture = thumbnail_of(*artwork_texture(artwork, balloon, cache, "/artwork/0"));
+  double sum = 0.0;
+  for (const glm::vec4& texel : picture.texels) sum += static_cast<double>(texel.w);
+  return sum / static_cast<double>(picture.texels.size());
+}
+
+TEST(ArtworkOfGores, FillsTheCloth) {
+  EXPECT_LT(mean_opacity(ArtworkWrap::whole), 0.85) << "the gaps of the template";
+  EXPECT_GT(mean_opacity(ArtworkWrap::gores), 0.98);
 }
 
 }  // namespace
