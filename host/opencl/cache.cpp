@@ -192,6 +192,12 @@ void keep_compiled_kernels() {
   if (const auto folder = environment_variable("POCL_CACHE_DIR")) seal_programs(*folder);
 }
 
+void restore_pocl_cache() {
+  if (!ensure_pocl_cache().empty()) return;
+  // A folder that cannot be made is told by the driver's failure.
+  if (const auto folder = environment_variable("POCL_CACHE_DIR")) make_folders(*folder);
+}
+
 std::string ensure_pocl_cache() {
   static const std::string problem = prepare_process();
   return problem;

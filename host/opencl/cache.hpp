@@ -52,6 +52,9 @@ std::optional<std::string> make_private_folder(const std::filesystem::path& path
 /// Returns a description of the problem, or an empty string.
 std::string ensure_pocl_cache();
 
+/// Makes the cache folder again if it was removed since ensure_pocl_cache().
+void restore_pocl_cache();
+
 /// Seals the kernels in PoCL's cache, so that a later run sees whether they were damaged since.
 /// Call it after kernels were compiled and launched, because PoCL has loaded them then.
 void keep_compiled_kernels();

@@ -16,6 +16,7 @@
 
 #include "core/checksum.hpp"
 #include "core/error.hpp"
+#include "opencl/cache_use.hpp"
 #include "opencl/kept_file.hpp"
 #include "opencl/program_seal.hpp"
 
@@ -161,6 +162,21 @@ void remove_or_throw(const fs::path& path) {
                   path.string()));
 }
 
+/// Returns the folders of the programs that are damaged, or those of all groups of programs.
+std::vector<fs::path> damaged_in(const fs::path& cache, bool all) {
+  std::vector<fs::path> damaged;
+  for (const auto& group : entries_named(cache, is_named_as_group)) {
+    if (all || !is_usable_folder(group)) {
+      damaged.push_back(group);
+      continue;
+    }
+    for (const auto& program : entries_named(group, is_named_as_program)) {
+      if (!is_sound_program(program)) damaged.push_back(program);
+    }
+  }
+  return damaged;
+}
+
 /// Adds to the seal every file of code that is new or has changed. Returns whether there was one.
 bool add_to_seal(const fs::path& program, Seal& seal) {
   bool is_new = false;
@@ -200,23 +216,18 @@ fs::path suspect_mark(const fs::path& cache) {
 }
 
 std::size_t remove_damaged_programs(const fs::path& cache) {
-  std::size_t removed = 0;
-  std::error_code ignored;
-  const bool is_suspect = fs::exists(fs::symlink_status(suspect_mark(cache), ignored));
-  for (const auto& group : entries_named(cache, is_named_as_group)) {
-    if (is_suspect || !is_usable_folder(group)) {
-      remove_or_throw(group);
-      ++removed;
-      continue;
-    }
-    for (const auto& program : entries_named(group, is_named_as_program)) {
-      if (is_sound_program(program)) continue;
-      remove_or_throw(program);
-      ++removed;
-    }
-  }
-  if (is_suspect) remove_or_throw(suspect_mark(cache));
-  return removed;
+  const auto is_suspect = [&cache] {
+    std::error_code ignored;
+    return fs::exists(fs::symlink_status(suspect_mark(cache), ignored));
+  };
+  if (!is_suspect() && damaged_in(cache, false).empty()) return 0;
+  // Another process may have removed them while this one waited.
+  const CacheUse alone(cache, CacheUse::Kind::alone);
+  const bool all = is_suspect();
+  const auto damaged = damaged_in(cache, all);
+  for (const auto& path : damaged) remove_or_throw(path);
+  if (all) remove_or_throw(suspect_mark(cache));
+  return damaged.size();
 }
 
 void seal_programs(const fs::path& cache) {

@@ -13,7 +13,8 @@ namespace aerostat::opencl {
 /// one of its files differs from its seal or cannot be opened, if a file without a seal is not
 /// whole (cut off, empty or of another kind), or if a file stands in the place of a folder or a
 /// folder in the place of a file. If the cache is marked as suspect, all programs and the mark are
-/// removed. Throws Error{io} that names the path that cannot be removed.
+/// removed. Waits for up to half a minute if another process compiles. Throws Error{io} that names
+/// the path that cannot be removed.
 std::size_t remove_damaged_programs(const std::filesystem::path& cache);
 
 /// Returns the path of the file that marks the cache as suspect.

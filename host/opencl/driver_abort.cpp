@@ -2,6 +2,7 @@
 
 #include <csignal>
 #include <mutex>
+#include <optional>
 #include <string>
 
 #include <fcntl.h>
@@ -12,6 +13,7 @@
 #include "core/environment.hpp"
 #include "core/error.hpp"
 #include "opencl/cache_check.hpp"
+#include "opencl/cache_use.hpp"
 
 namespace aerostat::opencl {
 namespace {
@@ -26,6 +28,7 @@ struct LastWords {
 
 std::mutex mutex;
 int guards = 0;
+std::optional<CacheUse> cache_use;
 struct sigaction former = {};
 /// The data of the signal handler. It is never deleted, because a driver may abort after main.
 LastWords& last_words = *new LastWords;
@@ -71,6 +74,9 @@ LastWords compose() {
 DriverAbortGuard::DriverAbortGuard() {
   const std::lock_guard lock(mutex);
   if (guards++ > 0) return;
+  if (const auto folder = environment_variable("POCL_CACHE_DIR")) {
+    cache_use.emplace(*folder, CacheUse::Kind::shared);
+  }
   last_words = compose();
   struct sigaction action = {};
   action.sa_handler = tell_and_exit;
@@ -79,7 +85,9 @@ DriverAbortGuard::DriverAbortGuard() {
 
 DriverAbortGuard::~DriverAbortGuard() {
   const std::lock_guard lock(mutex);
-  if (--guards == 0) sigaction(SIGABRT, &former, nullptr);
+  if (--guards > 0) return;
+  sigaction(SIGABRT, &former, nullptr);
+  cache_use.reset();
 }
 
 }  // namespace aerostat::opencl

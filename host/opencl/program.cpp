@@ -35,6 +35,12 @@ std::string options_with(int lanes, const std::vector<std::string>& defines) {
   return options;
 }
 
+/// Returns a description of a program's sources for messages.
+std::string described(const std::string& entry) {
+  const auto folder = kernel_folder();
+  return folder ? fmt::format("{} in {} (AEROSTAT_KERNEL_DIR)", entry, folder->string()) : entry;
+}
+
 /// Returns what the driver says about a build that failed.
 std::string build_log(const cl::Program& program, const cl::Device& device) {
   try {
@@ -82,7 +88,7 @@ Program::Program(const Context& context, const SourceTree& sources, const std::s
                  int lanes, const std::vector<std::string>& defines)
     : device_(fmt::format("{} {} (driver {})", context.device().selector(), context.device().name,
                           context.device().driver)),
-      entry_(entry),
+      entry_(described(entry)),
       lanes_(lanes) {
   const auto options = options_with(lanes, defines);
   const auto text = flatten(sources, entry);

@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -14,8 +15,12 @@ namespace aerostat::opencl {
 /// Kernel sources by their paths relative to the kernel folder ("device/core/lanes.clh").
 using SourceTree = std::map<std::string, std::string>;
 
-/// Returns the sources in the binary, or those of the folder AEROSTAT_KERNEL_DIR if it is set.
-/// Throws Error{io} if the folder cannot be read.
+/// Returns the folder that AEROSTAT_KERNEL_DIR names, from which kernels are read in place of those
+/// in the binary, or nothing.
+std::optional<std::filesystem::path> kernel_folder();
+
+/// Returns the sources in the binary, or those of kernel_folder(). Throws Error{io} if the folder
+/// cannot be read.
 SourceTree kernel_sources();
 
 /// Returns the sources in a folder. Throws Error{io} if it cannot be read.
@@ -74,6 +79,7 @@ class Program {
   std::shared_ptr<cl::Program> program_;
   /// A description of the device for messages.
   std::string device_;
+  /// A description of the sources for messages.
   std::string entry_;
   int lanes_ = 1;
 };

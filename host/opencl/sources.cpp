@@ -52,9 +52,13 @@ SourceTree kernel_sources(const fs::path& folder) {
   return read_folder(folder, folder.string());
 }
 
+std::optional<fs::path> kernel_folder() {
+  return environment_variable("AEROSTAT_KERNEL_DIR");
+}
+
 SourceTree kernel_sources() {
-  if (const auto folder = environment_variable("AEROSTAT_KERNEL_DIR")) {
-    return read_folder(*folder, fmt::format("{} (AEROSTAT_KERNEL_DIR)", *folder));
+  if (const auto folder = kernel_folder()) {
+    return read_folder(*folder, fmt::format("{} (AEROSTAT_KERNEL_DIR)", folder->string()));
   }
   SourceTree tree;
   for (const auto& file : embedded_files()) tree.emplace(file.path, file.text);

@@ -1,8 +1,13 @@
 #include "render/programs.hpp"
 
 #include <algorithm>
+#include <string>
+
+#include <fmt/format.h>
 
 #include "camera.h"
+#include "core/error.hpp"
+#include "core/log.hpp"
 #include "core/stopwatch.hpp"
 #include "film_pixel.h"
 #include "opencl/cache.hpp"
@@ -90,6 +95,23 @@ std::unique_ptr<Integrator> path_integrator(const FirstLaunches& first, bool gui
   return make_integrator(std::move(kernels));
 }
 
+/// Builds kernels, once more if the driver fails at it: another process may have removed files of
+/// PoCL's cache while PoCL read or wrote them. Kernels from a folder are most likely at fault
+/// themselves.
+template <typename Build>
+auto built(const Build& build) {
+  const opencl::DriverAbortGuard guard;
+  try {
+    return build();
+  } catch (const Error& error) {
+    if (error.kind() != ErrorKind::internal || opencl::kernel_folder()) throw;
+    const std::string message = error.what();
+    warn(fmt::format("{}; the kernels are built once more", message.substr(0, message.find('\n'))));
+  }
+  opencl::restore_pocl_cache();
+  return build();
+}
+
 }  // namespace
 
 opencl::LaunchSize packet_range(std::uint64_t packets, int lanes) {
@@ -99,38 +121,42 @@ opencl::LaunchSize packet_range(std::uint64_t packets, int lanes) {
 
 std::shared_ptr<const SeeThroughKernels> build_see_through(const opencl::Context& context,
                                                            int lanes) {
-  const opencl::DriverAbortGuard guard;
-  const opencl::Program program(context, opencl::kernel_sources(), "see_through.cl", lanes);
-  auto kernels = std::make_shared<SeeThroughKernels>();
-  kernels->pass_eye_rays = {program.kernel("pass_eye_rays")};
-  kernels->trace_shadow_rays_on = {program.kernel("trace_shadow_rays_on")};
-  kernels->pass_path_rays = {program.kernel("pass_path_rays")};
-  kernels->trace_light_rays_on = {program.kernel("trace_light_rays_on")};
-  return kernels;
+  return built([&] {
+    const opencl::Program program(context, opencl::kernel_sources(), "see_through.cl", lanes);
+    auto kernels = std::make_shared<SeeThroughKernels>();
+    kernels->pass_eye_rays = {program.kernel("pass_eye_rays")};
+    kernels->trace_shadow_rays_on = {program.kernel("trace_shadow_rays_on")};
+    kernels->pass_path_rays = {program.kernel("pass_path_rays")};
+    kernels->trace_light_rays_on = {program.kernel("trace_light_rays_on")};
+    return kernels;
+  });
 }
 
 std::shared_ptr<const MirrorKernels> build_mirrors(const opencl::Context& context, int lanes) {
-  const opencl::DriverAbortGuard guard;
-  const opencl::Program program(context, opencl::kernel_sources(), "mirrors.cl", lanes);
-  auto kernels = std::make_shared<MirrorKernels>();
-  kernels->look_into_mirrors = {program.kernel("look_into_mirrors")};
-  return kernels;
+  return built([&] {
+    const opencl::Program program(context, opencl::kernel_sources(), "mirrors.cl", lanes);
+    auto kernels = std::make_shared<MirrorKernels>();
+    kernels->look_into_mirrors = {program.kernel("look_into_mirrors")};
+    return kernels;
+  });
 }
 
 Programs build_programs(const opencl::Context& context, int lanes, scene::Integrator integrator,
                         bool guides, KernelProgress& progress) {
   const Stopwatch watch;
-  const opencl::DriverAbortGuard guard;
   const bool local = integrator == scene::Integrator::local;
-  progress.begin(kTextShare);
-  const opencl::Program program(context, opencl::kernel_sources(), local ? "render.cl" : "paths.cl",
-                                lanes);
-  const FirstLaunches first(context, program, lanes, progress);
-  Programs programs;
-  programs.integrator = local ? local_integrator(first, guides) : path_integrator(first, guides);
-  first.take_film("clear_film", programs.clear_film);
-  first.take_film("mark_converged", programs.mark_converged);
-  if (guides) first.take_film("clear_guides", programs.clear_guides);
+  Programs programs = built([&] {
+    progress.begin(kTextShare);
+    const opencl::Program program(context, opencl::kernel_sources(),
+                                  local ? "render.cl" : "paths.cl", lanes);
+    const FirstLaunches first(context, program, lanes, progress);
+    Programs made;
+    made.integrator = local ? local_integrator(first, guides) : path_integrator(first, guides);
+    first.take_film("clear_film", made.clear_film);
+    first.take_film("mark_converged", made.mark_converged);
+    if (guides) first.take_film("clear_guides", made.clear_guides);
+    return made;
+  });
   opencl::keep_compiled_kernels();
   progress.finish();
   programs.seconds = watch.seconds();

@@ -219,13 +219,23 @@ std::string new_fault_of(const opencl::Device& device, const SelfTest& test) {
   return fault;
 }
 
-std::string complaint(const opencl::Device& device, const std::string& fault) {
-  return fmt::format("the device {} {} with driver {} computes wrong results: {}",
-                     device.selector(), device.name, device.driver, fault);
+/// Returns the refusal of a device. Kernels from a folder are suspected before the driver, because
+/// those of another version may build and yet read other structs than this program writes.
+Error refusal(const opencl::Device& device, const std::string& fault) {
+  const std::string who =
+      fmt::format("the device {} {} with driver {}", device.selector(), device.name, device.driver);
+  if (const auto folder = opencl::kernel_folder()) {
+    return {ErrorKind::bad_data,
+            fmt::format("the kernels in {} (AEROSTAT_KERNEL_DIR) do not fit this program, or {} is "
+                        "at fault: {} (name the kernels of this version, unset the variable, or go "
+                        "on with --skip-self-test)",
+                        folder->string(), who, fault)};
+  }
+  return {ErrorKind::no_device,
+          fmt::format("{} computes wrong results: {} (update its driver, take another device, or "
+                      "go on with --skip-self-test)",
+                      who, fault)};
 }
-
-constexpr const char* kWayOut =
-    " (update its driver, take another device, or go on with --skip-self-test)";
 
 std::vector<opencl::Device> select_automatic(const SelfTest& test) {
   const opencl::DeviceList list = opencl::list_devices();
@@ -235,9 +245,9 @@ std::vector<opencl::Device> select_automatic(const SelfTest& test) {
     try {
       const std::string fault = new_fault_of(device, test);
       if (fault.empty()) return {device};
-      throw Error(ErrorKind::no_device, complaint(device, fault) + kWayOut);
+      throw refusal(device, fault);
     } catch (const Error& error) {
-      if (error.kind() == ErrorKind::interrupted || is_only) throw;
+      if (error.kind() == ErrorKind::interrupted || is_only || opencl::kernel_folder()) throw;
       warn(fmt::format("{}; the next device is taken", error.what()));
       if (!first) first = error;
     }
@@ -273,7 +283,7 @@ std::vector<opencl::Device> select_tested(const std::string& selector, const Sel
   const auto devices = opencl::select_devices(selector);
   for (const opencl::Device& device : devices) {
     const std::string fault = new_fault_of(device, test);
-    if (!fault.empty()) throw Error(ErrorKind::no_device, complaint(device, fault) + kWayOut);
+    if (!fault.empty()) throw refusal(device, fault);
   }
   return devices;
 }

@@ -175,6 +175,32 @@ TEST_F(DriverFaults, OfEachKindHaveTheirCodeAndWords) {
   }
 }
 
+TEST_F(DriverFaults, KernelsAreBuiltOnceMore) {
+  // PoCL fails so if another process removes its files while it compiles.
+  ASSERT_EQ(render("").code, 0);
+  const std::string picture = read_bytes(folder_ / "x.png");
+  forget();
+  for (const char* fault : {"clBuildProgram:1:-11", "clCreateKernel:2:-46", "clFinish:1:-36"}) {
+    const Outcome outcome = render(fault);
+    EXPECT_EQ(outcome.code, 0) << fault << "\n" << outcome.err;
+    EXPECT_TRUE(contains(outcome.err, "the kernels are built once more"));
+    EXPECT_TRUE(read_bytes(folder_ / "x.png") == picture) << fault;
+    forget();
+  }
+  const Outcome always = render("clBuildProgram:1+:-11");
+  EXPECT_EQ(always.code, 70);
+  EXPECT_TRUE(contains(always.err, "the kernels are built once more"));
+  EXPECT_EQ(counts()["clBuildProgram"], 2u);
+  forget();
+  // Kernels of a folder are not tried again, because they are most likely at fault themselves.
+  Environment surroundings = environment("clBuildProgram:1:-11");
+  surroundings.emplace_back("AEROSTAT_KERNEL_DIR=" AEROSTAT_SOURCE_DIR "/kernels");
+  const Outcome folder = run(arguments({}), surroundings);
+  EXPECT_EQ(folder.code, 70) << folder.err;
+  EXPECT_TRUE(
+      contains(folder.err, AEROSTAT_SOURCE_DIR "/kernels (AEROSTAT_KERNEL_DIR) do not build"));
+}
+
 TEST_F(DriverFaults, ACallThatHangsIsInterruptedWithinASecond) {
   for (const char* function :
        {"clWaitForEvents:3:hang", "clFinish:5:hang", "clEnqueueMapBuffer:1:hang"}) {

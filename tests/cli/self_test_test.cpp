@@ -15,11 +15,13 @@ class SelfTest : public CliTest {
   /// Runs a small render with the fake driver and an empty memory of devices that passed. Compiled
   /// kernels are those of other runs.
   Outcome render(const std::string& faults, const std::vector<std::string>& more = {},
-                 const char* pocl_devices = "pthread") const {
-    return run(small_render("sand-empty", more),
-               {"OCL_ICD_VENDORS=" AEROSTAT_FAKE_OPENCL_DIR, "FAKE_CL_FAULTS=" + faults,
-                "XDG_CACHE_HOME=" + cache_.path().string(), "POCL_CACHE_DIR=" + compiled_kernels(),
-                std::string("POCL_DEVICES=") + pocl_devices});
+                 const char* pocl_devices = "pthread", const Environment& surroundings = {}) const {
+    Environment all{"OCL_ICD_VENDORS=" AEROSTAT_FAKE_OPENCL_DIR, "FAKE_CL_FAULTS=" + faults,
+                    "XDG_CACHE_HOME=" + cache_.path().string(),
+                    "POCL_CACHE_DIR=" + compiled_kernels(),
+                    std::string("POCL_DEVICES=") + pocl_devices};
+    all.insert(all.end(), surroundings.begin(), surroundings.end());
+    return run(small_render("sand-empty", more), all);
   }
 
   static std::string compiled_kernels() {
@@ -63,6 +65,19 @@ TEST_F(SelfTest, ADeviceThatComputesWronglyIsRefusedByName) {
   EXPECT_EQ(render("clEnqueueNDRangeKernel@trace_shadow_rays:1+:skip", {"--skip-self-test"}).code,
             0);
   EXPECT_EQ(files(), std::vector<std::string>{"sand-empty.png"});
+}
+
+TEST_F(SelfTest, KernelsOfAFolderAreNamed) {
+  const std::string folder = AEROSTAT_SOURCE_DIR "/kernels";
+  for (const char* selector : {"0:0", "auto"}) {
+    const Outcome outcome =
+        render("clEnqueueNDRangeKernel@shade_hits:1+:skip", {"--device", selector},
+               "pthread pthread", {"AEROSTAT_KERNEL_DIR=" + folder});
+    EXPECT_EQ(outcome.code, 65) << outcome.err;
+    EXPECT_TRUE(contains(outcome.err, "the kernels in " + folder + " (AEROSTAT_KERNEL_DIR)"));
+    EXPECT_EQ(outcome.err.find("the next device is taken"), std::string::npos) << outcome.err;
+    EXPECT_TRUE(files().empty());
+  }
 }
 
 TEST_F(SelfTest, AutoTakesTheNextDevice) {

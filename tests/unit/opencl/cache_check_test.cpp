@@ -2,10 +2,14 @@
 #include "opencl/cache_check.hpp"
 
 #include <algorithm>
+#include <atomic>
+#include <chrono>
 #include <csignal>
 #include <cstdlib>
 #include <fstream>
 #include <functional>
+#include <optional>
+#include <thread>
 
 #include <elf.h>
 #include <gtest/gtest.h>
@@ -14,6 +18,7 @@
 #include <unistd.h>
 
 #include "opencl/cache.hpp"
+#include "opencl/cache_use.hpp"
 #include "opencl/driver_abort.hpp"
 #include "support/temporary_folder.hpp"
 
@@ -209,6 +214,42 @@ TEST_F(CacheCheck, RemovesAllAfterADriverAborted) {
   EXPECT_EQ(remove_damaged_programs(cache_), 2u);
   fill();
   EXPECT_EQ(remove_damaged_programs(cache_), 0u) << "the mark is gone";
+}
+
+TEST_F(CacheCheck, WaitsForThoseThatCompile) {
+  setenv("POCL_CACHE_DIR", cache_.c_str(), 1);
+  std::optional<DriverAbortGuard> compiling(std::in_place);
+  unsetenv("POCL_CACHE_DIR");
+  EXPECT_EQ(remove_damaged_programs(cache_), 0u) << "there is nothing to wait for";
+  write(suspect_mark(cache_), "");
+  std::atomic<bool> is_done = false;
+  std::thread removal([&] {
+    EXPECT_EQ(remove_damaged_programs(cache_), 2u);
+    is_done = true;
+  });
+  std::this_thread::sleep_for(std::chrono::milliseconds(300));
+  EXPECT_FALSE(is_done);
+  EXPECT_TRUE(fs::exists(cache_ / kProgram / kLibrary));
+  compiling.reset();
+  removal.join();
+  EXPECT_FALSE(fs::exists(cache_ / kProgram / kLibrary));
+}
+
+TEST(CacheUse, IsSharedOrAlone) {
+  const test::TemporaryFolder folder;
+  const std::chrono::milliseconds patience(150);
+  const auto seconds = [&](CacheUse::Kind kind) {
+    const auto began = std::chrono::steady_clock::now();
+    const CacheUse use(folder.path(), kind, patience);
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
+  };
+  {
+    const CacheUse shared(folder.path(), CacheUse::Kind::shared);
+    EXPECT_LT(seconds(CacheUse::Kind::shared), 0.15);
+    EXPECT_GE(seconds(CacheUse::Kind::alone), 0.15) << "its patience is over";
+  }
+  const CacheUse alone(folder.path(), CacheUse::Kind::alone);
+  EXPECT_GE(seconds(CacheUse::Kind::shared), 0.15);
 }
 
 TEST_F(CacheCheck, NamesMemoryIfADriverAbortsInALimitedAddressSpace) {
