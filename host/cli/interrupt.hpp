@@ -7,10 +7,10 @@
 namespace aerostat::cli {
 
 /// Makes the first SIGINT or SIGTERM ask for a stop instead of ending the process, while the
-/// object lives. If the process does not end by itself within a second, or within the grace that is
-/// set, it is ended with the signal's exit code. That happens because building a large world is not
-/// watched for stops. A second signal has the system's effect at once. Signals that were ignored
-/// when the object was made stay ignored. Only one object may exist at a time.
+/// object lives. If the process does not end by itself within half a second, or within the grace
+/// that is set, it is ended with the signal's exit code. That happens because building a large
+/// world is not watched for stops. A second signal has the system's effect at once. Signals that
+/// were ignored when the object was made stay ignored. Only one object may exist at a time.
 class Interrupt {
  public:
   Interrupt();
@@ -29,7 +29,7 @@ class Interrupt {
   void watch(int pipe);
 
   std::stop_source source_;
-  std::atomic<int> grace_ms_ = 1000;
+  std::atomic<int> grace_ms_ = 500;
   std::thread watcher_;
 };
 
