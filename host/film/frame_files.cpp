@@ -12,14 +12,16 @@
 #include "core/checksum.hpp"
 #include "core/error.hpp"
 #include "film/exposure.hpp"
+#include "film/program_mark.hpp"
 #include "film/scene_mark.hpp"
 #include "image/decode.hpp"
 #include "image/mark.hpp"
+#include "opencl/program.hpp"
 #include "scene/scene.hpp"
 
 namespace aerostat::film {
 FrameMarks::FrameMarks(Timeline& timeline, FrameFormat format)
-    : timeline_(timeline), format_(format) {}
+    : timeline_(timeline), format_(format), program_(program_mark(opencl::kernel_sources())) {}
 
 std::uint64_t FrameMarks::checksum_of(int moment) {
   const auto known = moments_.find(moment);
@@ -45,7 +47,7 @@ std::string FrameMarks::mark_of(int frame) {
       from += fmt::format("-{:016x}-{}", checksum_of(span.from + 1), span.share);
     }
   }
-  return fmt::format("{} {:016x}", AEROSTAT_VERSION, checksum(from));
+  return fmt::format("{} {:016x}", program_, checksum(from));
 }
 
 std::vector<std::uint8_t> bytes_of(const std::filesystem::path& file) {

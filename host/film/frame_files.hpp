@@ -22,11 +22,12 @@ enum class FrameState {
   foreign   // it was made from another scene or size, in another quality or by another version
 };
 
-/// The marks of a film's frames. A mark tells the version of the program and what a frame is made
-/// from: its scene with size and quality, those of its moments, the scenes by whose light it is
-/// exposed, and the names and sizes of the files that they name.
+/// The marks of a film's frames. A mark tells the program (see program_mark.hpp) and what a frame
+/// is made from: its scene with size and quality, those of its moments, the scenes by whose light
+/// it is exposed, and the names and sizes of the files that they name.
 class FrameMarks {
  public:
+  /// Throws Error{io} if the kernels cannot be read.
   FrameMarks(Timeline& timeline, FrameFormat format);
 
   std::string mark_of(int frame);
@@ -36,6 +37,7 @@ class FrameMarks {
 
   Timeline& timeline_;
   FrameFormat format_;
+  std::string program_;
   std::map<int, std::uint64_t> moments_;
 };
 

@@ -2,14 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
 #include <utility>
 
 #include <fmt/format.h>
 
-#include "core/random.hpp"
 #include "core/smooth_step.hpp"
 #include "film/keys.hpp"
+#include "film/traffic.hpp"
 #include "scene/balloons.hpp"
 
 namespace aerostat::film {
@@ -18,10 +17,6 @@ namespace {
 /// The speed of what bends the streaks of thin high cloud, in speeds at which bulges rise: layers
 /// of air at that height pass over each other faster. Chosen by eye.
 constexpr double kBendSpeed = 10.0;
-
-/// The time within which a balloon reaches half of its speed after take-off, the time for which the
-/// burner heats before it, and that from one burst to the next. Chosen by eye.
-constexpr double kSoft_s = 2.0, kHeating_s = 8.0, kBurst_s = 7.0;
 
 /// Returns the height of a balloon above the level that it counts from: by keys, or else as it is
 /// given.
@@ -44,58 +39,79 @@ std::string balloon_pointer(std::size_t index) {
   return index == 0 ? "/balloon" : fmt::format("/balloons/{}", index - 1);
 }
 
-double Launch::climbed(double at_s) const {
-  const double since = std::max(at_s - time_s, 0.0);
-  const double soft = since * since / (since + kSoft_s);
-  return height_m > 0.0 ? height_m * -std::expm1(-climb_m_s * soft / height_m) : 0.0;
-}
-
-double Launch::burner(double at_s) const {
-  const double since = at_s - time_s + kHeating_s;
-  if (since < 0.0) return 0.0;
-  const double need = 1.0 - 0.7 * climbed(at_s) / std::max(height_m, 1e-9);
-  const double phase = since / kBurst_s - std::floor(since / kBurst_s);
-  // A flame flares up and goes out within a tenth of the time between two.
-  return smooth_unit_step(std::clamp(10.0 * phase, 0.0, 1.0)) *
-         smooth_unit_step(std::clamp(10.0 * (0.75 * need - phase), 0.0, 1.0));
-}
-
-double launch_time(std::uint32_t seed, std::size_t number, double within_s) {
-  return within_s * Random((std::uint64_t{seed} << 32) + number).unit();
-}
-
-Balloons::Balloons(const scene::Scene& start, const std::vector<bool>& steered,
-                   std::size_t festival, HeightAt ground)
+Balloons::Balloons(const scene::Scene& start, const SteeredAt& steered_at, std::size_t festival,
+                   HeightAt ground)
     : film_(start.film), festival_burner_(start.festival.burner), ground_(std::move(ground)) {
   scene::Scene scene = start;
   const auto all = scene::all_balloons(scene);
-  for (std::size_t i = 0; i < all.size(); ++i) {
-    const dvec3 given = all[i]->position;
-    const bool is_above_ground = all[i]->height_above == scene::HeightReference::ground;
-    const double base = is_above_ground ? ground_(given.x, given.z) : 0.0;
-    const bool is_drifting = !film_.wind.empty() && !steered[i] && !is_keyed(film_, i);
-    std::optional<Launch> launch;
-    if (i >= festival && film_.launch_s > 0.0) {
-      const double time_s = launch_time(start.festival.seed, i - festival, film_.launch_s);
-      launch = Launch{time_s, given.y, film_.climb_m_s};
-    }
-    // The time of a drift counts from take-off.
-    const auto height = [this, i, y = given.y, base, launch](double time) {
-      return base +
-             (launch ? launch->climbed(launch->time_s + time) : key_height(film_, i, y, time));
-    };
-    balloons_.push_back({given, given + dvec3(0.0, base, 0.0), is_above_ground, is_drifting,
-                         Drift(film_.wind, height), launch});
+  for (std::size_t i = 0; i < all.size(); ++i) add(*all[i], steered_at(i, 0.0).has_value());
+  keep_apart(start, steered_at, festival);
+}
+
+void Balloons::add(const scene::Balloon& balloon, bool is_steered) {
+  const std::size_t index = balloons_.size();
+  const dvec3 given = balloon.position;
+  const bool is_above_ground = balloon.height_above == scene::HeightReference::ground;
+  const double base = is_above_ground ? ground_(given.x, given.z) : 0.0;
+  const bool is_drifting = !film_.wind.empty() && !is_steered && !is_keyed(film_, index);
+  balloons_.push_back(
+      {given, given + dvec3(0.0, base, 0.0), is_above_ground, is_drifting, {}, Drift({}, {})});
+  set_course(index, {});
+}
+
+void Balloons::set_course(std::size_t index, const Course& course) {
+  One& one = balloons_[index];
+  one.course = course;
+  // The time of a drift counts from take-off.
+  const double from_s = course.launch ? course.launch->time_s : 0.0;
+  one.drift = Drift(film_.wind,
+                    [this, index, course, from_s, base = one.start.y - one.given.y](double time) {
+                      return base + height_of(index, course, from_s + time);
+                    });
+}
+
+/// Finds a course for each balloon of the festival, one after the other, so that none meets those
+/// before it.
+void Balloons::keep_apart(const scene::Scene& start, const SteeredAt& steered_at,
+                          std::size_t festival) {
+  scene::Scene scene = start;
+  const auto all = scene::all_balloons(scene);
+  Traffic traffic(film_.duration_s);
+  for (std::size_t i = 0; i < std::min(festival, all.size()); ++i) {
+    if (!all[i]->enabled) continue;
+    traffic.add(traffic.way_of(
+        [&](double time_s) { return steered_at(i, time_s).value_or(place(i, time_s)); }));
   }
+  for (std::size_t i = festival; i < all.size(); ++i) {
+    Courses courses(start.festival, film_, i - festival, all[i]->position.y);
+    Course best;
+    Traffic::Way way;
+    double room_m = -1.0;
+    for (int attempt = 0; attempt < Courses::kMost && room_m < start.festival.apart_m; ++attempt) {
+      const Course course = courses.next();
+      set_course(i, course);
+      Traffic::Way tried = traffic.way_of([&](double time_s) { return place(i, time_s); });
+      const double found_m = traffic.least_distance(tried);
+      if (found_m <= room_m) continue;
+      best = course, way = std::move(tried), room_m = found_m;
+    }
+    set_course(i, best);
+    traffic.add(std::move(way));
+  }
+}
+
+/// Returns the height of a balloon above the level that it counts from.
+double Balloons::height_of(std::size_t index, const Course& course, double time_s) const {
+  if (course.launch) return course.launch->climbed(time_s);
+  return key_height(film_, index, balloons_[index].given.y, time_s) +
+         course.risen(time_s, film_.climb_m_s);
 }
 
 dvec3 Balloons::place_of(std::size_t index, double time_s) {
   One& one = balloons_[index];
-  const double given = one.given.y;
-  const double height =
-      one.launch ? one.launch->climbed(time_s) : key_height(film_, index, given, time_s);
-  const double climb = height - given;
-  const double since = one.launch ? std::max(time_s - one.launch->time_s, 0.0) : time_s;
+  const auto& launch = one.course.launch;
+  const double climb = height_of(index, one.course, time_s) - one.given.y;
+  const double since = launch ? std::max(time_s - launch->time_s, 0.0) : time_s;
   const dvec2 way = one.drift.at(since);
   dvec3 place = one.start + dvec3(way.x, climb, way.y);
   // A balloon that the wind carries towards a slope slides up along it.
@@ -103,10 +119,10 @@ dvec3 Balloons::place_of(std::size_t index, double time_s) {
   return place;
 }
 
-dvec3 Balloons::place(double time_s) {
-  const One& one = balloons_[0];
-  if (one.is_drifting) return place_of(0, time_s);
-  const std::string pointer = balloon_pointer(0) + "/position";
+dvec3 Balloons::place(std::size_t index, double time_s) {
+  const One& one = balloons_[index];
+  if (one.is_drifting || one.course.launch) return place_of(index, time_s);
+  const std::string pointer = balloon_pointer(index) + "/position";
   dvec3 place = one.given;
   for (int axis = 0; axis < 3; ++axis) {
     place[axis] = element_at(film_.keys, pointer, axis, time_s).value_or(place[axis]);
@@ -119,11 +135,12 @@ void Balloons::move(scene::Scene& scene, double time_s) {
   const auto all = scene::all_balloons(scene);
   for (std::size_t i = 0; i < all.size(); ++i) {
     scene::Balloon& balloon = *all[i];
-    if (balloons_[i].launch) {
+    const auto& launch = balloons_[i].course.launch;
+    if (launch) {
       const double strength = std::max(balloon.burner, 0.5 * festival_burner_);
-      balloon.burner = strength * balloons_[i].launch->burner(time_s);
+      balloon.burner = strength * launch->burner(time_s);
     }
-    if (balloons_[i].is_drifting || balloons_[i].launch) {
+    if (balloons_[i].is_drifting || launch) {
       balloon.position = place_of(i, time_s);
       if (!is_moved(film_.keys, balloon_pointer(i) + "/heading_deg")) {
         balloon.heading_deg =

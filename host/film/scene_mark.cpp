@@ -9,6 +9,8 @@
 
 #include "core/checksum.hpp"
 #include "core/file.hpp"
+#include "film/program_mark.hpp"
+#include "opencl/program.hpp"
 #include "scene/io.hpp"
 #include "scene/named_files.hpp"
 #include "scene/scene.hpp"
@@ -46,7 +48,7 @@ std::uint64_t scene_checksum(scene::Scene scene) {
 }
 
 std::string still_mark(const scene::Scene& scene) {
-  return fmt::format("{} {:016x}", AEROSTAT_VERSION, scene_checksum(scene));
+  return fmt::format("{} {:016x}", program_mark(opencl::kernel_sources()), scene_checksum(scene));
 }
 
 }  // namespace aerostat::film

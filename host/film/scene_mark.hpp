@@ -14,7 +14,8 @@ namespace aerostat::film {
 /// the same. A folder counts by the files in it.
 std::uint64_t scene_checksum(scene::Scene scene);
 
-/// Returns the mark of a still picture: the version of the program, and the checksum of its scene.
+/// Returns the mark of a still picture: what tells the program (see program_mark.hpp), and the
+/// checksum of its scene. Throws Error{io} if the kernels cannot be read.
 std::string still_mark(const scene::Scene& scene);
 
 }  // namespace aerostat::film

@@ -46,9 +46,9 @@ struct Timeline::State {
     follow_tracks(given);
     move_along_tracks(start, 0.0);
     const auto ground = [this](double x, double z) { return height(x, z); };
-    std::vector<bool> steered(1 + start.balloons.size(), false);
-    for (const Track& track : tracks) steered[track.balloon] = true;
-    balloons.emplace(start, steered, festival, ground);
+    balloons.emplace(
+        start, [this](std::size_t index, double time_s) { return on_track(index, time_s); },
+        festival, ground);
     rig.emplace(
         start, [this](double time_s) { return balloon_at(time_s); }, ground);
     eye_start = eye_of(at(0.0, nullptr));
@@ -72,16 +72,24 @@ struct Timeline::State {
   void move_along_tracks(scene::Scene& scene, double time_s) {
     const auto all = scene::all_balloons(scene);
     for (const Track& track : tracks) {
-      all[track.balloon]->position = track.path.after(time_s * film.track_speed).position;
+      all[track.balloon]->position = *on_track(track.balloon, time_s);
       all[track.balloon]->height_above = scene::HeightReference::sea;
     }
   }
 
+  /// Returns where a recorded flight brings a balloon at a time, with its height above the sea, or
+  /// nothing if the balloon has none.
+  std::optional<dvec3> on_track(std::size_t index, double time_s) const {
+    for (const Track& track : tracks) {
+      if (track.balloon == index) return track.path.after(time_s * film.track_speed).position;
+    }
+    return std::nullopt;
+  }
+
   /// Returns where the first balloon is at a time, with its height above the sea.
   dvec3 balloon_at(double time_s) {
-    const bool is_tracked = !tracks.empty() && tracks[0].balloon == 0;
-    return is_tracked ? tracks[0].path.after(time_s * film.track_speed).position
-                      : balloons->place(time_s);
+    const auto tracked = on_track(0, time_s);
+    return tracked ? *tracked : balloons->place(0, time_s);
   }
 
   /// Returns the scene with the values of the keys at a time, and with the sun of that moment of

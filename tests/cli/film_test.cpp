@@ -131,6 +131,17 @@ TEST_F(Film, FramesAreKeptUnlessTheyAreOfAnotherScene) {
   EXPECT_EQ(run(small_film("f/#.png", {"--verify", "--set", "/sun/elevation_deg=31"})).code, 65);
 }
 
+TEST_F(Film, FramesOfOtherKernelsAreForeign) {
+  ASSERT_EQ(run(small_film("f/#.png")).code, 0);
+  fs::copy(AEROSTAT_SOURCE_DIR "/kernels", folder_ / "kernels", fs::copy_options::recursive);
+  const Environment other{"AEROSTAT_KERNEL_DIR=" + (folder_ / "kernels").string()};
+  EXPECT_EQ(run(small_film("f/#.png", {"--verify"}), other).code, 0);
+  std::ofstream(folder_ / "kernels/device/material/cloth.clh", std::ios::app) << "// changed\n";
+  const Outcome changed = run(small_film("f/#.png", {"--verify"}), other);
+  EXPECT_EQ(changed.code, 65);
+  EXPECT_TRUE(contains(changed.out, "foreign 6 f/6.png")) << changed.out;
+}
+
 TEST_F(Film, StopsAtItsTimeLimitAndGoesOn) {
   const Outcome stopped = run(small_film("f/#.png", {"--time-limit", "0.001s"}));
   EXPECT_EQ(stopped.code, 75);

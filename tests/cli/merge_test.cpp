@@ -67,6 +67,21 @@ TEST_F(Merge, AFixedExposureIsKept) {
   EXPECT_EQ(bytes("joined.png"), bytes("whole.png"));
 }
 
+TEST_F(Merge, BandsOfAFilmWithAnOpenShutterShowOneMoment) {
+  // A still picture shows the scene at rest, and so do its bands.
+  render("rest.png");
+  const std::vector<std::string> open{"--set", "/film/shutter_angle_deg=180"};
+  render("whole.png", open);
+  for (const char* band : {"1", "2"}) {
+    auto more = open;
+    more.insert(more.end(), {"--shard", std::string(band) + "/2"});
+    render(std::string(band) + ".exr", more);
+  }
+  ASSERT_EQ(run({"merge", "1.exr", "2.exr", "-o", "joined.png"}).code, 0);
+  EXPECT_EQ(bytes("joined.png"), bytes("whole.png"));
+  EXPECT_EQ(bytes("whole.png"), bytes("rest.png"));
+}
+
 TEST_F(Merge, ABandThatIsThereIsKept) {
   render("1.exr", {"--shard", "1/2"});
   const auto time = fs::last_write_time(folder_ / "1.exr");
