@@ -1,9 +1,14 @@
 #include "viewer/export_job.hpp"
 
+#include <QDir>
 #include <QFileInfo>
+#include <cstdint>
+#include <filesystem>
+#include <memory>
 #include <optional>
+#include <utility>
+#include <vector>
 
-#include "core/error.hpp"
 #include "core/file.hpp"
 #include "core/stop_scope.hpp"
 #include "image/write.hpp"
@@ -47,33 +52,14 @@ QString text_of(render::Stage stage) {
 
 }  // namespace
 
-ExportJob::ExportJob() : watch_([this](int seconds) { Q_EMIT fell_silent(seconds); }, [] {}) {}
-
-void ExportJob::Ender::operator()(ExportJob* job) const {
-  job->cancel();
-  if (!job->thread_.joinable() || ends_soon(job->ended_, job->watch_)) {
-    delete job;
-    return;
-  }
-  job->disconnect();
-  job->watch_.stop();
-  leave_behind(job);
-}
-
 void ExportJob::start(const scene::Scene& scene, const QString& path, const QString& device) {
   before_ = file_stamp(path.toStdString());
-  thread_ = std::jthread([this, scene, path, device](const std::stop_token& stop) {
-    run(stop, scene, path, device);
-    end_.set_value();
-  });
-}
-
-void ExportJob::cancel() {
-  thread_.request_stop();
+  begin(
+      [this, scene, path, device](const std::stop_token& stop) { run(stop, scene, path, device); });
 }
 
 void ExportJob::tell(const render::Progress& progress) {
-  watch_.sign(progress);
+  watch().sign(progress);
   const double begin = begin_of(progress.stage);
   const bool traces = progress.stage == render::Stage::rays;
   Q_EMIT progressed(traces ? begin + (1.0 - begin) * progress.fraction : begin,
@@ -82,50 +68,41 @@ void ExportJob::tell(const render::Progress& progress) {
 
 void ExportJob::run(const std::stop_token& stop, const scene::Scene& scene, const QString& path,
                     const QString& device) {
+  const std::filesystem::path file = path.toStdString();
+  require_writable(file);
+  render::Options options;
+  render::SelfTest test;
+  test.integrator = scene.light;
+  test.stop = stop;
+  test.progress = [this](const render::Progress& progress) { watch().sign(progress); };
   // Signs are expected of the device alone. Reading a land or encoding a picture may take long.
-  std::optional<DeviceWatch::Busy> busy;
-  try {
-    const std::filesystem::path file = path.toStdString();
-    require_writable(file);
-    render::Options options;
-    render::SelfTest test;
-    test.integrator = scene.light;
-    test.stop = stop;
-    test.progress = [this](const render::Progress& progress) { watch_.sign(progress); };
-    busy.emplace(watch_);
-    options.devices = render::select_tested(opencl::effective_selector(device.toStdString()), test);
-    const bool is_exr =
-        QFileInfo(path).suffix().compare(QLatin1String("exr"), Qt::CaseInsensitive) == 0;
-    options.contents = is_exr ? render::Contents::layers : render::Contents::picture;
-    options.guides = is_exr;
-    const auto cache = std::make_shared<render::SceneCache>();
-    options.cache = cache;
-    render::Session session(std::move(options));
-    session.begin_kernels(scene.light);
-    busy.reset();
-    const scene::ResolvedScene resolved = world::resolve(scene, cache->reliefs);
-    busy.emplace(watch_);
-    const auto film = session.render(resolved, stop,
-                                     [this](const render::Progress& progress) { tell(progress); });
-    busy.reset();
-    bytes_ =
-        is_exr ? image::encode_exr(film)
-               : image::encode_png(image::develop(film, render::development_of(scene.image, film)));
-    stop_if_asked(stop);
-    if (!is_special_file(file) && file_stamp(file) != before_) {
-      Q_EMIT obstructed();
-      return;
-    }
-    write_file(file, bytes_);
-    Q_EMIT finished(true, {});
-  } catch (const Error& error) {
-    const bool cancelled = error.kind() == ErrorKind::interrupted;
-    Q_EMIT finished(false, cancelled ? QString() : QString::fromUtf8(error.what()));
-  } catch (const std::bad_alloc&) {
-    Q_EMIT finished(false, tr("Out of memory"));
-  } catch (const std::exception& error) {
-    Q_EMIT finished(false, QString::fromUtf8(error.what()));
+  std::optional<DeviceWatch::Busy> busy(watch());
+  options.devices = render::select_tested(opencl::effective_selector(device.toStdString()), test);
+  const bool is_exr =
+      QFileInfo(path).suffix().compare(QLatin1String("exr"), Qt::CaseInsensitive) == 0;
+  options.contents = is_exr ? render::Contents::layers : render::Contents::picture;
+  options.guides = is_exr;
+  const auto cache = std::make_shared<render::SceneCache>();
+  options.cache = cache;
+  render::Session session(std::move(options));
+  session.begin_kernels(scene.light);
+  busy.reset();
+  const scene::ResolvedScene resolved = world::resolve(scene, cache->reliefs);
+  busy.emplace(watch());
+  const auto film =
+      session.render(resolved, stop, [this](const render::Progress& progress) { tell(progress); });
+  busy.reset();
+  const std::vector<std::uint8_t> bytes =
+      is_exr ? image::encode_exr(film)
+             : image::encode_png(image::develop(film, render::development_of(scene.image, film)));
+  stop_if_asked(stop);
+  if (!is_special_file(file) && file_stamp(file) != before_) {
+    Q_EMIT obstructed(QByteArray(reinterpret_cast<const char*>(bytes.data()),
+                                 static_cast<qsizetype>(bytes.size())));
+    return;
   }
+  write_file(file, bytes);
+  Q_EMIT finished(true, tr("Wrote %1").arg(QDir::toNativeSeparators(path)));
 }
 
 }  // namespace aerostat::viewer

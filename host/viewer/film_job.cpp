@@ -1,10 +1,8 @@
 #include "viewer/film_job.hpp"
 
 #include <memory>
-#include <new>
 #include <vector>
 
-#include "core/error.hpp"
 #include "core/file.hpp"
 #include "film/film_run.hpp"
 #include "film/frames.hpp"
@@ -28,60 +26,58 @@ QString text_of(const film::FilmProgress& now) {
 
 }  // namespace
 
-FilmJob::~FilmJob() {
-  cancel();
-  if (thread_.joinable()) thread_.join();
-}
-
 void FilmJob::start(const scene::SceneSource& source, const QString& path, const QString& device) {
-  thread_ = std::jthread([this, source, path, device](const std::stop_token& stop) {
+  begin([this, source, path, device](const std::stop_token& stop) {
     run(stop, source, path, device);
   });
 }
 
-void FilmJob::cancel() {
-  thread_.request_stop();
+void FilmJob::tell(const film::FilmProgress& now) {
+  const render::Stage stage = now.render.stage;
+  const bool is_of_device =
+      now.number != 0 && (stage == render::Stage::kernels || stage == render::Stage::upload ||
+                          stage == render::Stage::rays);
+  if (!is_of_device) {
+    busy_.reset();
+  } else if (!busy_) {
+    busy_.emplace(watch());
+  }
+  watch().sign(now.render);
+  Q_EMIT progressed(now.fraction(), text_of(now));
 }
 
 void FilmJob::run(const std::stop_token& stop, const scene::SceneSource& source,
                   const QString& path, const QString& device) {
-  try {
-    const scene::Scene& scene = source.scene();
-    film::FilmTask task{film::film_files(path.toStdString()), {}, 0.0, true};
-    task.encoder = {task.files.video, {}, scene.image.width, scene.image.height, scene.film.fps};
-    if (!task.files.video.empty()) {
-      film::require_encodable(task.encoder);
-      require_writable(task.files.video);
-    }
-    render::Options options;
-    render::SelfTest test;
-    test.integrator = scene.light;
-    test.stop = stop;
-    options.devices = render::select_tested(opencl::effective_selector(device.toStdString()), test);
-    options.cache = std::make_shared<render::SceneCache>();
-    film::Timeline timeline(source, options.cache->reliefs);
-    const std::vector<int> numbers = film::frames_of({}, {}, timeline.frames());
-    const auto frames = film::survey(timeline, task.files, numbers, stop);
-    const film::FilmOutcome outcome = film::make_film(
-        timeline, options, task, frames, stop,
-        [this](const film::FilmProgress& now) { Q_EMIT progressed(now.fraction(), text_of(now)); });
-    if (outcome.no_encoder) {
-      Q_EMIT finished(false, QString::fromUtf8(outcome.no_encoder->what()));
-      return;
-    }
-    const auto all = static_cast<int>(frames.size());
-    Q_EMIT finished(true, tr("Wrote %1: %2 frames rendered, %3 kept")
-                              .arg(path)
-                              .arg(outcome.made)
-                              .arg(all - outcome.made));
-  } catch (const Error& error) {
-    const bool is_cancelled = error.kind() == ErrorKind::interrupted;
-    Q_EMIT finished(false, is_cancelled ? QString() : QString::fromUtf8(error.what()));
-  } catch (const std::bad_alloc&) {
-    Q_EMIT finished(false, tr("Out of memory"));
-  } catch (const std::exception& error) {
-    Q_EMIT finished(false, QString::fromUtf8(error.what()));
+  const scene::Scene& scene = source.scene();
+  film::FilmTask task{film::film_files(path.toStdString()), {}, 0.0, true};
+  task.encoder = {task.files.video, {}, scene.image.width, scene.image.height, scene.film.fps};
+  if (!task.files.video.empty()) {
+    film::require_encodable(task.encoder);
+    require_writable(task.files.video);
   }
+  render::Options options;
+  render::SelfTest test;
+  test.integrator = scene.light;
+  test.stop = stop;
+  test.progress = [this](const render::Progress& progress) { watch().sign(progress); };
+  busy_.emplace(watch());
+  options.devices = render::select_tested(opencl::effective_selector(device.toStdString()), test);
+  busy_.reset();
+  options.cache = std::make_shared<render::SceneCache>();
+  film::Timeline timeline(source, options.cache->reliefs);
+  const std::vector<int> numbers = film::frames_of({}, {}, timeline.frames());
+  const auto frames = film::survey(timeline, task.files, numbers, stop);
+  const film::FilmOutcome outcome = film::make_film(
+      timeline, options, task, frames, stop, [this](const film::FilmProgress& now) { tell(now); });
+  if (outcome.no_encoder) {
+    Q_EMIT finished(false, QString::fromUtf8(outcome.no_encoder->what()));
+    return;
+  }
+  const auto all = static_cast<int>(frames.size());
+  Q_EMIT finished(true, tr("Wrote %1: %2 frames rendered, %3 kept")
+                            .arg(path)
+                            .arg(outcome.made)
+                            .arg(all - outcome.made));
 }
 
 }  // namespace aerostat::viewer

@@ -1,41 +1,40 @@
 #pragma once
 
-#include <QObject>
 #include <QString>
+#include <memory>
+#include <optional>
 #include <stop_token>
-#include <thread>
 
 #include "scene/source.hpp"
+#include "viewer/output_job.hpp"
+
+namespace aerostat::film {
+struct FilmProgress;
+}
 
 namespace aerostat::viewer {
 
-/// Makes a film as the command `aerostat film` does, on a thread of its own. Frames that are made
-/// stay when the job is cancelled, and the next job goes on from them.
-class FilmJob : public QObject {
+/// Makes a film as the command `aerostat film` does. Frames that are made stay when the job is
+/// cancelled, and the next job goes on from them.
+class FilmJob : public OutputJob {
   Q_OBJECT
 
  public:
-  using QObject::QObject;
-  ~FilmJob() override;
+  using Handle = std::unique_ptr<FilmJob, Ender>;
+  static Handle make() { return Handle(new FilmJob); }
 
   /// Starts the job. Call it once and after its signals are connected, because it may fail at once.
   /// The suffix of the file selects the kind of film.
   void start(const scene::SceneSource& source, const QString& path, const QString& device);
-  void cancel();
-
- Q_SIGNALS:
-  /// Reports the progress. `fraction` is the share of the frames from 0 to 1, and `text` says what
-  /// is done.
-  void progressed(double fraction, const QString& text);
-  /// Reports the end. `message` says what was made or what went wrong; it is empty if the job was
-  /// cancelled.
-  void finished(bool written, const QString& message);
 
  private:
   void run(const std::stop_token& stop, const scene::SceneSource& source, const QString& path,
            const QString& device);
+  void tell(const film::FilmProgress& now);
 
-  std::jthread thread_;
+  /// Exists while signs of the device are expected. Building the world, writing frames and encoding
+  /// give none.
+  std::optional<DeviceWatch::Busy> busy_;
 };
 
 }  // namespace aerostat::viewer

@@ -1,5 +1,6 @@
 // Tests the window with a driver that hangs or loses its device. The driver is tests/fake_opencl.
 #include <QAbstractButton>
+#include <QDir>
 #include <QElapsedTimer>
 #include <QTemporaryDir>
 #include <QtTest>
@@ -10,6 +11,7 @@
 #include "small_window.hpp"
 #include "viewer/device_watch.hpp"
 #include "viewer/export_dialog.hpp"
+#include "viewer/film_dialog.hpp"
 #include "viewer/main_window.hpp"
 #include "viewer/message_bar.hpp"
 
@@ -22,10 +24,11 @@ constexpr int kPatience_ms = 180000;
 constexpr qint64 kSoon_ms = 5000;
 
 /// The driver counts the calls of all tests together. Each test renders until its fault comes.
-/// Only the export of an EXR file clears guides, and the first time when kernels are built.
+/// Only EXR files clear guides, and the first time when kernels are built. The second time is in
+/// the export that hangs, and the sixth time in the second frame of the film.
 constexpr const char* kFaults =
     "clWaitForEvents:30:hang,clEnqueueMapBuffer:60:hang,clEnqueueNDRangeKernel@shade_hits:600:-2,"
-    "clEnqueueNDRangeKernel@clear_guides:2:hang";
+    "clEnqueueNDRangeKernel@clear_guides:2:hang,clEnqueueNDRangeKernel@clear_guides:6:hang";
 
 }  // namespace
 
@@ -40,6 +43,7 @@ class DeviceFaultsTest : public QObject {
   void a_hang_does_not_keep_the_window_open();
   void a_lost_device_is_told_and_tried_again();
   void an_export_whose_device_hangs_is_given_up();
+  void a_film_whose_device_hangs_is_given_up();
 
  private:
   /// Changes the scene until the message bar tells something.
@@ -168,6 +172,37 @@ void DeviceFaultsTest::an_export_whose_device_hangs_is_given_up() {
   }
   QVERIFY(!QFile::exists(path));
   QVERIFY(QFile::exists(folder_.filePath("second.exr")));
+}
+
+void DeviceFaultsTest::a_film_whose_device_hangs_is_given_up() {
+  window_->document().start(small_scene().with({{"/film", R"({"duration_s": 0.3, "fps": 10})"}}),
+                            {});
+  QVERIFY(wait_until_done());
+  const QString first = folder_.filePath("f/1.exr"), second = folder_.filePath("f/2.exr");
+  QElapsedTimer watch;
+  {
+    FilmDialog dialog(window_->document(), {});
+    dialog.set_quality("draft");
+    dialog.set_path(folder_.filePath("f/#.exr"));
+    dialog.begin();
+    QVERIFY(QTest::qWaitFor([&] { return !dialog.message().isEmpty(); }, kPatience_ms));
+    QVERIFY2(dialog.message().contains("has not answered for 4 s"), qPrintable(dialog.message()));
+    QVERIFY(dialog.is_busy());
+    QVERIFY2(QFile::exists(first) && !QFile::exists(second),
+             qPrintable(QDir(folder_.filePath("f")).entryList().join(' ')));
+    watch.start();
+    dialog.reject();
+    QVERIFY(!dialog.is_busy());
+    QVERIFY2(watch.elapsed() < kSoon_ms, qPrintable(QString::number(watch.elapsed())));
+    QVERIFY(dialog.message().contains("given up"));
+    // The next film goes on from the frame that is there.
+    QSignalSpy ended(&dialog, &FilmDialog::ended);
+    dialog.begin();
+    QVERIFY(ended.wait(kPatience_ms));
+    QVERIFY2(ended.at(0).at(0).toBool(), qPrintable(dialog.message()));
+    QVERIFY2(dialog.message().contains("2 frames rendered, 1 kept"), qPrintable(dialog.message()));
+  }
+  QVERIFY(QFile::exists(second));
 }
 
 }  // namespace aerostat::viewer

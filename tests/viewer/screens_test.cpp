@@ -13,6 +13,7 @@
 #include "small_window.hpp"
 #include "viewer/color_editor.hpp"
 #include "viewer/export_dialog.hpp"
+#include "viewer/film_dialog.hpp"
 #include "viewer/main_window.hpp"
 #include "viewer/message_bar.hpp"
 #include "viewer/panels.hpp"
@@ -103,9 +104,10 @@ void ScreensTest::dialogs_fit() {
   MainWindow window;
   window.show();
   ExportDialog export_dialog(window.document(), {}, &window);
+  FilmDialog film_dialog(window.document(), {}, &window);
   ShortcutsDialog shortcuts(window);
-  for (QDialog* dialog :
-       {static_cast<QDialog*>(&export_dialog), static_cast<QDialog*>(&shortcuts)}) {
+  for (QDialog* dialog : {static_cast<QDialog*>(&export_dialog),
+                          static_cast<QDialog*>(&film_dialog), static_cast<QDialog*>(&shortcuts)}) {
     dialog->show();
     QCoreApplication::processEvents();
     QVERIFY2(room().contains(dialog->geometry()), qPrintable(dialog->windowTitle()));

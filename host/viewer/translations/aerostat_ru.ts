@@ -2721,24 +2721,8 @@
         <translation> пкс</translation>
     </message>
     <message>
-        <source>&amp;Export</source>
-        <translation>&amp;Записать</translation>
-    </message>
-    <message>
-        <source>Close</source>
-        <translation>Закрыть</translation>
-    </message>
-    <message>
         <source>Export Picture</source>
         <translation>Экспорт картины</translation>
-    </message>
-    <message>
-        <source>As the scene says</source>
-        <translation>Как в сцене</translation>
-    </message>
-    <message>
-        <source>&amp;Browse…</source>
-        <translation>&amp;Обзор…</translation>
     </message>
     <message>
         <source>A name that ends in .exr keeps the light as it is, with distances, normals and objects in layers; any other gives a PNG.</source>
@@ -2761,22 +2745,6 @@
         <translation>Отменено</translation>
     </message>
     <message>
-        <source>Cancel</source>
-        <translation>Отмена</translation>
-    </message>
-    <message>
-        <source>Cancelling…</source>
-        <translation>Отмена…</translation>
-    </message>
-    <message>
-        <source>File</source>
-        <translation>Файл</translation>
-    </message>
-    <message>
-        <source>Quality</source>
-        <translation>Качество</translation>
-    </message>
-    <message>
         <source>Size</source>
         <translation>Размер</translation>
     </message>
@@ -2787,10 +2755,6 @@
     <message>
         <source>This is the scene file itself; give the picture another name.</source>
         <translation>Это сам файл сцены; дайте снимку другое имя.</translation>
-    </message>
-    <message>
-        <source>%1 already exists. Replace it?</source>
-        <translation>Файл %1 уже существует. Заменить его?</translation>
     </message>
     <message>
         <source>File Changed</source>
@@ -2836,24 +2800,12 @@
         <translation>Построение мира…</translation>
     </message>
     <message>
-        <source>Out of memory</source>
-        <translation>Не хватает памяти</translation>
+        <source>Wrote %1</source>
+        <translation>Записан файл %1</translation>
     </message>
 </context>
 <context>
     <name>aerostat::viewer::FilmDialog</name>
-    <message>
-        <source>&amp;Browse…</source>
-        <translation>&amp;Обзор…</translation>
-    </message>
-    <message>
-        <source>&amp;Export</source>
-        <translation>&amp;Записать</translation>
-    </message>
-    <message>
-        <source>Close</source>
-        <translation>Закрыть</translation>
-    </message>
     <message>
         <source>Export Film</source>
         <translation>Экспорт фильма</translation>
@@ -2861,18 +2813,6 @@
     <message>
         <source>Preview (small, to look at the movement)</source>
         <translation>Проба (маленькая, чтобы посмотреть движение)</translation>
-    </message>
-    <message>
-        <source>As the scene says</source>
-        <translation>Как в сцене</translation>
-    </message>
-    <message>
-        <source>File</source>
-        <translation>Файл</translation>
-    </message>
-    <message>
-        <source>Quality</source>
-        <translation>Качество</translation>
     </message>
     <message>
         <source>Film</source>
@@ -2895,20 +2835,16 @@
         <translation>Это сам файл сцены; дайте фильму другое имя.</translation>
     </message>
     <message>
-        <source>%1 already exists. Replace it?</source>
-        <translation>Файл %1 уже существует. Заменить его?</translation>
-    </message>
-    <message>
         <source>Cancelled; the frames that are made are kept.</source>
         <translation>Отменено; готовые кадры сохранены.</translation>
     </message>
     <message>
-        <source>Cancel</source>
-        <translation>Отмена</translation>
+        <source>The device has not answered for %1 s. Cancel gives the film up.</source>
+        <translation>Устройство не отвечает уже %1 с. «Отмена» прекращает работу над фильмом.</translation>
     </message>
     <message>
-        <source>Cancelling…</source>
-        <translation>Отмена…</translation>
+        <source>The device did not answer, and the film was given up; the frames that are made are kept.</source>
+        <translation>Устройство не ответило, и работа над фильмом прекращена; готовые кадры сохранены.</translation>
     </message>
 </context>
 <context>
@@ -2932,10 +2868,6 @@
     <message>
         <source>Wrote %1: %2 frames rendered, %3 kept</source>
         <translation>Записан %1: кадров посчитано %2, сохранено %3</translation>
-    </message>
-    <message>
-        <source>Out of memory</source>
-        <translation>Не хватает памяти</translation>
     </message>
 </context>
 <context>
@@ -3319,6 +3251,52 @@
     <message>
         <source>automatic</source>
         <translation>авто</translation>
+    </message>
+</context>
+<context>
+    <name>aerostat::viewer::OutputDialog</name>
+    <message>
+        <source>&amp;Export</source>
+        <translation>&amp;Записать</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Закрыть</translation>
+    </message>
+    <message>
+        <source>&amp;Browse…</source>
+        <translation>&amp;Обзор…</translation>
+    </message>
+    <message>
+        <source>File</source>
+        <translation>Файл</translation>
+    </message>
+    <message>
+        <source>Quality</source>
+        <translation>Качество</translation>
+    </message>
+    <message>
+        <source>As the scene says</source>
+        <translation>Как в сцене</translation>
+    </message>
+    <message>
+        <source>%1 already exists. Replace it?</source>
+        <translation>Файл %1 уже существует. Заменить его?</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Отмена</translation>
+    </message>
+    <message>
+        <source>Cancelling…</source>
+        <translation>Отмена…</translation>
+    </message>
+</context>
+<context>
+    <name>aerostat::viewer::OutputJob</name>
+    <message>
+        <source>Out of memory</source>
+        <translation>Не хватает памяти</translation>
     </message>
 </context>
 <context>
