@@ -65,7 +65,9 @@ class SourceCommand : public QUndoCommand {
 };
 
 Document::Document(QObject* parent)
-    : QObject(parent), reliefs_(std::make_shared<world::ReliefCache>()) {}
+    : QObject(parent), reliefs_(std::make_shared<world::ReliefCache>()) {
+  undo_.setUndoLimit(kMostSteps);
+}
 
 template <typename Action>
 bool Document::guarded(Action action) {

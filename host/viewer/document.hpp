@@ -14,6 +14,9 @@
 
 namespace aerostat::viewer {
 
+/// The steps that can be undone. Each keeps the scene before and after it, some 90 KiB.
+inline constexpr int kMostSteps = 300;
+
 /// The scene that is being edited, with its file and the history of its changes. Errors are
 /// reported by `failed` and change nothing.
 class Document : public QObject {

@@ -51,6 +51,7 @@ class EditsTest : public QObject {
  private Q_SLOTS:
   void initTestCase() { begin_with_no_settings("aerostat-viewer-edits-test"); }
   void many_edits_leave_memory_flat();
+  void the_history_is_bounded();
 
  private:
   void edit(std::mt19937& random);
@@ -126,6 +127,28 @@ void EditsTest::many_edits_leave_memory_flat() {
   QVERIFY(last.memory_kib < second.memory_kib * 5 / 4 + 16 * 1024);
   QVERIFY(last.files <= second.files + 3);
   QVERIFY(last.threads <= second.threads + 3);
+}
+
+void EditsTest::the_history_is_bounded() {
+  Document document;
+  document.start(small_scene(), {});
+  const auto make_steps = [&document](int count) {
+    const qint64 before = held().memory_kib;
+    for (int i = 0; i < count; ++i) {
+      document.end_gesture();
+      document.set("seed", "/terrain/seed", QString::number(1000 + i % 2));
+    }
+    return held().memory_kib - before;
+  };
+  const qint64 first = make_steps(kMostSteps);
+  QCOMPARE(document.undo_stack().count(), kMostSteps);
+  const qint64 further = make_steps(4 * kMostSteps);
+  QCOMPARE(document.undo_stack().count(), kMostSteps);
+  qInfo("%d steps take %lld KiB, and four times as many further ones %lld KiB", kMostSteps,
+        static_cast<long long>(first), static_cast<long long>(further));
+  QVERIFY(further < first + 2048);
+  for (int i = 0; i < kMostSteps; ++i) document.undo_stack().undo();
+  QVERIFY(!document.undo_stack().canUndo());
 }
 
 }  // namespace aerostat::viewer
