@@ -68,7 +68,7 @@ __kernel void scatter_at_hits(const AeroLaunch launch, const uint bounce,
   way.origin = place_of(scene, madd3(way.origin, way.direction, -lead));
   const float angle = bounce == 0u ? cloud_angle(&task.frame) : PATH_CLOUD_ANGLE;
   pass_clouds_and_air(&view, &way, distance, angle, numbers.clouds, on, &state);
-  add_sky(&view, sky_importance, &way, bounce, &state, on & ~met);
+  add_sky(&view, sky_importance, &way, bounce, numbers.clouds, &state, on & ~met);
   for (int i = 0; i < LIGHT_RAYS; ++i) state.lights[i] = no_light_ray();
 
   if (lane_any(met)) {

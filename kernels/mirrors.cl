@@ -113,7 +113,8 @@ inline void look_at_hits(const SceneView* view, const World* world, const MeshAr
     const lane_float distance = lane_select(seen[i].there, packets[i].hit.t, zero);
     Ray way = packets[i].ray;
     way.origin = place_of(scene, way.origin);
-    seen[i].radiance = through_air(scene, add3(points[i].dark, sun), &way, distance);
+    seen[i].radiance =
+        through_air(view, add3(points[i].dark, sun), &way, distance, (lane_float)0.5f);
   }
 }
 

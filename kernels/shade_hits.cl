@@ -29,7 +29,8 @@ __kernel void shade_hits(const AeroLaunch launch, __global const AeroScene* scen
   const lane_float zero = (lane_float)0.0f;
   Lane3 radiance = lane3(zero, zero, zero);
   lane_uint object = (lane_uint)AERO_OBJECT_SKY;
-  if (!lane_all(met)) radiance = sky_radiance(&view, &way);
+  const SampleNumbers at = sample_numbers(&task.frame, &packet);
+  if (!lane_all(met)) radiance = sky_radiance(&view, &way, at.w);
   if (lane_any(met)) {
     const HeightGrid ground = height_grid(grid);
     const MeshArrays meshes = mesh_arrays(faces, vertices, instances);
@@ -41,11 +42,10 @@ __kernel void shade_hits(const AeroLaunch launch, __global const AeroScene* scen
     const SurfacePoint point =
         surface_point(scene, &triangle, &ray, &hit, cone_across(&cone, distance));
     const Lane3 surface = shade_hit(&view, &point, &triangle, &ray, &hit, visible[block], &around);
-    radiance = select3(met, through_air(scene, surface, &way, distance), radiance);
+    radiance = select3(met, through_air(&view, surface, &way, distance, at.w), radiance);
     object = lane_select(met, triangle.object, object);
   }
   if (scene->sky.cumulus.extinction > 0.0f) {
-    const SampleNumbers at = sample_numbers(&task.frame, &packet);
     radiance = behind_clouds(&view, radiance, &way, distance, cloud_angle(&task.frame), at.w);
   }
 

@@ -9,6 +9,7 @@
 
 #include <oneapi/tbb/parallel_for.h>
 
+#include "pack/cloud_waves.hpp"
 #include "rules/cumulus.h"
 #include "terrain/noise.hpp"
 
@@ -30,38 +31,11 @@ constexpr float kLeastExcess = CUMULUS_SPREAD * CUMULUS_LEAST_EXCESS;
 /// Single precision, on the host and on the device.
 constexpr float kNumericalMargin = 2e-3f;
 
-/// One octave of the clouds' noise over the plane.
-struct Wave {
-  terrain::NoiseLayer layer;
-  float amplitude = 0.0f;
-};
-
-/// Adds the octaves of an fBm, longest first.
-void add_waves(const rules::Fbm& fbm, float amplitude, std::vector<Wave>& waves) {
-  rules::Octave octave = rules::first_octave(fbm.wavelength);
-  for (int i = 0; i < fbm.octaves; ++i) {
-    const float length = 1.0f / std::hypot(octave.along, octave.across);
-    const std::uint32_t seed = fbm.seed + static_cast<std::uint32_t>(i);
-    waves.push_back({{octave.along, octave.across, 0.0f, 0.0f, length, seed}, amplitude});
-    octave = rules::next_octave(octave);
-    amplitude *= fbm.gain;
-  }
-}
-
-/// Returns the waves of the clouds' coverage noise, longest first.
-std::vector<Wave> waves_of(const AeroCumulus& clouds) {
-  std::vector<Wave> waves;
-  add_waves(rules::cumulus_fields(clouds.size, clouds.seed), CUMULUS_FIELD_SHARE, waves);
-  add_waves(rules::cumulus_heaps(clouds.size, clouds.seed), 1.0f, waves);
-  add_waves(rules::cumulus_rags(clouds.size, clouds.seed), CUMULUS_RAG_SHARE, waves);
-  return waves;
-}
-
 /// Squares whose middles are points; whether each may hold a cloud.
 class Judge {
  public:
   Judge(const AeroCumulus& clouds, float side)
-      : waves_(waves_of(clouds)),
+      : waves_(all_waves(clouds)),
         least_(clouds.threshold + kLeastExcess - kNumericalMargin),
         radius_(0.7072f * side) {}
 
@@ -69,7 +43,7 @@ class Judge {
   /// the sum is between those of the longest octaves.
   void operator()(const terrain::Points& middles, std::array<bool, terrain::kBlockSize>& maybe) {
     sum_ = {};
-    for (const Wave& wave : waves_) add(wave, middles);
+    for (const CloudWave& wave : waves_) add(wave, middles);
     for (int i = 0; i < middles.count; ++i) maybe[i] = sum_.most[i] > least_;
   }
 
@@ -80,7 +54,7 @@ class Judge {
     terrain::Block most{};  // none of the octaves: 0
   };
 
-  void add(const Wave& wave, const terrain::Points& middles) {
+  void add(const CloudWave& wave, const terrain::Points& middles) {
     const float a = wave.amplitude, length = wave.layer.wavelength_m;
     if (radius_ > kFarthestShare * length) {
       sum_.rest += a * kNoiseBound;
@@ -101,7 +75,7 @@ class Judge {
     }
   }
 
-  std::vector<Wave> waves_;
+  std::vector<CloudWave> waves_;
   float least_, radius_;
   Sum sum_;
 };

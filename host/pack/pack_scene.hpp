@@ -9,6 +9,7 @@
 #include "bvh/bvh.hpp"
 #include "camera.h"
 #include "land/drape.hpp"
+#include "pack/air_shadows.hpp"
 #include "pack/cloud_chart.hpp"
 #include "pack/pack_artwork.hpp"
 #include "pack/pack_models.hpp"
@@ -45,12 +46,14 @@ PackedScene pack_scene(const scene::ResolvedScene& scene);
 struct PackCache {
   air::ScatteringCache air;
   CloudChartCache clouds;
+  ShadowCache shadows;
   PackedModelCache models;
   ArtworkCache artwork;
 };
 
 /// Packs a scene with what caches have of the air, the clouds, the picture on the ground and the
-/// models, and leaves its own there. Throws the errors of ModelCache::models_of(), pack_models()
+/// models, and leaves its own there. Shadows in the air need the built ground, and
+/// add_air_shadows() adds them. Throws the errors of ModelCache::models_of(), pack_models()
 /// and pack_artwork(), too.
 PackedScene pack_scene(const scene::ResolvedScene& scene, PackCache& cache,
                        terrain::ReliefCache& reliefs, world::ModelCache& models);

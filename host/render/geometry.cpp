@@ -11,6 +11,8 @@
 #include "core/error.hpp"
 #include "core/stop_scope.hpp"
 #include "core/stopwatch.hpp"
+#include "scene/local_frame.hpp"
+#include "scene/scene.hpp"
 
 namespace aerostat::render {
 namespace {
@@ -126,6 +128,19 @@ BuiltGeometry build_geometry(const scene::ResolvedScene& scene, const HostGeomet
   const Stopwatch watch;
   world::World world = world::build(seen, build);
   return pack_world(std::move(world), previous, options.meshes, watch.seconds());
+}
+
+void add_air_shadows(const HostGeometry& geometry, const scene::ResolvedScene& scene,
+                     pack::ShadowCache& cache, pack::PackedScene& packed) {
+  const mesh::GridMesh* ground = nullptr;
+  std::uint64_t revision = 0;
+  for (std::size_t i = 0; i < geometry.groups.size(); ++i) {
+    if (!geometry.groups[i]->grid) continue;
+    ground = geometry.groups[i]->grid.get();
+    revision = geometry.world.groups[i].revision;
+  }
+  pack::add_air_shadows(ground, revision, vec3(scene::place_of(*scene, scene.eye())), cache,
+                        packed);
 }
 
 bool has_group(const world::World& world, std::uint64_t revision) {

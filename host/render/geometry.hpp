@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "pack/pack_geometry.hpp"
+#include "pack/pack_scene.hpp"
 #include "render/buffers.hpp"
 #include "render/session.hpp"
 #include "world/world.hpp"
@@ -64,6 +65,10 @@ BuiltGeometry build_geometry(const scene::ResolvedScene& scene, const HostGeomet
 /// already are kept. Throws as build_geometry does.
 BuiltGeometry pack_world(world::World world, const HostGeometry* previous, Meshes meshes,
                          double world_seconds = 0.0);
+
+/// Adds the maps of shadows in the air to a packed scene, by the ground of a geometry.
+void add_air_shadows(const HostGeometry& geometry, const scene::ResolvedScene& scene,
+                     pack::ShadowCache& cache, pack::PackedScene& packed);
 
 /// Returns whether a world has the group of a revision.
 bool has_group(const world::World& world, std::uint64_t revision);

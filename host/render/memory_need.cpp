@@ -91,8 +91,8 @@ MemoryNeed memory_need(const scene::ResolvedScene& scene, const Options& options
   how.reliefs = &cache.reliefs;
   how.models = &cache.models;
   const BuiltGeometry built = build_geometry(scene, nullptr, how);
-  const pack::PackedScene packed =
-      pack::pack_scene(scene, cache.packing, cache.reliefs, cache.models);
+  pack::PackedScene packed = pack::pack_scene(scene, cache.packing, cache.reliefs, cache.models);
+  add_air_shadows(*built.geometry, scene, cache.packing.shadows, packed);
   const scene::Image& image = scene->image;
   const PassPlan plan(image, {0, 0, image.width, image.height}, 1);
   const std::size_t pixels =

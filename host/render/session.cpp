@@ -105,6 +105,7 @@ void Session::State::prepare(const scene::ResolvedScene& scene, const scene::Res
   report(Stage::upload, 0.0);
   const Stopwatch upload_watch;
   pack::PackedScene packed = packing.get();
+  add_air_shadows(*geometry, shown, options.cache->packing.shadows, packed);
   if (change_scene) change_scene(packed);
   const std::size_t pixels =
       std::max(PassPlan(shown->image, crop, team.lanes()).area_from(0).pixels(),

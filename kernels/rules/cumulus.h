@@ -83,6 +83,33 @@ AERO_RULE lane_float cumulus_needed(lane_float height) {
   return lane_max(needed, (lane_float)CUMULUS_LEAST_EXCESS);
 }
 
+/* Returns the density, 0 to 1, at a height under which the coverage noise has the given excess.
+ * `folds` is the noise in space, whose mean is 0, and `edge` the height over which density rises.
+ */
+AERO_RULE lane_float cumulus_filled(lane_float excess, lane_float folds, lane_float height,
+                                    lane_float edge) {
+  /* Folds point inwards, so that what bulges out between them is round. Bases are nearly flat. */
+  const lane_float inwards = cumulus_bulging(excess) * (folds + 0.15f);
+  const lane_float bulged = lane_fma(inwards, (lane_float)-CUMULUS_BULGE, excess);
+  const lane_float depth =
+      lane_fma(inwards, (lane_float)-CUMULUS_LIFT, cumulus_towers(bulged) - height);
+  const lane_float uneven = lane_fma(folds, (lane_float)-0.12f, height);
+  const lane_float flat_base = smooth_step((lane_float)-0.04f, (lane_float)0.1f, uneven);
+  /* Fragments have nearly dissolved. */
+  const lane_float whole = clamp01(4.0f * bulged);
+  return clamp01(depth / edge) * (flat_base * whole);
+}
+
+/* The share of light that droplets deflect widely (device/atmosphere/droplets.clh). */
+#define DROPLET_WIDE_SHARE 0.49416f
+
+/* Returns the share of sunlight that seems to come from the sun behind a cloud of this optical
+ * depth: what goes straight on, and what the narrow peak deflects by hardly more than the sun's
+ * disc. All other light that comes through is the cloud's own. */
+AERO_RULE lane_float cumulus_transmittance(lane_float depth) {
+  return exp(-DROPLET_WIDE_SHARE * depth);
+}
+
 AERO_RULES_END
 
 #endif

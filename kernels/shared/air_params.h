@@ -56,6 +56,40 @@ typedef struct AeroFog {
 
 AERO_ASSERT_LAYOUT(AeroFog, 24);
 
+/* Nodes along a side of a map of shadows. */
+#define AERO_SHADOW_SIDE 512
+
+/* A square map over the plane: AERO_SHADOW_SIDE rows of as many words in the buffer of texels.
+ * Columns go by u, the metres towards the sun, and rows by v, the metres across. A word holds
+ * values of its node and of the next ones, from the lowest bits on:
+ *   land     16 bits of the node and of that in the next row; their unit is `unit` metres, from
+ *            `low` metres above the sea on
+ *   clouds   8 bits of the node, the next in its row, and the two of the next row; 255 is 1 */
+typedef struct AeroShadowMap {
+  aero_float u, v, cell; /* place of the first node, and metres between nodes */
+  aero_float low, unit;
+  aero_uint first; /* place of the first node in the buffer of texels */
+} AeroShadowMap;
+
+AERO_ASSERT_LAYOUT(AeroShadowMap, 24);
+
+/* The shadows of land and heaped clouds in the air. A point over the terrain has
+ *   u = sun[0] x + sun[1] z    v = sun[0] z - sun[1] x */
+typedef struct AeroAirShadows {
+  aero_float sun[2];                /* unit vector towards the sun over the plane, x and z */
+  aero_uint by_land, by_clouds;     /* 1 if there is a map */
+  aero_uint points;                 /* points of a step through the air that are looked at */
+  AeroShadowMap land;               /* heights below which land hides the sun */
+  aero_float land_softness;         /* metres of height over which its shadows begin */
+  AeroShadowMap clouds;             /* shares of sunlight that are left at the bases of clouds */
+  aero_float cloud_base, cloud_top; /* heights between which all shadows of clouds begin */
+  aero_float cloud_slant; /* metres over the plane towards the sun for each metre upwards */
+  aero_float cloud_mean;  /* mean of the map, which counts beyond its rim */
+  aero_float top;         /* height above which nothing is in shadow */
+} AeroAirShadows;
+
+AERO_ASSERT_LAYOUT(AeroAirShadows, 92);
+
 typedef struct AeroAir {
   aero_float molecules[3];                           /* scattering at sea level */
   aero_float haze_scattering[3], haze_extinction[3]; /* coefficients at sea level */
@@ -83,8 +117,9 @@ typedef struct AeroAir {
   aero_float deck_level; /* light that diffuses in clouds, relative to that of separate heaps */
   aero_float horizon_sine;
   AeroFog fog;
+  AeroAirShadows shadows;
 } AeroAir;
 
-AERO_ASSERT_LAYOUT(AeroAir, 372);
+AERO_ASSERT_LAYOUT(AeroAir, 464);
 
 #endif

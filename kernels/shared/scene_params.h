@@ -212,7 +212,7 @@ typedef struct AeroScene {
   AeroCover cover;
 } AeroScene;
 
-AERO_ASSERT_LAYOUT(AeroScene, (1036 + AERO_MAX_BALLOONS * sizeof(AeroBalloon)) +
+AERO_ASSERT_LAYOUT(AeroScene, (1128 + AERO_MAX_BALLOONS * sizeof(AeroBalloon)) +
                                   sizeof(AeroGround) + sizeof(AeroNight) + sizeof(AeroDrape) +
                                   sizeof(AeroCover) + AERO_MAX_MATERIALS * sizeof(AeroMaterial));
 

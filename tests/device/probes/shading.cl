@@ -25,17 +25,53 @@ __kernel void probe_sky(__global const AeroScene* scene, __global const AeroSkyC
   ray.direction = load3(directions);
   ray.t_max = (lane_float)INFINITY;
   store3_planes(sky_light(&view, ray.direction), light);
-  store3_planes(sky_radiance(&view, &ray), radiance);
+  store3_planes(sky_radiance(&view, &ray, (lane_float)0.5f), radiance);
 }
 
 __kernel void probe_air(__global const AeroScene* scene, __global const float* origins,
                         __global const float* directions, __global const float* distances,
                         __global const float* radiance, __global float* arriving) {
+  const SceneView view = scene_view(scene, 0, 0, 0);
   Ray ray;
   ray.origin = load3(origins);
   ray.direction = load3(directions);
   ray.t_max = (lane_float)INFINITY;
-  store3_planes(through_air(scene, load3(radiance), &ray, LOAD(distances)), arriving);
+  store3_planes(through_air(&view, load3(radiance), &ray, LOAD(distances), (lane_float)0.5f),
+                arriving);
+}
+
+__kernel void probe_lit_in_air(__global const AeroScene* scene, __global const uint* texels,
+                               __global const float* positions, __global float* lit) {
+  const SceneView view = scene_view(scene, 0, 0, texels);
+  const AirSun sun = sun_in_air(&view, load3(positions));
+  STORE(lit_between(&sun, &sun), lit);
+}
+
+__kernel void probe_shaded_air(__global const AeroScene* scene, __global const uint* texels,
+                               __global const float* origins, __global const float* directions,
+                               __global const float* distances, __global const float* shifts,
+                               __global float* added, __global float* shaded) {
+  const SceneView view = scene_view(scene, 0, 0, texels);
+  Ray ray;
+  ray.origin = load3(origins);
+  ray.direction = load3(directions);
+  ray.t_max = (lane_float)INFINITY;
+  const AirLight light = air_light(&view, &ray, LOAD(distances), LOAD(shifts));
+  store3_planes(light.add, added);
+  store3_planes(light.shaded, shaded);
+}
+
+/* Stores what shadows in the air take from a white sky, for the middle shift. */
+__kernel void probe_sky_in_shadow(__global const AeroScene* scene, __global const uint* texels,
+                                  __global const float* origins, __global const float* directions,
+                                  __global float* lost) {
+  const SceneView view = scene_view(scene, 0, 0, texels);
+  Ray ray;
+  ray.origin = load3(origins);
+  ray.direction = load3(directions);
+  ray.t_max = (lane_float)INFINITY;
+  const Lane3 white = lane3((lane_float)1.0f, (lane_float)1.0f, (lane_float)1.0f);
+  store3_planes(sub3(white, with_shadows(&view, white, &ray, (lane_float)0.5f)), lost);
 }
 
 __kernel void probe_sun(__global const AeroScene* scene, __global const float* heights,
@@ -120,7 +156,8 @@ __kernel void probe_clouds_finely(__global const AeroScene* scene,
     seen = -log(march.through);
   }
   const lane_float inverse = 1.0f / lane_max(1.0f - march.through, (lane_float)1e-6f);
-  const Lane3 arrives = through_air(scene, scale3(light, inverse), &ray, march.way * inverse);
+  const Lane3 arrives =
+      through_air(&view, scale3(light, inverse), &ray, march.way * inverse, (lane_float)0.5f);
   const Lane3 white = lane3((lane_float)1.0f, (lane_float)1.0f, (lane_float)1.0f);
   store3_planes(mix3(white, arrives, 1.0f - march.through), arriving);
 }
