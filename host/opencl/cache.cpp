@@ -199,8 +199,8 @@ void restore_pocl_cache() {
 }
 
 std::string ensure_pocl_cache() {
-  static const std::string problem = prepare_process();
-  return problem;
+  static const std::string kProblem = prepare_process();
+  return kProblem;
 }
 
 }  // namespace aerostat::opencl

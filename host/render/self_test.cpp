@@ -202,7 +202,9 @@ void check(const scene::Scene& scene, const image::Film& film, int x, int y, Wro
 
 std::string key_of(const opencl::Device& device, const SelfTest& test) {
   std::string text;
-  for (const auto& [path, source] : opencl::kernel_sources()) text += path + '\n' + source;
+  for (const auto& [path, source] : opencl::kernel_sources()) {
+    text.append(path).append(1, '\n').append(source);
+  }
   const int lanes = test.lanes != 0 ? test.lanes : device.lanes;
   return opencl::binary_key(device, text,
                             fmt::format("self-test 1, {} lanes, integrator {}", lanes,
@@ -214,7 +216,7 @@ std::string new_fault_of(const opencl::Device& device, const SelfTest& test) {
   const auto store = opencl::BinaryStore::of_user();
   const std::string key = key_of(device, test);
   if (store.find(key)) return {};
-  const std::string fault = fault_of(device, test);
+  std::string fault = fault_of(device, test);
   if (fault.empty()) store.keep(key, "passed");
   return fault;
 }
@@ -280,7 +282,7 @@ std::string fault_of(const opencl::Device& device, const SelfTest& test) {
 
 std::vector<opencl::Device> select_tested(const std::string& selector, const SelfTest& test) {
   if (opencl::is_automatic(selector)) return select_automatic(test);
-  const auto devices = opencl::select_devices(selector);
+  auto devices = opencl::select_devices(selector);
   for (const opencl::Device& device : devices) {
     const std::string fault = new_fault_of(device, test);
     if (!fault.empty()) throw refusal(device, fault);

@@ -12,13 +12,13 @@
 #include <cerrno>
 #include <cstdint>
 #include <cstdlib>
+#include <ctime>
 #include <string>
 #include <string_view>
 
 #include <dlfcn.h>
 #include <fcntl.h>
 #include <sys/stat.h>
-#include <time.h>
 #include <unistd.h>
 
 namespace {
@@ -62,8 +62,8 @@ void wait_ms(std::uint64_t milliseconds) {
 #define AEROSTAT_POOR_API extern "C" __attribute__((visibility("default")))
 
 AEROSTAT_POOR_API int fsync(int file) {
-  static const auto real = next<int (*)(int)>("fsync");
-  if (!is_poor(file)) return real(file);
+  static const auto kReal = next<int (*)(int)>("fsync");
+  if (!is_poor(file)) return kReal(file);
   synchronised = file;
   if (const std::uint64_t milliseconds = number_of("POOR_DISK_SYNC_MS"); milliseconds > 0) {
     const char* const mark = text_of("POOR_DISK_SYNC_MARK");
@@ -76,14 +76,14 @@ AEROSTAT_POOR_API int fsync(int file) {
     errno = error;
     return -1;
   }
-  return real(file);
+  return kReal(file);
 }
 
 AEROSTAT_POOR_API int close(int file) {
-  static const auto real = next<int (*)(int)>("close");
+  static const auto kReal = next<int (*)(int)>("close");
   const auto error = static_cast<int>(number_of("POOR_DISK_CLOSE_ERROR"));
   const bool fails = error != 0 && file == synchronised && is_poor(file);
-  const int result = real(file);
+  const int result = kReal(file);
   if (!fails || result != 0) return result;
   synchronised = -1;
   errno = error;
@@ -91,14 +91,14 @@ AEROSTAT_POOR_API int close(int file) {
 }
 
 AEROSTAT_POOR_API ssize_t write(int file, const void* bytes, std::size_t count) {
-  static const auto real = next<ssize_t (*)(int, const void*, std::size_t)>("write");
+  static const auto kReal = next<ssize_t (*)(int, const void*, std::size_t)>("write");
   const std::uint64_t quota = number_of("POOR_DISK_QUOTA");
-  if (quota == 0 || !is_poor(file)) return real(file, bytes, count);
+  if (quota == 0 || !is_poor(file)) return kReal(file, bytes, count);
   struct stat status {};
   const std::uint64_t before =
       ::fstat(file, &status) == 0 ? static_cast<std::uint64_t>(status.st_size) : 0;
-  if (before + count <= quota) return real(file, bytes, count);
-  if (before < quota) return real(file, bytes, quota - before);
+  if (before + count <= quota) return kReal(file, bytes, count);
+  if (before < quota) return kReal(file, bytes, quota - before);
   errno = EDQUOT;
   return -1;
 }
