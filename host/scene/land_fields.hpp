@@ -32,7 +32,9 @@ template <>
 inline constexpr auto kTable<Dunes> = table(
     "Dunes of wind-blown sand. Only terrain of the kind dunes has them.",
     field("wind_deg", &Dunes::wind_deg,
-          number(-360, 360, "Azimuth in degrees towards which the wind blows, {from} to {to}.")
+          number(-360, 360,
+                 "Azimuth in degrees towards which the wind blows, {from} to {to}. On land of any "
+                 "kind, ripples of sand and drifts of snow follow it.")
               .slider(EditGroup::dunes, "Wind blows towards", -180, 360)),
     field("wavelength_m", &Dunes::wavelength_m,
           number(1, 100000,

@@ -1004,10 +1004,6 @@
         <translation>Навеянный ветром песок, для рельефа dunes.</translation>
     </message>
     <message>
-        <source>Azimuth in degrees towards which the wind blows, -360 to 360.</source>
-        <translation>Азимут в градусах, куда дует ветер, от -360 до 360.</translation>
-    </message>
-    <message>
         <source>Distance from crest to crest along the wind in metres, 1 to 100000.</source>
         <translation>От гребня до гребня по ветру, в метрах, от 1 до 100000.</translation>
     </message>
@@ -2122,6 +2118,10 @@
     <message>
         <source>Classes of land cover on which instances stand, at most 9. By default, they stand on any. Where the scene has no land cover, the rule leaves no room.</source>
         <translation>Классы земного покрова, на которых стоят экземпляры, не больше 9. По умолчанию они стоят на любом. Где в сцене нет земного покрова, это правило не оставляет места.</translation>
+    </message>
+    <message>
+        <source>Azimuth in degrees towards which the wind blows, -360 to 360. On land of any kind, ripples of sand and drifts of snow follow it.</source>
+        <translation>Азимут в градусах, куда дует ветер, от -360 до 360. Вдоль него на любой местности тянутся рябь песка и снежные наносы.</translation>
     </message>
 </context>
 <context>
