@@ -10,6 +10,16 @@ __kernel void probe_ground_noise(__global const AeroGround* ground, __global con
   store3_planes(lane3(noise.broad, noise.fine, noise.rough), noises);
 }
 
+/* Stores the share of the ground that crowns cover inside of woods. `footprint` is that of clumps
+ * alone. */
+__kernel void probe_crown_cover(__global const AeroGround* ground, __global const float* points,
+                                const float footprint, __global float* covers) {
+  RoughSlope slope;
+  const Lane3 p = load3(points);
+  const GroundNoise noise = ground_noise(ground, p, (lane_float)1.0f, &slope);
+  STORE(crown_cover(ground, p, &noise, (lane_float)footprint), covers);
+}
+
 /* Stores the mix (rock, beach, snow, forest) as planes, then where the colour of the rock lies, for
  * heights, slopes of the mesh, slopes of its detail and noises. */
 __kernel void probe_ground_mix(__global const AeroGround* ground, __global const float* heights,
