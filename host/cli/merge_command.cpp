@@ -20,6 +20,7 @@
 #include "core/stop_scope.hpp"
 #include "film/frame_files.hpp"
 #include "image/bands.hpp"
+#include "image/glare.hpp"
 #include "image/write.hpp"
 
 namespace aerostat::cli {
@@ -154,8 +155,15 @@ std::vector<std::uint8_t> joined_exr(const std::vector<BandFile>& bands,
 std::vector<std::uint8_t> joined_png(const std::vector<BandFile>& bands,
                                      const std::stop_token& stop) {
   image::Pixels pixels{bands.front().whole.x, bands.front().whole.y, {}};
+  // Glare comes from all of the picture, so that the bands are read twice.
+  std::optional<image::Glare> glare;
   each_run(bands, stop, [&](const image::Band& band) {
-    const image::Pixels rows = image::develop(band.film, band.development);
+    if (!glare) glare.emplace(band.film.whole, band.development);
+    glare->add(band.film);
+  });
+  glare->spread();
+  each_run(bands, stop, [&](const image::Band& band) {
+    const image::Pixels rows = image::develop(band.film, band.development, *glare);
     pixels.rgb.insert(pixels.rgb.end(), rows.rgb.begin(), rows.rgb.end());
   });
   return image::encode_png(pixels);

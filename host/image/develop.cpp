@@ -7,6 +7,7 @@
 
 #include "core/error.hpp"
 #include "core/simd.hpp"
+#include "image/glare.hpp"
 #include "image/tone.hpp"
 #include "image/write.hpp"
 
@@ -52,13 +53,23 @@ class Table {
 constexpr int kBlock = 128;
 using Values = std::array<double, kBlock>;
 
+glm::ivec2 whole_of(const Film& film) {
+  return film.whole == glm::ivec2(0) ? glm::ivec2(film.width, film.height) : film.whole;
+}
+
+void require_pixels(const Film& film) {
+  const std::size_t count =
+      static_cast<std::size_t>(film.width) * static_cast<std::size_t>(film.height);
+  if (film.width < 0 || film.height < 0 || film.radiance.size() != count) {
+    throw Error(ErrorKind::internal, "developing a film whose size and pixels do not agree");
+  }
+}
+
 /// The factor by which a vignette multiplies the light of a pixel.
 class Vignette {
  public:
   Vignette(const Film& film, const Development& development)
-      : lost_(development.vignette),
-        first_(film.first),
-        size_(film.whole == glm::ivec2(0) ? dvec2(film.width, film.height) : dvec2(film.whole)) {}
+      : lost_(development.vignette), first_(film.first), size_(whole_of(film)) {}
 
   /// Computes the factors of `count` pixels of a row, from x on.
   void shares(int x, int y, int count, Values& share) const {
@@ -125,13 +136,15 @@ AEROSTAT_INLINE void develop_loop(const Bath& bath, const Strip& strip) {
   for (int i = 0; i < 3 * count; ++i) rgb[i] = static_cast<std::uint8_t>(bytes[i]);
 }
 
-void develop_row(const Film& film, const Development& development, int y, Pixels& pixels) {
+void develop_row(const Film& film, const Development& development, const Glare& glare, int y,
+                 Pixels& pixels) {
   static const Table encode(srgb_from_linear, 1.0);
   static const Table curve(tone_curve, kWhitePoint);
   const Vignette vignette(film, development);
   const Bath bath{development.white_balance * std::exp2(development.exposure_ev), curve.lines(),
                   encode.lines()};
   Strip strip;
+  std::array<float, 3 * kBlock> glaring;
   for (int i = 0; i < kBlock; ++i)
     strip.thresholds[i] = dither_threshold(film.first.x + i, film.first.y + y);
   for (int x = 0; x < film.width; x += kBlock) {
@@ -140,6 +153,10 @@ void develop_row(const Film& film, const Development& development, int y, Pixels
     strip.light = &film.radiance[first].x;
     strip.count = std::min(kBlock, film.width - x);
     strip.rgb = &pixels.rgb[3 * first];
+    if (glare.is_there()) {
+      glare.apply(film, x, y, strip.count, glaring.data());
+      strip.light = glaring.data();
+    }
     vignette.shares(x, y, strip.count, strip.share);
     in_vectors([&]() AEROSTAT_INLINE_LAMBDA { develop_loop(bath, strip); });
   }
@@ -153,18 +170,26 @@ double vignette_share(double distance, double lost) {
 }
 
 Pixels develop(const Film& film, double exposure_ev) {
-  return develop(film, Development{exposure_ev, glm::dmat3(1.0), 0.0});
+  return develop(film, Development{exposure_ev, glm::dmat3(1.0), 0.0, 0.0});
 }
 
 Pixels develop(const Film& film, const Development& development) {
+  Glare glare(whole_of(film), development);
+  require_pixels(film);
+  glare.add(film);
+  glare.spread();
+  return develop(film, development, glare);
+}
+
+Pixels develop(const Film& film, const Development& development, const Glare& glare) {
+  require_pixels(film);
   const std::size_t count =
       static_cast<std::size_t>(film.width) * static_cast<std::size_t>(film.height);
-  if (film.width < 0 || film.height < 0 || film.radiance.size() != count) {
-    throw Error(ErrorKind::internal, "developing a film whose size and pixels do not agree");
-  }
   Pixels pixels{film.width, film.height, std::vector<std::uint8_t>(3 * count)};
   tbb::parallel_for(tbb::blocked_range<int>(0, film.height, 16), [&](const auto& rows) {
-    for (int y = rows.begin(); y != rows.end(); ++y) develop_row(film, development, y, pixels);
+    for (int y = rows.begin(); y != rows.end(); ++y) {
+      develop_row(film, development, glare, y, pixels);
+    }
   });
   return pixels;
 }

@@ -160,6 +160,7 @@ std::vector<std::uint8_t> encode_band(const Film& film, const std::string& mark,
   header.insert(kExrExposure, Imf::DoubleAttribute(development.exposure_ev));
   header.insert(kExrWhiteBalance, Imf::M33dAttribute(white_balance));
   header.insert(kExrVignette, Imf::DoubleAttribute(development.vignette));
+  header.insert(kExrGlare, Imf::DoubleAttribute(development.glare));
   return encode(film, header);
 }
 

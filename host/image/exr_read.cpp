@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <exception>
@@ -85,7 +86,9 @@ std::optional<Development> development_in(const Imf::Header& header) {
   const auto* const white = header.findTypedAttribute<Imf::M33dAttribute>(kExrWhiteBalance);
   const auto* const vignette = header.findTypedAttribute<Imf::DoubleAttribute>(kExrVignette);
   if (exposure == nullptr || white == nullptr || vignette == nullptr) return std::nullopt;
-  Development development{exposure->value(), {}, vignette->value()};
+  const auto* const glare = header.findTypedAttribute<Imf::DoubleAttribute>(kExrGlare);
+  Development development{exposure->value(), {}, vignette->value(), 0.0};
+  if (glare != nullptr) development.glare = std::clamp(glare->value(), 0.0, 1.0);
   for (int column = 0; column < 3; ++column) {
     for (int row = 0; row < 3; ++row) {
       development.white_balance[column][row] = white->value()[column][row];

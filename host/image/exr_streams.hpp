@@ -21,6 +21,7 @@ inline constexpr const char* kExrMark = "aerostat";
 inline constexpr const char* kExrExposure = "aerostat.exposureEv";
 inline constexpr const char* kExrWhiteBalance = "aerostat.whiteBalance";
 inline constexpr const char* kExrVignette = "aerostat.vignette";
+inline constexpr const char* kExrGlare = "aerostat.glare";
 
 /// A file in memory that is written. OpenEXR moves back in it to fill in its table of line offsets.
 class ExrOutput : public Imf::OStream {

@@ -30,13 +30,20 @@ struct Development {
   double exposure_ev = 0.0;       // exposure in stops
   glm::dmat3 white_balance{1.0};  // matrix for linear Rec. 709
   double vignette = 0.0;          // share of the light lost in the corners, 0 to below 1
+  double glare = 0.0;             // strength of the glare (image/glare.hpp), 0 to 1
 };
 
-/// Turns a film into a picture. Applies the vignette, the exposure (2^ev), the white balance, a
-/// filmic tone curve, the sRGB transfer function and ordered dither against banding. The result
-/// is deterministic. A part of a picture has the same pixels as the whole.
+class Glare;
+
+/// Turns a film into a picture. Applies the glare, the vignette, the exposure (2^ev), the white
+/// balance, a filmic tone curve, the sRGB transfer function and ordered dither against banding. The
+/// result is deterministic. A part of a picture has the same pixels as the whole but for the glare,
+/// which is that of the part's own light.
 Pixels develop(const Film& film, const Development& development);
 Pixels develop(const Film& film, double exposure_ev);
+
+/// Does the same with the glare of the whole picture, which has been spread.
+Pixels develop(const Film& film, const Development& development, const Glare& glare);
 
 /// Returns the share of the light that is left at a distance from the picture's middle, which is
 /// 1 in the corners. The share is cos^4 of an angle whose tangent is proportional to the

@@ -11,6 +11,7 @@ image::Development development_of(const scene::Image& image, const image::Film& 
                                   ? image::white_balance_for(*image.white_balance_k)
                                   : image::automatic_white_balance(dvec3(film.daylight));
   development.vignette = image.vignette;
+  development.glare = image.glare;
   return development;
 }
 

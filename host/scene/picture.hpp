@@ -57,6 +57,7 @@ struct Image {
   /// the daylight's colour.
   std::optional<double> white_balance_k;
   double vignette = 0.0;  // share of the light that is lost in the corners
+  double glare = 0.25;    // strength of the glare around what is far brighter than white
 };
 
 }  // namespace aerostat::scene

@@ -114,6 +114,12 @@ inline constexpr auto kTable<Image> = table(
           number(0, 0.9,
                  "Share of the light that is lost in the corners of the picture, {from} (none) to "
                  "{to}. The loss grows by the fourth power of a cosine.")
-              .slider(EditGroup::development, "Vignette", 0, 0.9, 2)));
+              .slider(EditGroup::development, "Vignette", 0, 0.9, 2)),
+    field("glare", &Image::glare,
+          number(0, 1,
+                 "Strength of the glare, {from} (none) to {to}: the light that a lens scatters "
+                 "around what is far brighter than white, such as the sun. A part of a picture "
+                 "has the glare of its own light alone, and an EXR file has none.")
+              .slider(EditGroup::development, "Glare", 0, 1, 2)));
 
 }  // namespace aerostat::scene::detail

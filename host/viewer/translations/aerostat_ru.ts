@@ -1396,6 +1396,14 @@
         <translation>Доля света, которая теряется в углах картины, по четвёртой степени косинуса, от 0 (нет) до 0,9.</translation>
     </message>
     <message>
+        <source>Glare</source>
+        <translation>Ореол</translation>
+    </message>
+    <message>
+        <source>Strength of the glare, 0 (none) to 1: the light that a lens scatters around what is far brighter than white, such as the sun. A part of a picture has the glare of its own light alone, and an EXR file has none.</source>
+        <translation>Сила ореола, от 0 (нет) до 1: это свет, который объектив рассеивает вокруг того, что намного ярче белого, например солнца. У части картины ореол лишь от её собственного света, а в файле EXR его нет.</translation>
+    </message>
+    <message>
         <source>Largest wavelength of the detail in colour and relief in metres, 0 (excluded) to 100000.</source>
         <translation>Наибольшая длина волны деталей цвета и рельефа, в метрах, больше 0 и до 100000.</translation>
     </message>

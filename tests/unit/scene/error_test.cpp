@@ -88,7 +88,8 @@ INSTANTIATE_TEST_SUITE_P(
              "Earth in at"},
         Case{R"("image": {"widht": 5})",
              "/image/widht: found an unknown key, expected one of adaptive_threshold, "
-             "exposure_ev, filter, height, seed, spp, vignette, white_balance_k, width; did you "
+             "exposure_ev, filter, glare, height, seed, spp, vignette, white_balance_k, width; did "
+             "you "
              "mean \"width\"?"},
         Case{R"("haze": {"qqqqqq": 5})",
              "/haze/qqqqqq: found an unknown key, expected one of albedo, angstrom, asymmetry, "
