@@ -129,6 +129,15 @@ std::string_view closing_of(std::string_view text) {
   return text.find('[') < text.find('>') ? "]>" : ">";
 }
 
+/// Returns the line at which a parser stands. Expat of Debian 13 calls the function deprecated, and
+/// that of Debian 12 does not have the one that takes its place.
+XML_Size line_of(const Parser& parser) {
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wdeprecated-declarations"
+  return XML_GetCurrentLineNumber(parser.get());
+#pragma GCC diagnostic pop
+}
+
 }  // namespace
 
 std::optional<std::string_view> XmlAttributes::value(std::string_view name) const {
@@ -160,9 +169,8 @@ std::vector<std::string> read_xml(std::string_view bytes, XmlHandler& handler) {
                                 reading.foreign_encoding));
   }
   if (status == XML_STATUS_OK) return notes;
-  const std::string fault =
-      fmt::format("the XML is damaged at line {}: {}", XML_GetCurrentLineNumber(parser.get()),
-                  XML_ErrorString(XML_GetErrorCode(parser.get())));
+  const std::string fault = fmt::format("the XML is damaged at line {}: {}", line_of(parser),
+                                        XML_ErrorString(XML_GetErrorCode(parser.get())));
   if (!handler.has_content()) throw Error(ErrorKind::bad_data, fault);
   notes.push_back(fmt::format("T{}. What stands behind it is missing.", fault.substr(1)));
   return notes;
