@@ -161,6 +161,20 @@ TEST_P(AirShadow, TakesTheLightOfItsPartOfTheRay) {
   }
 }
 
+// In thick haze most of a step's light comes from its start.
+TEST_P(AirShadow, TakesTheLightOfItsPartOfTheRayInThickHaze) {
+  pack::PackedScene scene = hazy_wall();
+  for (int i = 0; i < 3; ++i) scene.numbers.air.haze_extinction[i] = 4e-3f;
+  constexpr float kHigh = 20.0f, kStart = -400.0f, kLength = 800.0f;
+  const vec3 origin(kStart * kAlong.x, kHigh, kStart * kAlong.y), ahead(kAlong.x, 0.0f, kAlong.y);
+  const Light found = mean_light(scene, origin, ahead, kLength);
+  const float begin = kWall - (kHeight - kHigh) / kRise - kStart;
+  const float extinction = scene.numbers.air.molecules[1] + scene.numbers.air.haze_extinction[1];
+  const float part = std::exp(-extinction * begin) - std::exp(-extinction * kLength);
+  const float share = found.shaded.y / (found.shaded.y + found.added.y);
+  EXPECT_NEAR(share, part / -std::expm1(-extinction * kLength), 0.02f);
+}
+
 TEST_P(AirShadow, CostsARayOverItNoLight) {
   const Light over =
       mean_light(hazy_wall(), {0.0f, 130.0f, 0.0f}, {kAlong.x, 0.0f, kAlong.y}, 900.0f);
