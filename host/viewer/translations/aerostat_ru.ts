@@ -739,6 +739,10 @@
         <source>Copies</source>
         <translation>Экземпляры</translation>
     </message>
+    <message>
+        <source>Glare</source>
+        <translation>Ореол</translation>
+    </message>
 </context>
 <context>
     <name>NumberBox</name>
@@ -1394,10 +1398,6 @@
     <message>
         <source>Share of the light that is lost in the corners of the picture, 0 (none) to 0.9. The loss grows by the fourth power of a cosine.</source>
         <translation>Доля света, которая теряется в углах картины, по четвёртой степени косинуса, от 0 (нет) до 0,9.</translation>
-    </message>
-    <message>
-        <source>Glare</source>
-        <translation>Ореол</translation>
     </message>
     <message>
         <source>Strength of the glare, 0 (none) to 1: the light that a lens scatters around what is far brighter than white, such as the sun. A part of a picture has the glare of its own light alone, and an EXR file has none.</source>
