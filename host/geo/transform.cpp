@@ -84,8 +84,8 @@ class Ways {
     bool guesses = false;  // the datums are taken as equal, because nothing is known between them
   };
 
-  /// Returns the first way that suits the place. `use` says whether it may lead through a third
-  /// system.
+  /// Returns the best operation that is valid around the place, or none. `use` says whether it may
+  /// go through a third coordinate system.
   Way first(PROJ_INTERMEDIATE_CRS_USE use) const {
     if (!factory_) return {};
     proj_operation_factory_context_set_allow_use_intermediate_crs(context_, factory_.get(), use);

@@ -35,7 +35,8 @@ TEST(ProgramMark, TellsTheSourcesOfTheHost) {
   EXPECT_TRUE(std::all_of(hash.begin(), hash.end(), [](unsigned char digit) {
     return std::isxdigit(digit) != 0;
   })) << hash;
-  // The checksum of no files at all is another one.
+  // SHA-256 of an empty text begins with these digits, so that they would mean that no file was
+  // read.
   EXPECT_NE(hash, "e3b0c44298fc1c14");
 }
 
