@@ -161,7 +161,7 @@ TEST_F(DriverFaults, OfEachKindHaveTheirCodeAndWords) {
                 {"clBuildProgram:1+:-11", 70, "the kernels of render.cl do not build"},
                 {"clBuildProgram:1+:-6", 75, "there is not enough memory"},
                 {"clCreateBuffer:1+:-4", 75, "there is not enough memory"},
-                {"clEnqueueNDRangeKernel@shade_hits:3:-5", 75, "starting the kernel shade_hits"},
+                {"clEnqueueNDRangeKernel@shade_hits:1:-5", 75, "starting the kernel shade_hits"},
                 {"clWaitForEvents:2:-14", 75, "an earlier command on the device failed"},
                 {"clWaitForEvents:2:-2", 75, "the device was lost"},
                 {"clFinish:1+:-36", 70, "CL_INVALID_COMMAND_QUEUE"},
@@ -233,9 +233,10 @@ TEST_F(DriverFaults, ALostDeviceLeavesACheckpointFromWhichAnotherGoesOn) {
   const Outcome whole = render("", {"--width", "320", "--height", "180"});
   ASSERT_EQ(whole.code, 0) << whole.err;
   const std::string picture = read_bytes(folder_ / "x.png");
-  const std::uint64_t waits = counts()["clWaitForEvents"];
   forget();
-  const Outcome lost = render("clWaitForEvents:" + std::to_string(waits * 3 / 4) + "+:-2", saving);
+  // How often a render waits depends on the speed of the machine. Therefore the device is lost when
+  // the first checkpoint has been written, which is before the last pass.
+  const Outcome lost = render("clWaitForEvents:" + (folder_ / "x.ckpt").string() + ":-2", saving);
   EXPECT_EQ(lost.code, 75) << lost.err;
   EXPECT_FALSE(fs::exists(folder_ / "x.png"));
   ASSERT_TRUE(fs::exists(folder_ / "x.ckpt"));

@@ -4,11 +4,12 @@
 //
 //   FAKE_CL_DRIVER   the driver that works, by default libpocl.so.2
 //   FAKE_CL_FAULTS   a list of faults with commas between them, each FUNCTION[@TEXT]:FIRST[+]:WHAT.
-//                    The call with the number FIRST fails, or with + all from it on. Only calls
-//                    count whose kernel or device has TEXT in its name; the devices of the platform
-//                    are also called device0, device1 and so on. WHAT is a status of OpenCL
-//                    such as -5, hang, which never returns, or skip, which does nothing and tells
-//                    of success.
+//                    The call with the number FIRST fails, or with + all from it on. If FIRST is
+//                    the path of a file, all calls fail from the moment when that file exists.
+//                    Only calls count whose kernel or device has TEXT in its name; the devices of
+//                    the platform are also called device0, device1 and so on. WHAT is a status of
+//                    OpenCL such as -5, hang, which never returns, or skip, which does nothing and
+//                    tells of success.
 //   FAKE_CL_COUNTS   a file that receives the number of calls of each function, as numbers of 8
 //                    bytes in the order of functions.hpp. It holds them even if the program is
 //                    killed.
@@ -50,6 +51,7 @@ struct Fault {
   std::string text;
   std::uint64_t first = 1;
   bool goes_on = false;
+  std::string path;  // if not empty, it stands in place of `first` and `goes_on`
   What what = What::status;
   cl_int status = 0;
   std::atomic<std::uint64_t> calls = 0;
@@ -95,6 +97,7 @@ Fault* parse_fault(const std::string& text) {
   if (at != std::string::npos) fault->text = parts[0].substr(at + 1);
   fault->first = std::strtoull(parts[1].c_str(), nullptr, 10);
   fault->goes_on = parts[1].back() == '+';
+  if (parts[1].front() == '/') fault->path = parts[1];
   fault->what = parts[2] == "hang" ? What::hang : parts[2] == "skip" ? What::skip : What::status;
   fault->status = static_cast<cl_int>(std::strtol(parts[2].c_str(), nullptr, 10));
   return fault;
@@ -156,6 +159,10 @@ const Fault* fault_of(std::size_t function, Names&& names) {
   for (Fault* fault : all.faults) {
     if (fault->function != function) continue;
     if (!fault->text.empty() && names().find(fault->text) == std::string::npos) continue;
+    if (!fault->path.empty()) {
+      if (::access(fault->path.c_str(), F_OK) == 0) return fault;
+      continue;
+    }
     const std::uint64_t number = ++fault->calls;
     if (number == fault->first || (fault->goes_on && number > fault->first)) return fault;
   }
