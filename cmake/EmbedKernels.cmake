@@ -1,6 +1,5 @@
 # The function aerostat_embed_kernels(target) makes a library that contains every kernel file below
-# the current folder. Programs read it through host/opencl/embedded.hpp. The library is generated
-# again when a kernel file changes, appears or disappears.
+# the current folder. Programs read it through host/opencl/embedded.hpp.
 #
 # When CMake runs this file as a script (cmake -P), it is the generator of the library's source.
 
@@ -8,21 +7,8 @@ function(aerostat_embed_kernels target)
   set(root "${CMAKE_CURRENT_SOURCE_DIR}")
   file(GLOB_RECURSE files CONFIGURE_DEPENDS RELATIVE "${root}" "${root}/shared/*.h" "${root}/rules/*.h"
        "${root}/device/*.clh" "${root}/*.cl")
-  list(SORT files)
-  # The list of files is written to a file, so that a removed kernel changes a dependency too.
-  set(list_file "${CMAKE_CURRENT_BINARY_DIR}/kernel_files.txt")
-  file(CONFIGURE OUTPUT "${list_file}" CONTENT "${files}" @ONLY)
-  set(generated "${CMAKE_CURRENT_BINARY_DIR}/embedded_kernels.cpp")
-  list(TRANSFORM files PREPEND "${root}/" OUTPUT_VARIABLE dependencies)
-  add_custom_command(
-    OUTPUT "${generated}"
-    COMMAND "${CMAKE_COMMAND}" "-DROOT=${root}" "-DLIST=${list_file}" "-DOUTPUT=${generated}" -P
-            "${CMAKE_CURRENT_FUNCTION_LIST_FILE}"
-    DEPENDS ${dependencies} "${list_file}" "${CMAKE_CURRENT_FUNCTION_LIST_FILE}"
-    COMMENT "Embedding the kernels"
-    VERBATIM)
-  add_library(${target} STATIC "${generated}")
-  target_link_libraries(${target} PRIVATE aerostat_options)
+  aerostat_generate_library(${target} "${CMAKE_CURRENT_FUNCTION_LIST_FILE}" "${root}"
+                            "Embedding the kernels" ${files})
 endfunction()
 
 # Sets `array` to the definition of an array of the file's bytes, and `entry` to the file's line of
@@ -72,4 +58,6 @@ endfunction()
 
 if(CMAKE_SCRIPT_MODE_FILE STREQUAL CMAKE_CURRENT_LIST_FILE)
   _aerostat_write_embedded()
+else()
+  include(GeneratedLibrary)
 endif()

@@ -1,7 +1,7 @@
 # The function aerostat_hash_sources(target) makes a library that contains a checksum of the host
-# sources that decide on pixels. Programs read it through host/film/sources_hash.hpp. The library is
-# generated again when one of these files changes, appears or disappears. Only the contents of files
-# and their names below the source folder count, so that each machine computes the same checksum.
+# sources that decide on pixels. Programs read it through host/film/sources_hash.hpp. Only the
+# contents of files and their names below the source folder count, so that each machine computes the
+# same checksum.
 #
 # When CMake runs this file as a script (cmake -P), it is the generator of the library's source.
 
@@ -11,22 +11,9 @@ function(aerostat_hash_sources target)
        "${root}/*.inc")
   # What these folders make of frames and scenes does not change a frame.
   list(FILTER files EXCLUDE REGEX "^(api|cli|labels|map|viewer)/")
-  list(SORT files)
-  # The list of files is written to a file, so that a removed file changes a dependency too.
-  set(list_file "${CMAKE_CURRENT_BINARY_DIR}/hashed_files.txt")
-  file(CONFIGURE OUTPUT "${list_file}" CONTENT "${files}" @ONLY)
-  set(generated "${CMAKE_CURRENT_BINARY_DIR}/sources_hash.cpp")
-  list(TRANSFORM files PREPEND "${root}/" OUTPUT_VARIABLE dependencies)
-  add_custom_command(
-    OUTPUT "${generated}"
-    COMMAND "${CMAKE_COMMAND}" "-DROOT=${root}" "-DLIST=${list_file}" "-DOUTPUT=${generated}" -P
-            "${CMAKE_CURRENT_FUNCTION_LIST_FILE}"
-    DEPENDS ${dependencies} "${list_file}" "${CMAKE_CURRENT_FUNCTION_LIST_FILE}"
-    COMMENT "Hashing the sources"
-    VERBATIM)
-  add_library(${target} STATIC "${generated}")
+  aerostat_generate_library(${target} "${CMAKE_CURRENT_FUNCTION_LIST_FILE}" "${root}"
+                            "Hashing the sources" ${files})
   target_include_directories(${target} PRIVATE "${root}")
-  target_link_libraries(${target} PRIVATE aerostat_options)
 endfunction()
 
 function(_aerostat_write_hash)
@@ -53,4 +40,6 @@ endfunction()
 
 if(CMAKE_SCRIPT_MODE_FILE STREQUAL CMAKE_CURRENT_LIST_FILE)
   _aerostat_write_hash()
+else()
+  include(GeneratedLibrary)
 endif()

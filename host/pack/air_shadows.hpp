@@ -1,38 +1,15 @@
 #pragma once
 
 #include <cstdint>
-#include <vector>
 
 #include "core/last_made.hpp"
 #include "core/math.hpp"
 #include "mesh/grid_mesh.hpp"
-#include "scene_params.h"
+#include "pack/shadow_map.hpp"
 
 namespace aerostat::pack {
 
 struct PackedScene;
-
-/// A map of shadows: its place, and its words for the buffer of texels.
-struct ShadowMap {
-  AeroShadowMap place{};
-  std::vector<std::uint32_t> words;
-  /// The mean of the nodes of clouds.
-  float mean = 1.0f;
-};
-
-/// Returns the heights in metres above the sea below which the ground hides the middle of the sun.
-/// `ground` counts from a point that lies at `place` over the terrain. `sun` is the unit vector to
-/// the sun, which is not straight above. For each row of nodes along the sun's azimuth there is one
-/// sweep over the heights h at intervals d, from the sun's side on:
-///   H[i] = max(h[i], H[i + 1] - d tan(elevation))
-/// Beyond the ground, h is lower than any ground.
-ShadowMap land_shadows(const mesh::GridMesh& ground, const vec3& place, const vec3& sun);
-
-/// Returns the shares of sunlight that heaped clouds leave at their bases, around the point at
-/// which a ray from the eye to the sun passes them. They are those of cumulus_shadow() on the
-/// device without the clouds' bulges. Nodes lie the same whatever the eye. `sun` is above the
-/// horizon.
-ShadowMap cloud_shadows(const AeroCumulus& clouds, const vec3& eye, const vec3& sun);
 
 /// What the maps of shadows of land and of clouds are made of.
 struct LandShadowKey {

@@ -33,6 +33,16 @@ class Merge : public CliTest {
     ASSERT_EQ(outcome.code, 0) << outcome.err;
   }
 
+  /// Renders the picture in bands, the files 1.exr, 2.exr and so on.
+  void render_bands(int count, const std::vector<std::string>& more = {}) const {
+    for (int band = 1; band <= count; ++band) {
+      const std::string number = std::to_string(band);
+      auto arguments = more;
+      arguments.insert(arguments.end(), {"--shard", number + "/" + std::to_string(count)});
+      render(number + ".exr", arguments);
+    }
+  }
+
   std::string bytes(const std::string& name) const { return read_bytes(folder_ / name); }
 };
 
@@ -40,9 +50,7 @@ TEST_F(Merge, BandsBecomeThePictureOfOneRender) {
   render("whole.png");
   render("whole.exr");
   // The bands have 12, 12 and 13 rows: none ends with a block of 16 rows, as the file has them.
-  for (const char* band : {"1", "2", "3"}) {
-    render(std::string(band) + ".exr", {"--shard", std::string(band) + "/3"});
-  }
+  render_bands(3);
   ASSERT_EQ(run({"merge", "3.exr", "1.exr", "2.exr", "-o", "joined.png"}).code, 0);
   const Outcome joined = run({"merge", "2.exr", "1.exr", "3.exr", "-o", "joined.exr"});
   EXPECT_TRUE(contains(joined.err, "wrote joined.exr (48 x 37) from 3 bands"));
@@ -58,11 +66,7 @@ TEST_F(Merge, AFixedExposureIsKept) {
   const std::vector<std::string> fixed{"--set", "/image/exposure_ev=-1.25", "--set",
                                        "/image/white_balance_k=4300"};
   render("whole.png", fixed);
-  for (const char* band : {"1", "2"}) {
-    auto more = fixed;
-    more.insert(more.end(), {"--shard", std::string(band) + "/2"});
-    render(std::string(band) + ".exr", more);
-  }
+  render_bands(2, fixed);
   ASSERT_EQ(run({"merge", "1.exr", "2.exr", "-o", "joined.png"}).code, 0);
   EXPECT_EQ(bytes("joined.png"), bytes("whole.png"));
 }
@@ -72,11 +76,7 @@ TEST_F(Merge, BandsOfAFilmWithAnOpenShutterShowOneMoment) {
   render("rest.png");
   const std::vector<std::string> open{"--set", "/film/shutter_angle_deg=180"};
   render("whole.png", open);
-  for (const char* band : {"1", "2"}) {
-    auto more = open;
-    more.insert(more.end(), {"--shard", std::string(band) + "/2"});
-    render(std::string(band) + ".exr", more);
-  }
+  render_bands(2, open);
   ASSERT_EQ(run({"merge", "1.exr", "2.exr", "-o", "joined.png"}).code, 0);
   EXPECT_EQ(bytes("joined.png"), bytes("whole.png"));
   EXPECT_EQ(bytes("whole.png"), bytes("rest.png"));
@@ -101,9 +101,7 @@ TEST_F(Merge, ABandThatIsThereIsKept) {
 }
 
 TEST_F(Merge, WhatIsWrongIsToldAndNothingIsWritten) {
-  for (const char* band : {"1", "2", "3"}) {
-    render(std::string(band) + ".exr", {"--shard", std::string(band) + "/3"});
-  }
+  render_bands(3);
   render("other.exr", {"--shard", "2/3", "--seed", "5"});
   render("plain.exr");
   std::ofstream(folder_ / "cut.exr") << bytes("2.exr").substr(0, 2000);
