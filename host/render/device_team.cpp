@@ -49,6 +49,10 @@ void DeviceTeam::begin_programs(scene::Integrator integrator) {
   on_each([integrator](DeviceWorker& worker) { worker.begin_programs(integrator); });
 }
 
+void DeviceTeam::expect_ambient_occlusion(bool is_expected) {
+  on_each([is_expected](DeviceWorker& worker) { worker.expect_ambient_occlusion(is_expected); });
+}
+
 void DeviceTeam::drop_geometry() {
   on_each([](DeviceWorker& worker) { worker.drop_geometry(); });
 }

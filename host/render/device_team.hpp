@@ -33,6 +33,7 @@ class DeviceTeam {
   /// Calls the function of the same name in DeviceWorker for all devices, as do the functions up to
   /// begin_film.
   void begin_programs(scene::Integrator integrator);
+  void expect_ambient_occlusion(bool is_expected);
   void drop_geometry();
   void set_geometry(const std::shared_ptr<const bvh::Bvh>& tree,
                     const std::shared_ptr<const FrameArrays>& frame,

@@ -52,7 +52,8 @@ void DeviceWorker::begin_programs(scene::Integrator integrator) {
   integrator_ = integrator;
   if (has_programs() || built().to_come.valid()) return;
   built().to_come = std::async(std::launch::async, [this, integrator, &now = built()] {
-    return build_programs(context_, lanes_, integrator, layers_ == Layers::all, now.progress);
+    return build_programs(context_, lanes_, integrator, layers_ == Layers::all, ambient_expected_,
+                          now.progress);
   });
 }
 

@@ -50,6 +50,9 @@ class DeviceWorker {
   /// Begins to build the kernels of an integrator in the background if they are not built yet.
   /// Later calls and frames use this integrator.
   void begin_programs(scene::Integrator integrator);
+  /// Tells whether frames to come have ambient occlusion. The kernel for it is compiled beforehand
+  /// only if they have, which is assumed until this is called.
+  void expect_ambient_occlusion(bool is_expected) { ambient_expected_ = is_expected; }
   bool has_programs() const { return built().programs.has_value(); }
   /// Waits for the kernels for at most `patience`, and returns whether they are built. Call it
   /// after `begin_programs`.
@@ -133,6 +136,7 @@ class DeviceWorker {
   Built& built() { return built_[static_cast<std::size_t>(integrator_.load())]; }
   const Built& built() const { return built_[static_cast<std::size_t>(integrator_.load())]; }
 
+  std::atomic<bool> ambient_expected_ = true;
   std::atomic<scene::Integrator> integrator_ = scene::Integrator::local;
   std::array<Built, scene::kIntegratorCount> built_;
   DeviceGeometry geometry_;

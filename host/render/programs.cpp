@@ -49,6 +49,11 @@ class FirstLaunches {
   void take(const char* name, double share, opencl::TypedKernel<Args...>& kernel) const {
     take(name, share, kernel, packets_);
   }
+  /// Fills in a kernel without a launch.
+  template <typename... Args>
+  void take_unlaunched(const char* name, opencl::TypedKernel<Args...>& kernel) const {
+    kernel = {program_.kernel(name)};
+  }
   template <typename... Args>
   void take_film(const char* name, opencl::TypedKernel<Args...>& kernel) const {
     take(name, kFilmShare, kernel, packet_range(1, 1));
@@ -74,13 +79,18 @@ class FirstLaunches {
 /// The share of the kernel that adds to the guides of a film.
 constexpr double kGuidesShare = 0.08;
 
-std::unique_ptr<Integrator> local_integrator(const FirstLaunches& first, bool guides) {
+std::unique_ptr<Integrator> local_integrator(const FirstLaunches& first, bool guides,
+                                             const std::atomic<bool>& ambient_occlusion) {
   LocalKernels kernels;
   first.take("trace_camera_rays", 0.19, kernels.trace_camera_rays);
   first.take("trace_shadow_rays", 0.20, kernels.trace_shadow_rays);
-  first.take("trace_ambient_rays", 0.18, kernels.trace_ambient_rays);
   first.take("shade_hits", 0.15, kernels.shade_hits);
   if (guides) first.take("note_guides", kGuidesShare, kernels.note_guides);
+  if (ambient_occlusion) {
+    first.take("trace_ambient_rays", 0.18, kernels.trace_ambient_rays);
+  } else {
+    first.take_unlaunched("trace_ambient_rays", kernels.trace_ambient_rays);
+  }
   return make_integrator(std::move(kernels));
 }
 
@@ -142,7 +152,8 @@ std::shared_ptr<const MirrorKernels> build_mirrors(const opencl::Context& contex
 }
 
 Programs build_programs(const opencl::Context& context, int lanes, scene::Integrator integrator,
-                        bool guides, KernelProgress& progress) {
+                        bool guides, const std::atomic<bool>& ambient_occlusion,
+                        KernelProgress& progress) {
   const Stopwatch watch;
   const bool local = integrator == scene::Integrator::local;
   Programs programs = built([&] {
@@ -151,10 +162,11 @@ Programs build_programs(const opencl::Context& context, int lanes, scene::Integr
                                   local ? "render.cl" : "paths.cl", lanes);
     const FirstLaunches first(context, program, lanes, progress);
     Programs made;
-    made.integrator = local ? local_integrator(first, guides) : path_integrator(first, guides);
     first.take_film("clear_film", made.clear_film);
     first.take_film("mark_converged", made.mark_converged);
     if (guides) first.take_film("clear_guides", made.clear_guides);
+    made.integrator =
+        local ? local_integrator(first, guides, ambient_occlusion) : path_integrator(first, guides);
     return made;
   });
   opencl::keep_compiled_kernels();

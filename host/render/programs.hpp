@@ -1,5 +1,6 @@
 #pragma once
 
+#include <atomic>
 #include <cstdint>
 #include <memory>
 
@@ -29,9 +30,11 @@ struct Programs {
 
 /// Builds the kernels up to the machine code for launches of whole work-groups, because some
 /// drivers compile only at a launch. Without `guides`, the kernels that add to the guides of a film
-/// are left out. Throws Error{internal} with the build log.
+/// are left out. The kernel of ambient occlusion comes last. If `ambient_occlusion` is false by
+/// then, it is left to its first launch. Throws Error{internal} with the build log.
 Programs build_programs(const opencl::Context& context, int lanes, scene::Integrator integrator,
-                        bool guides, KernelProgress& progress);
+                        bool guides, const std::atomic<bool>& ambient_occlusion,
+                        KernelProgress& progress);
 
 /// Builds the kernels for surfaces that let rays pass. They are compiled at their first launches.
 std::shared_ptr<const SeeThroughKernels> build_see_through(const opencl::Context& context,

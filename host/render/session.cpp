@@ -90,6 +90,7 @@ void Session::State::assemble(const bvh::JoinedBvh& tree) {
 void Session::State::prepare(const scene::ResolvedScene& scene, const scene::ResolvedScene& shown,
                              const Crop& crop, Plants plants) {
   report(Stage::world, 0.0);
+  team.expect_ambient_occlusion(scene->sky.ambient_occlusion);
   team.begin_programs(scene->light);
   // For a single picture, air and clouds are computed on the cores that building the world leaves
   // idle. Previews follow each other: their worlds are small, and a stop would have to wait for
