@@ -17,23 +17,26 @@ __kernel void trace_ambient_rays(const AeroLaunch launch, __global const AeroSce
   const World world = make_world(nodes, triangles, instances, grid);
   const MeshArrays meshes = mesh_arrays(faces, vertices, instances);
   const uint parts = ambient_parts(task.frame.samples);
-  AmbientFound sums[BUNDLE];
-  AmbientPlan plans[BUNDLE];
-  for (uint i = 0u; i < BUNDLE; ++i) sums[i].free = sums[i].facing = (lane_float)0.0f;
+  lane_int met = (lane_int)0;
+  for (uint i = 0u; i < count; ++i) met |= lane_mask(hits[first + i].triangle != NO_TRIANGLE);
+  if (!lane_any(met)) return; /* nobody reads what was found in the sky */
+  AmbientWork work[BUNDLE];
+  for (uint i = 0u; i < BUNDLE; ++i) {
+    const Hit hit = i < count ? hits[first + i] : no_hit();
+    work[i] = start_ambient(scene, &world, &meshes, &task, hit, first + i);
+  }
   for (uint part = 0u; part < parts; ++part) {
-    TracedPacket packets[BUNDLE];
-    lane_int asked[BUNDLE], any = (lane_int)0;
-    for (uint i = 0u; i < BUNDLE; ++i) {
-      const Hit hit = i < count ? hits[first + i] : no_hit();
-      asked[i] = start_ambient(scene, &world, &meshes, &task, &hit, first + i, part, parts,
-                               plans + i, packets + i);
-      any |= asked[i];
-    }
+    lane_int any = (lane_int)0;
+    for (uint i = 0u; i < BUNDLE; ++i) any |= asks_for_part(&work[i].plan, part);
     if (!lane_any(any)) break;
+    TracedPacket packets[BUNDLE];
+    for (uint i = 0u; i < BUNDLE; ++i) {
+      start_ambient_rays(scene, &task.frame, work + i, part, parts, packets + i);
+    }
     trace_bundle(&world, packets, TRACE_ANY_FROM_ABOVE);
-    for (uint i = 0u; i < BUNDLE; ++i) add_ambient(&scene->sky, packets + i, asked[i], sums + i);
+    for (uint i = 0u; i < BUNDLE; ++i) add_ambient(&scene->sky, packets + i, part, work + i);
   }
   for (uint i = 0u; i < count; ++i) {
-    found[first + i] = found_of(sums + i, plans + i, parts, ambient_stride(task.frame.samples));
+    found[first + i] = found_of(work + i, parts, ambient_stride(task.frame.samples));
   }
 }
