@@ -86,6 +86,30 @@ TEST_P(Water, ReflectsAsFresnelSays) {
   }
 }
 
+TEST_P(Water, RefractsAsSnellSays) {
+  std::mt19937 random(7);
+  std::normal_distribution<float> slope(0.0f, 0.1f);
+  std::uniform_real_distribution<float> height(0.5f, 1.0f);
+  constexpr std::size_t kRays = 256;
+  std::vector<vec3> normals(kRays), to_viewer(kRays);
+  for (std::size_t i = 0; i < kRays; ++i) {
+    normals[i] = glm::normalize(vec3(slope(random), 1.0f, slope(random)));
+    const float up = height(random);
+    to_viewer[i] = {std::sqrt(1.0f - up * up), up, 0.0f};
+  }
+  const auto ways = output<float>(3 * kRays);
+  probe.run("probe_way_below_waves", kRays, input(planes(normals)), input(planes(to_viewer)), ways);
+  const auto values = ways.read();
+  for (std::size_t i = 0; i < kRays; ++i) {
+    const vec3 way = from_planes(values, i);
+    ASSERT_NEAR(way.y, -1.0f, 1e-5f) << "a metre of depth";
+    // The law of refraction for vectors: what lies across the normal shrinks by the index.
+    const vec3 below = glm::normalize(way), above = -to_viewer[i];
+    const vec3 bent = 1.333f * glm::cross(normals[i], below) - glm::cross(normals[i], above);
+    ASSERT_LT(glm::length(bent), 2e-5f) << i;
+  }
+}
+
 // The formula is a fit. It is off by at most 0.03 for these waves, which become rough enough to
 // halve what water mirrors at a slant.
 TEST_P(Water, ReflectsWhatItsUnresolvedWavesDoOnAverage) {

@@ -9,9 +9,16 @@ __kernel void probe_water(__global const AeroScene* scene, __global const float*
                           __global const float* cosines, __global const float* light,
                           __global float* radiance) {
   const Lane3 bed = lane3_from(scene->water.bed);
-  const Lane3 albedo =
-      water_albedo(&scene->water, bed, LOAD(depths), (lane_float)0.0f, LOAD(cosines));
+  const lane_float cosine = LOAD(cosines), zero = (lane_float)0.0f;
+  const Lane3 to_viewer = lane3(sqrt(1.0f - cosine * cosine), cosine, zero);
+  const Lane3 way = way_below_waves(lane3(zero, (lane_float)1.0f, zero), to_viewer);
+  const Lane3 albedo = water_albedo(&scene->water, bed, LOAD(depths), zero, sqrt(dot3(way, way)));
   store3_planes(mul3(albedo, load3(light)), radiance);
+}
+
+__kernel void probe_way_below_waves(__global const float* normals, __global const float* to_viewer,
+                                    __global float* ways) {
+  store3_planes(way_below_waves(load3(normals), load3(to_viewer)), ways);
 }
 
 __kernel void probe_waves(__global const AeroScene* scene, __global const float* positions,
