@@ -90,15 +90,18 @@ class Cumulus : public LaneTest {
     return values;
   }
 
-  /// Returns the share of white light that is left along rays from (0, height, 0).
+  /// Returns the share of white light that is left along rays from (0, height, 0), with what the
+  /// clouds add to it. `behind` is the radiance of that light. `shift` is that of march_clouds().
   std::vector<float> left(const pack::PackedScene& scene, const std::vector<vec3>& directions,
-                          float height, float distance) const {
+                          float height, float distance, float behind = 1.0f,
+                          float shift = 0.5f) const {
     const std::size_t count = whole_packets(directions.size());
     const auto arriving = output<float>(3 * count);
     const UploadedScene on_device(scene);
     probe.run("probe_clouds", count, on_device.numbers, on_device.sky_table, on_device.cloud_chart,
               input(planes(std::vector<vec3>(directions.size(), {0.0f, height, 0.0f}))),
-              input(planes(directions)), input(std::vector<float>(count, distance)), arriving);
+              input(planes(directions)), input(std::vector<float>(count, distance)), behind, shift,
+              arriving);
     const auto values = arriving.read();
     std::vector<float> result;
     for (std::size_t i = 0; i < directions.size(); ++i) {
@@ -289,18 +292,24 @@ TEST_P(Cumulus, ChartHidesNoCloud) {
   }
 }
 
+/// Returns directions well above the horizon.
+std::vector<vec3> directions_to_clouds(std::size_t count, unsigned seed) {
+  std::mt19937 random(seed);
+  std::uniform_real_distribution<float> azimuth(0.0f, 6.2831853f), elevation(0.15f, 0.9f);
+  std::vector<vec3> directions(count);
+  for (vec3& d : directions) {
+    const float a = azimuth(random), up = elevation(random);
+    d = {std::cos(a) * std::cos(up), std::sin(up), std::sin(a) * std::cos(up)};
+  }
+  return directions;
+}
+
 // Tests the march, which leaps, steps and lights in three places, against small even steps, which
 // take a thousand times as long.
 TEST_P(Cumulus, MarchSeesWhatSmallStepsSee) {
   pack::PackedScene scene = broken_clouds(0.3);
   set3(scene.numbers.sky.sun_direction, tilted(60.0f));
-  std::mt19937 random(41);
-  std::uniform_real_distribution<float> azimuth(0.0f, 6.2831853f), elevation(0.15f, 0.9f);
-  std::vector<vec3> directions(768);
-  for (vec3& d : directions) {
-    const float a = azimuth(random), up = elevation(random);
-    d = {std::cos(a) * std::cos(up), std::sin(up), std::sin(a) * std::cos(up)};
-  }
+  const auto directions = directions_to_clouds(768, 41);
   const auto fine = left_finely(scene, directions, 2.0f);
   for (const pack::PackedScene& asked : {scene, without_chart(scene)}) {
     const auto seen = left(asked, directions, 2.0f, INFINITY);
@@ -315,6 +324,45 @@ TEST_P(Cumulus, MarchSeesWhatSmallStepsSee) {
     EXPECT_LT(difference, 0.01);
     EXPECT_LT(std::sqrt(squared), 0.03);
   }
+}
+
+// Clouds have no contours within them: along an arc over the sky, the mean over samples changes
+// little between directions that are a thousandth of a degree apart.
+TEST_P(Cumulus, SamplesTogetherShowNoContours) {
+  pack::PackedScene scene = broken_clouds(0.3);
+  set3(scene.numbers.sky.sun_direction, tilted(60.0f));
+  std::vector<vec3> arc(16384);
+  for (std::size_t i = 0; i < arc.size(); ++i) {
+    const float azimuth = 2e-5f * static_cast<float>(i);
+    arc[i] = {std::cos(azimuth) * std::cos(0.3f), std::sin(0.3f),
+              std::sin(azimuth) * std::cos(0.3f)};
+  }
+  constexpr int kSamples = 16;
+  std::vector<double> means(arc.size());
+  for (int k = 0; k < kSamples; ++k) {
+    const float shift = (static_cast<float>(k) + 0.5f) / kSamples;
+    const auto seen = left(scene, arc, 2.0f, INFINITY, 1.0f, shift);
+    for (std::size_t i = 0; i < arc.size(); ++i) means[i] += double{seen[i]} / kSamples;
+  }
+  double largest = 0.0, least = 1.0, most = 0.0;
+  for (std::size_t i = 1; i < arc.size(); ++i) {
+    largest = std::max(largest, std::abs(means[i] - means[i - 1]));
+    least = std::min(least, means[i]);
+    most = std::max(most, means[i]);
+  }
+  EXPECT_LT(largest, 0.01);
+  EXPECT_GT(most - least, 0.2) << "the arc crosses clouds";
+}
+
+// The sun's disc is a hundred thousand times as bright as the sky.
+TEST_P(Cumulus, ThickCloudsLeaveNothingOfTheSun) {
+  const std::vector<vec3> up{tilted(0.0f), tilted(40.0f), tilted(70.0f)};
+  pack::PackedScene scene = closed_deck();
+  scene.numbers.sky.cumulus.extinction = 0.05f;
+  for (const float light : left(scene, up, 0.0f, INFINITY, 1e5f)) EXPECT_LT(light, 10.0f);
+  // Thin clouds leave what they do not hide.
+  scene.numbers.sky.cumulus.extinction = 1e-4f;
+  for (const float light : left(scene, up, 0.0f, INFINITY, 1e5f)) EXPECT_GT(light, 5e4f);
 }
 
 TEST_P(Cumulus, LeavesNumbersInEveryDirection) {

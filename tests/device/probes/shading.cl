@@ -93,14 +93,14 @@ __kernel void probe_cloud_shadow(__global const AeroScene* scene,
 __kernel void probe_clouds(__global const AeroScene* scene, __global const AeroSkyCell* sky_table,
                            __global const AeroChartWord* cloud_chart, __global const float* origins,
                            __global const float* directions, __global const float* distances,
-                           __global float* arriving) {
+                           const float behind, const float shift, __global float* arriving) {
   const SceneView view = scene_view(scene, sky_table, cloud_chart, 0);
   Ray ray;
   ray.origin = load3(origins);
   ray.direction = load3(directions);
   ray.t_max = (lane_float)INFINITY;
-  const Lane3 white = lane3((lane_float)1.0f, (lane_float)1.0f, (lane_float)1.0f);
-  store3_planes(behind_clouds(&view, white, &ray, LOAD(distances), 0.05f, (lane_float)0.5f),
+  const Lane3 light = lane3((lane_float)behind, (lane_float)behind, (lane_float)behind);
+  store3_planes(behind_clouds(&view, light, &ray, LOAD(distances), 0.05f, (lane_float)shift),
                 arriving);
 }
 
@@ -132,7 +132,7 @@ __kernel void probe_clouds_finely(__global const AeroScene* scene,
   Lane3 light = lane3(seen, seen, seen);
   CloudMarch march;
   for (int lit = 0; lit < 2; ++lit) {
-    march = start_march(clouds, &ray, ray.t_max);
+    march = start_march(clouds, &ray, ray.t_max, (lane_float)0.5f);
     for (int i = 0; i < 1000000; ++i) {
       const lane_int on = lane_mask(march.t < march.end) & lane_mask(march.through > 1e-3f);
       if (!lane_any(on)) break;
