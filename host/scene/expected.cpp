@@ -114,13 +114,16 @@ std::string expected_by(const Json& rule) {
 }
 
 std::string nearest_word(const std::string& text, const std::vector<std::string>& words) {
-  const auto cost = [&text](const std::string& word) {
-    const bool abbreviates = text.size() >= 3 && word.compare(0, text.size(), text) == 0;
-    return abbreviates ? std::size_t{1} : edit_distance(text, word);
-  };
   if (text.size() > 64) return "";
   std::string best;
   std::size_t best_cost = std::max<std::size_t>(2, text.size() / 3) + 1;
+  const auto cost = [&text, &best_cost](const std::string& word) {
+    const bool abbreviates = text.size() >= 3 && word.compare(0, text.size(), text) == 0;
+    if (abbreviates) return std::size_t{1};
+    // A difference in length takes as many edits, which is too many for most words.
+    const auto [shorter, longer] = std::minmax({text.size(), word.size()});
+    return longer - shorter >= best_cost ? longer - shorter : edit_distance(text, word);
+  };
   for (const std::string& word : words) {
     const std::size_t word_cost = cost(word);
     if (word_cost >= best_cost || word_cost >= word.size()) continue;

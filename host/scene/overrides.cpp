@@ -3,7 +3,11 @@
 #include <algorithm>
 #include <charconv>
 #include <iterator>
+#include <map>
+#include <mutex>
 #include <system_error>
+#include <tuple>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -78,6 +82,21 @@ const Json* usual_element(const std::string& list) {
     return Json{{"balloons", all["balloons"][0]}, {"objects", all["objects"][0]}};
   }();
   return usual.contains(list) ? &usual[list] : nullptr;
+}
+
+/// Returns the JSON of the defaults of a document's biome, view and mood. To make it takes longer
+/// than all else that an override needs, so each is made once and kept.
+const Json& usual_values(const Json& document) {
+  static std::mutex mutex;
+  static std::map<std::tuple<BiomeKind, View, Mood>, Json> kept;
+  const std::tuple key(biome_of(document), view_of(document), mood_of(document));
+  const std::lock_guard lock(mutex);
+  auto found = kept.find(key);
+  if (found == kept.end()) {
+    Json made(to_json(std::apply(defaults, key)));
+    found = kept.emplace(key, std::move(made)).first;
+  }
+  return found->second;
 }
 
 /// Returns the node that `pointer` names, and creates it if it does not exist.
@@ -185,9 +204,7 @@ void apply_overrides(Json& document, const std::vector<Override>& overrides, Fau
     const Pointer pointer = parse_pointer(change.pointer);
     settle_sun(document, pointer);
     settle_colors(document, pointer);
-    const Json defaults_json =
-        Json(to_json(defaults(biome_of(document), view_of(document), mood_of(document))));
-    reach(document, defaults_json, pointer, faults.name()) = override_value(change);
+    reach(document, usual_values(document), pointer, faults.name()) = override_value(change);
     faults.set_overridden(pointer);
     expand_short_forms(document);
   }

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <filesystem>
 #include <tuple>
+#include <utility>
 
 #include <gtest/gtest.h>
 
@@ -311,6 +312,18 @@ TEST(SceneOverride, ReachesIntoDefaultArrays) {
   EXPECT_FLOAT_EQ(scene.balloon.colors[1].x, 0.5f);
   EXPECT_EQ(scene.balloon.colors[1].y, usual.balloon.colors[1].y);
   EXPECT_EQ(*scene.camera.position, dvec3(usual.camera.position->x, 44, usual.camera.position->z));
+}
+
+TEST(SceneOverride, TakesTheArraysOfEachBiomeThatIsReadInTurn) {
+  for (const auto& [name, biome] :
+       {std::pair("tropical", BiomeKind::tropical), std::pair("snow", BiomeKind::snow),
+        std::pair("sand", BiomeKind::sand)}) {
+    const auto usual = defaults(biome, View::outside).air.ground_albedo;
+    const Scene scene = read("", {{"/biome", name}, {"/air/ground_albedo/0", "0.25"}});
+    EXPECT_FLOAT_EQ(scene.air.ground_albedo.x, 0.25f);
+    EXPECT_EQ(scene.air.ground_albedo.y, usual.y) << name;
+    EXPECT_EQ(scene.air.ground_albedo.z, usual.z) << name;
+  }
 }
 
 TEST(SceneOverride, OfTheSunReplacesTheOtherForm) {
