@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "core/log.hpp"
 #include "core/smooth_step.hpp"
 #include "film/keys.hpp"
 #include "film/traffic.hpp"
@@ -71,7 +72,7 @@ void Balloons::set_course(std::size_t index, const Course& course) {
 }
 
 /// Finds a course for each balloon of the festival, one after the other, so that none meets those
-/// before it.
+/// before it. Warns if there is no room for some.
 void Balloons::keep_apart(const scene::Scene& start, const SteeredAt& steered_at,
                           std::size_t festival) {
   scene::Scene scene = start;
@@ -82,6 +83,8 @@ void Balloons::keep_apart(const scene::Scene& start, const SteeredAt& steered_at
     traffic.add(traffic.way_of(
         [&](double time_s) { return steered_at(i, time_s).value_or(place(i, time_s)); }));
   }
+  int crowded = 0;
+  double nearest_m = start.festival.apart_m;
   for (std::size_t i = festival; i < all.size(); ++i) {
     Courses courses(start.festival, film_, i - festival, all[i]->position.y);
     Course best;
@@ -97,7 +100,15 @@ void Balloons::keep_apart(const scene::Scene& start, const SteeredAt& steered_at
     }
     set_course(i, best);
     traffic.add(std::move(way));
+    if (room_m < start.festival.apart_m) ++crowded;
+    nearest_m = std::min(nearest_m, room_m);
   }
+  if (crowded == 0) return;
+  warn(fmt::format(
+      "no free course was found for {} of the balloons of /festival, and the nearest come "
+      "within {:.0f} m of each other (/festival/apart_m is {:g}): fewer balloons or a "
+      "larger /festival/spread_m give them room",
+      crowded, nearest_m, start.festival.apart_m));
 }
 
 /// Returns the height of a balloon above the level that it counts from.

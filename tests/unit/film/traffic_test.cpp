@@ -11,6 +11,7 @@
 
 #include <gtest/gtest.h>
 
+#include "core/log.hpp"
 #include "film/course.hpp"
 #include "film/timeline.hpp"
 #include "scene/balloons.hpp"
@@ -78,6 +79,19 @@ TEST(Traffic, BalloonsOfAFestivalNeverMeet) {
       EXPECT_GT(least, scene::Festival().apart_m - 1.0) << film << " seed " << seed;
     }
   }
+}
+
+TEST(Traffic, AFestivalWithoutRoomIsTold) {
+  terrain::ReliefCache reliefs;
+  std::vector<std::string> told;
+  const LogSink before = set_log_sink([&](const std::string& message) { told.push_back(message); });
+  const Timeline roomy(crowd(1, "").with({{"/festival/count", "5"}}), reliefs);
+  EXPECT_TRUE(told.empty()) << told.front();
+  const auto steep = crowd(1, "").with({{"/festival/count", "30"}, {"/festival/apart_m", "60"}});
+  const Timeline crowded(steep, reliefs);
+  set_log_sink(before);
+  ASSERT_EQ(told.size(), 1u);
+  EXPECT_NE(told.front().find("no free course was found for"), std::string::npos) << told.front();
 }
 
 TEST(Traffic, ABalloonThatMeetsNobodyKeepsItsCourse) {
