@@ -17,7 +17,7 @@ __kernel void trace_camera_rays(const AeroLaunch launch, __global const AeroBvhN
    * centre. */
   const PixelPacket block = pixel_packet(&tile, first);
   lane_float dx, dy;
-  filter_offset(&frame, block.sample, &dx, &dy);
+  sample_offset(&frame, block.sample, &dx, &dy);
   TracedPacket packets[BUNDLE];
   for (uint i = 0u; i < BUNDLE; ++i) {
     /* Blocks beyond the tile's last one lie below the tile, and their lanes are off. */

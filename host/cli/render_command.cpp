@@ -21,11 +21,13 @@
 #include "core/stop_scope.hpp"
 #include "core/stopwatch.hpp"
 #include "denoise/denoise.hpp"
+#include "image/pixel_filter.hpp"
 #include "image/write.hpp"
 #include "map/map_view.hpp"
 #include "map/own_grid.hpp"
 #include "render/scene_cache.hpp"
 #include "render/session.hpp"
+#include "render/settings.hpp"
 #include "scene/scene.hpp"
 
 namespace aerostat::cli {
@@ -125,6 +127,7 @@ Opened open_session(const RenderOptions& options, PictureFormat format,
   session_options.cache = cache;
   session_options.contents = contents_of(options, format);
   session_options.guides = has_guides(options, format);
+  session_options.filtered = !options.denoise;
   Opened opened{std::make_unique<render::Session>(session_options), session_options.devices,
                 watch.seconds()};
   opened.session->begin_kernels(test.integrator);
@@ -209,7 +212,10 @@ int render(RenderOptions options) {
   bar.clear();
   warn_of_nan(film);
   phase.restart();
-  if (options.denoise) denoise::denoise(film, {.stop = course.token()});
+  if (options.denoise) {
+    denoise::denoise(film, {.stop = course.token()});
+    image::filter_pixels(film, render::side_weight_of(scene.image.filter));
+  }
   seconds.denoising = phase.restart();
   const auto bytes = encode(film, format, scene, options.shard.has_value(), map);
   seconds.encoding = phase.restart();

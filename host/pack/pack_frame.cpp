@@ -6,7 +6,7 @@
 
 #include "core/copy.hpp"
 #include "pack/pack_scene.hpp"
-#include "rules/pixel_filter.h"
+#include "rules/sample_square.h"
 #include "scene/pixel_size.hpp"
 #include "scene/scene.hpp"
 #include "scene/view_axes.hpp"
@@ -23,18 +23,6 @@ constexpr double kNearestFocusM = 0.01;
 constexpr double kFarM = 8192.0;
 constexpr double kBeforeWorldM = 100.0;
 
-std::uint32_t filter_of(scene::Filter filter) {
-  switch (filter) {
-    case scene::Filter::box:
-      return AERO_FILTER_BOX;
-    case scene::Filter::tent:
-      return AERO_FILTER_TENT;
-    case scene::Filter::gaussian:
-      return AERO_FILTER_GAUSSIAN;
-  }
-  return AERO_FILTER_GAUSSIAN;
-}
-
 /// A stride that visits all of `samples` strata and leaps by about 0.38 of them, so that any first
 /// few of them are spread evenly.
 std::uint32_t spreading_stride(std::uint32_t samples) {
@@ -50,7 +38,7 @@ vec2 mean_offset(const AeroFrame& frame) {
   dvec2 sum(0.0);
   for (std::uint32_t sample = 0; sample < frame.samples; ++sample) {
     float dx = 0.0f, dy = 0.0f;
-    rules::filter_offset(&frame, sample, &dx, &dy);
+    rules::sample_offset(&frame, sample, &dx, &dy);
     sum += dvec2(dx, dy);
   }
   return vec2(sum / static_cast<double>(frame.samples));
@@ -121,18 +109,17 @@ AeroFrame pack_frame(const scene::ResolvedScene& scene, const bvh::Bounds& world
   frame.camera = pack_camera(scene, world);
   frame.width = static_cast<std::uint32_t>(scene->image.width);
   frame.height = static_cast<std::uint32_t>(scene->image.height);
-  frame.filter = filter_of(scene->image.filter);
   frame.samples = static_cast<std::uint32_t>(scene->image.spp);
   frame.sample_stride = spreading_stride(frame.samples);
   frame.progressive = scene->image.adaptive_threshold > 0.0 ? 1u : 0u;
   const scene::PixelSize pixel = scene::pixel_size(*scene);
   frame.pixel_angle = static_cast<float>(pixel.angle_rad);
   frame.pixel_width = static_cast<float>(pixel.width_m);
-  frame.filter_scale = 1.0f;
+  frame.sample_spread = 1.0f;
   frame.sample_shift = scene->image.seed * 0x9e3779b9u;
   const vec2 mean = mean_offset(frame);
-  frame.filter_mean[0] = mean.x;
-  frame.filter_mean[1] = mean.y;
+  frame.sample_mean[0] = mean.x;
+  frame.sample_mean[1] = mean.y;
   return frame;
 }
 

@@ -6,6 +6,8 @@
 
 #include <oneapi/tbb/parallel_for.h>
 
+#include "image/pixel_filter.hpp"
+
 namespace aerostat::render {
 namespace {
 
@@ -40,11 +42,17 @@ void store_layers(image::Film& film, std::size_t i, const AeroFilmPixel& pixel) 
   film.samples[i] = pixel.samples;
 }
 
-Counts store_row(image::Film& film, std::size_t first, std::span<const AeroFilmPixel> pixels) {
+/// Stores a row of pixels whose first one is pixel `x0` of the image, and counts those inside
+/// `counted`, which may be none.
+Counts store_row(image::Film& film, std::size_t first, std::span<const AeroFilmPixel> pixels,
+                 int x0, const Crop& counted) {
   Counts counts;
   for (std::size_t x = 0; x < pixels.size(); ++x) {
     const AeroFilmPixel& pixel = pixels[x];
-    counts.nan_pixels += store_light(film, first + x, pixel) ? 0 : 1;
+    const bool finite = store_light(film, first + x, pixel);
+    const int column = x0 + static_cast<int>(x);
+    if (column < counted.x0 || column >= counted.x1) continue;
+    counts.nan_pixels += finite ? 0 : 1;
     counts.samples += pixel.samples;
     // The coverage is a sum of whole numbers.
     counts.hits += static_cast<std::uint64_t>(pixel.coverage);
@@ -99,8 +107,8 @@ void for_bands(const FilmRows& part, const FilmArea& area, Read&& read) {
   }
 }
 
-/// Calls `store(first, row)` for each row of a band on all cores: with the place of its first pixel
-/// in the film, and its elements in the crop.
+/// Calls `store(y, first, row)` for each row of a band on all cores: with the place of its first
+/// pixel in the film, and its elements in the crop.
 template <typename T, typename Store>
 void for_rows(const Band& band, const FilmArea& area, std::span<const T> elements, Store&& store) {
   const auto width = static_cast<std::size_t>(area.crop.x1 - area.crop.x0);
@@ -108,38 +116,54 @@ void for_rows(const Band& band, const FilmArea& area, std::span<const T> element
   const auto left = static_cast<std::size_t>(area.crop.x0 - area.window.x0);
   tbb::parallel_for(band.y0, band.y1, [&](int y) {
     const std::size_t row = static_cast<std::size_t>(y - band.y0) * columns;
-    store(static_cast<std::size_t>(y - area.crop.y0) * width, elements.subspan(row + left, width));
+    store(y, static_cast<std::size_t>(y - area.crop.y0) * width,
+          elements.subspan(row + left, width));
   });
 }
 
 void read_guides(const FilmRows& part, const FilmArea& area, image::Film& film) {
   for_bands(part, area, [&](const Band& band) {
     part.film->guides.look_at(band.first, band.count, [&](std::span<const AeroFilmGuide> guides) {
-      for_rows(band, area, guides, [&](std::size_t first, std::span<const AeroFilmGuide> row) {
+      for_rows(band, area, guides, [&](int, std::size_t first, std::span<const AeroFilmGuide> row) {
         for (std::size_t x = 0; x < row.size(); ++x) store_guide(film, first + x, row[x]);
       });
     });
   });
 }
 
+/// Returns the area of the crop and those neighbours of its pixels that the filter reads.
+FilmArea with_neighbours(FilmArea area) {
+  if (area.side_weight <= 0.0f) return area;
+  area.crop = {std::max(area.crop.x0 - 1, 0), std::max(area.crop.y0 - 1, 0),
+               std::min(area.crop.x1 + 1, area.image_width),
+               std::min(area.crop.y1 + 1, area.image_height)};
+  return area;
+}
+
 }  // namespace
 
 ReadFilm read_film(std::span<const FilmRows> parts, const FilmArea& area, Layers layers) {
-  image::Film film = empty_film(area, layers);
+  const FilmArea wide = with_neighbours(area);
+  image::Film film = empty_film(wide, layers);
   Counts all;
   std::mutex counting;
   for (const FilmRows& part : parts) {
-    for_bands(part, area, [&](const Band& band) {
+    for_bands(part, wide, [&](const Band& band) {
       part.film->pixels.look_at(band.first, band.count, [&](std::span<const AeroFilmPixel> pixels) {
-        for_rows(band, area, pixels, [&](std::size_t first, std::span<const AeroFilmPixel> row) {
-          const Counts counts = store_row(film, first, row);
-          const std::lock_guard lock(counting);
-          all.add(counts);
-        });
+        for_rows(band, wide, pixels,
+                 [&](int y, std::size_t first, std::span<const AeroFilmPixel> row) {
+                   const bool is_counted = y >= area.crop.y0 && y < area.crop.y1;
+                   const Counts counts =
+                       store_row(film, first, row, wide.crop.x0, is_counted ? area.crop : Crop{});
+                   const std::lock_guard lock(counting);
+                   all.add(counts);
+                 });
       });
     });
-    if (layers == Layers::all) read_guides(part, area, film);
+    if (layers == Layers::all) read_guides(part, wide, film);
   }
+  image::filter_pixels(film, area.side_weight);
+  image::cut_to(film, {area.crop.x0, area.crop.y0}, {area.crop.x1, area.crop.y1});
   film.nan_pixels = all.nan_pixels;
   return {std::move(film), all.samples, all.hits};
 }

@@ -29,6 +29,9 @@ struct FilmArea {
   Crop window;
   /// The pixels that are read. They lie inside the window.
   Crop crop;
+  /// The weight of either neighbour in the filter of the pixels (image::filter_pixels). If it is not
+  /// 0, the window holds all neighbours of the crop that the image has.
+  float side_weight = 0.0f;
 };
 
 /// The layers of a film: the light alone, the light and what the samples hit, or also the guides of
@@ -41,8 +44,9 @@ inline Layers layers_of(const Options& options) {
   return options.contents == Contents::picture ? Layers::light_alone : Layers::hits;
 }
 
-/// Reads the pixels of the crop, whose rows are among `parts`, and averages their samples. Pixels
-/// that are NaN or infinite become black and are counted.
+/// Reads the pixels of the crop and their neighbours, whose rows are among `parts`, averages their
+/// samples, and filters them. Pixels that are NaN or infinite become black and are counted. What is
+/// counted is that of the crop.
 ReadFilm read_film(std::span<const FilmRows> parts, const FilmArea& area,
                    Layers layers = Layers::all);
 

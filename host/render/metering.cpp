@@ -32,7 +32,7 @@ AeroFrame metering_frame(const AeroFrame& frame) {
   const double across = width / metering.width, down = height / metering.height;
   stretch(metering.camera.step_x, across);
   stretch(metering.camera.step_y, down);
-  metering.filter_scale = static_cast<float>(1.0 / std::max(across, down));
+  metering.sample_spread = static_cast<float>(1.0 / std::max(across, down));
   metering.samples = std::bit_floor(std::min(frame.samples, kMeteringSamples));
   metering.sample_stride = 1;
   return metering;

@@ -13,6 +13,7 @@ PassPlan::PassPlan(const scene::Image& image, const Crop& crop, int lanes)
       height_(image.height),
       samples_(image.spp),
       adaptive_(image.adaptive_threshold > 0.0),
+      is_filtered_(image.filter != scene::Filter::box),
       lanes_(lanes) {}
 
 int PassPlan::samples_from(int done) const {
@@ -37,7 +38,7 @@ int PassPlan::decisions_after(int done) const {
 }
 
 Crop PassPlan::area_from(int done) const {
-  const int apron = decisions_after(done);
+  const int apron = decisions_after(done) + (is_filtered_ ? 1 : 0);
   return {std::max(crop_.x0 - apron, 0), std::max(crop_.y0 - apron, 0),
           std::min(crop_.x1 + apron, width_), std::min(crop_.y1 + apron, height_)};
 }

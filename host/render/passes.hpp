@@ -11,7 +11,7 @@ namespace aerostat::render {
 /// adaptive, the number of samples of a pixel depends on its neighbours, and theirs on their
 /// neighbours. The crop is therefore surrounded by an apron of pixels that are rendered too, so
 /// that the crop is the same as in the whole image. The apron is one pixel wide for each decision
-/// that is still to come.
+/// that is still to come, and another one if pixels are filtered with their neighbours.
 class PassPlan {
  public:
   /// Plans the passes of `crop`. `lanes` is the width of the widest packets.
@@ -43,7 +43,7 @@ class PassPlan {
   /// The size of the image in pixels.
   int width_, height_;
   int samples_;
-  bool adaptive_;
+  bool adaptive_, is_filtered_;
   int lanes_;
 };
 

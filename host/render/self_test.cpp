@@ -135,6 +135,8 @@ scene::Scene scene_of(scene::Integrator integrator) {
   scene.camera.position = {0.0, kEyeHeight_m, 0.0};
   scene.camera.target = {0.0, 0.0, 0.0};
   scene.camera.up = {0.0, 0.0, -1.0};
+  // Each pixel has the light of its own ray.
+  scene.image.filter = scene::Filter::box;
   scene.image.width = kWidth;
   scene.image.height = kHeight;
   scene::set_quality(scene, scene::Quality::draft);

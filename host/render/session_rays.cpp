@@ -148,7 +148,8 @@ image::Film Session::State::trace(const scene::ResolvedScene& resolved, const Cr
   const scene::Scene& scene = *resolved;
   const AeroFrame metering = metering_frame(whole);
   const PassPlan plan(scene.image, crop, team.lanes());
-  const FilmArea area{scene.image.width, scene.image.height, plan.area_from(0), crop};
+  const FilmArea area{scene.image.width, scene.image.height, plan.area_from(0), crop,
+                      options.filtered ? side_weight_of(scene.image.filter) : 0.0f};
   const bool is_metered = options.contents != Contents::layers && !scene.image.exposure_ev;
   const bool meters_itself = takes_all_rays_of(metering, whole, crop, plan);
   if (is_metered && !meters_itself && !course.from) meter(metering);
@@ -162,7 +163,11 @@ image::Film Session::State::trace(const scene::ResolvedScene& resolved, const Cr
   trace_passes(scene, whole, area, plan, course, queue);
   image::Film read = read_passes(scene, area, queue);
   if (is_metered && meters_itself) {
-    metered_ev = read.metered_ev = image::automatic_exposure_ev(read);
+    // Metering sees pixels without their filter.
+    FilmArea plain = area;
+    plain.side_weight = 0.0f;
+    metered_ev = read.metered_ev = image::automatic_exposure_ev(
+        read_film(team.film_rows(queue), plain, Layers::light_alone).film);
   }
   finish(area, queue);
   stats.rays_seconds = rays_watch.seconds();

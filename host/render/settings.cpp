@@ -36,6 +36,18 @@ bool takes_all_rays_of(const AeroFrame& metering, const AeroFrame& whole, const 
          static_cast<std::uint32_t>(plan.samples_from(0)) == whole.samples;
 }
 
+float side_weight_of(scene::Filter filter) {
+  switch (filter) {
+    case scene::Filter::box:
+      return 0.0f;
+    case scene::Filter::tent:
+      return 1.0f / 24.0f;
+    case scene::Filter::gaussian:
+      return 1.0f / 12.0f;
+  }
+  return 0.0f;
+}
+
 Crop checked_crop(const scene::Image& image, const std::optional<Crop>& crop) {
   const Crop all{0, 0, image.width, image.height};
   if (!crop) return all;

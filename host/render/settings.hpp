@@ -29,6 +29,12 @@ AeroConvergence convergence_of(const scene::Image& image, const dvec3& daylight,
 bool takes_all_rays_of(const AeroFrame& metering, const AeroFrame& whole, const Crop& crop,
                        const PassPlan& plan);
 
+/// Returns the weight of either neighbour by which image::filter_pixels() makes a filter of pixels
+/// whose samples lie in their squares. The variance of a square along an axis is 1/12, and twice the
+/// weight adds to it: up to 1/6, that of a tent two pixels wide, or up to 1/4, that of a normal
+/// distribution with a sigma of half a pixel.
+float side_weight_of(scene::Filter filter);
+
 /// Returns the crop, or the whole image. Throws Error{usage} if the crop is not inside the image.
 Crop checked_crop(const scene::Image& image, const std::optional<Crop>& crop);
 

@@ -29,28 +29,24 @@ typedef struct AeroCamera {
 
 AERO_ASSERT_LAYOUT(AeroCamera, 100);
 
-#define AERO_FILTER_BOX 0
-#define AERO_FILTER_TENT 1
-#define AERO_FILTER_GAUSSIAN 2
-
 /* Parameters that change from frame to frame but not within a frame. */
 typedef struct AeroFrame {
   AeroCamera camera;
-  aero_uint width, height; /* size of the image, pixels */
-  aero_uint filter;        /* one of AERO_FILTER_... */
-  aero_uint samples;       /* samples of a pixel in all; 1 takes its centre */
-  aero_uint sample_stride; /* stride in the order of strata, coprime to `samples` */
-  aero_uint sample_shift;  /* shift of the pattern by the seed; 2^32 is a full turn */
-  aero_uint progressive;   /* 1 if a pixel may stop after its first samples */
-  aero_float pixel_angle;  /* radians across one pixel in the middle of the image */
-  aero_float pixel_width;  /* metres across one pixel, added to its angle times distance */
-  aero_float filter_scale; /* scale of the filter: 1, or less if a pixel is made of several */
+  aero_uint width, height;  /* size of the image, pixels */
+  aero_uint samples;        /* samples of a pixel in all; 1 takes its centre */
+  aero_uint sample_stride;  /* stride in the order of strata, coprime to `samples` */
+  aero_uint sample_shift;   /* shift of the pattern by the seed; 2^32 is a full turn */
+  aero_uint progressive;    /* 1 if a pixel may stop after its first samples */
+  aero_float pixel_angle;   /* radians across one pixel in the middle of the image */
+  aero_float pixel_width;   /* metres across one pixel, added to its angle times distance */
+  aero_float sample_spread; /* width of the square in which samples lie: 1 pixel, or less if a pixel
+                             * is made of several */
   /* The mean offset of the samples of a pixel, which is taken off each of them, pixels. It is part
    * of the pattern, so that the mean place of a few samples is the centre of the pixel. */
-  aero_float filter_mean[2];
+  aero_float sample_mean[2];
 } AeroFrame;
 
-AERO_ASSERT_LAYOUT(AeroFrame, 148);
+AERO_ASSERT_LAYOUT(AeroFrame, 144);
 
 /* The work of one launch: blocks of pixels, each of which is one packet of lanes. A packet holds
  * 2^log2_w x 2^log2_h pixels with 2^log2_samples samples each, and the product of these numbers is
@@ -82,6 +78,6 @@ typedef struct AeroLaunch {
   AeroWindow film;
 } AeroLaunch;
 
-AERO_ASSERT_LAYOUT(AeroLaunch, 204);
+AERO_ASSERT_LAYOUT(AeroLaunch, 200);
 
 #endif

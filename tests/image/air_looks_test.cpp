@@ -70,6 +70,7 @@ TEST(Dusk, IsShownDarkAndBlueAndNightDarker) {
 TEST(ThickHaze, IsShownGreyAndHidesWhatIsFar) {
   for (const double visibility_m : {50.0, 200.0, 500.0}) {
     scene::Scene scene = unlit_snow();
+    scene.image.filter = scene::Filter::box;
     scene.haze.visibility_m = visibility_m;
     scene::set_haze_droplets(scene.haze, visibility_m);
     const Shown haze(scene);

@@ -116,8 +116,12 @@ TEST(CropAtFinal, HoldsPixelsThatTheirNeighboursDecide) {
 }
 
 TEST(Metering, OfASmallDraftTakesNoRaysOfItsOwn) {
-  const image::Film film = shared_session().render(resolved(scene_of(scene::Quality::draft)));
+  scene::Scene scene = scene_of(scene::Quality::draft);
+  const double filtered = shared_session().render(resolved(scene)).metered_ev;
+  scene.image.filter = scene::Filter::box;
+  const image::Film film = shared_session().render(resolved(scene));
   EXPECT_EQ(film.metered_ev, image::automatic_exposure_ev(film));
+  EXPECT_EQ(film.metered_ev, filtered) << "metering sees no filter";
   EXPECT_EQ(shared_session().snapshot().metered_ev, film.metered_ev);
   EXPECT_EQ(shared_session().stats().metering_seconds, 0.0);
 }
@@ -173,7 +177,7 @@ TEST(Metering, CoversPicturesOfAnyShapeByFewRays) {
     EXPECT_NEAR(across, picture[0], 1e-6 * picture[0]);
     EXPECT_NEAR(down, picture[1], 1e-6 * picture[1]);
     EXPECT_EQ(metering.samples, render::kMeteringSamples);
-    EXPECT_LE(metering.filter_scale * metering.camera.step_x[0], 1.0f) << "within a pixel";
+    EXPECT_LE(metering.sample_spread * metering.camera.step_x[0], 1.0f) << "within a pixel";
   }
 }
 
@@ -193,6 +197,7 @@ scene::Image image_of(int samples, double threshold) {
   image.height = 100;
   image.spp = samples;
   image.adaptive_threshold = threshold;
+  image.filter = scene::Filter::box;
   return image;
 }
 
@@ -217,6 +222,15 @@ TEST(PassPlan, ShrinksTheApronWithEveryDecision) {
   EXPECT_EQ(sides(plan.area_from(32)), (std::array{49, 0, 61, 51}));
   EXPECT_EQ(sides(plan.area_from(48)), (std::array{50, 1, 60, 50}));
   EXPECT_EQ(plan.rays(), 16u * 16 * 53 + 16u * 14 * 52 + 16u * 12 * 51 + 2u * 10 * 49);
+}
+
+TEST(PassPlan, HasAnApronForTheFilterInEveryPass) {
+  scene::Image still = image_of(4, 0.0), adaptive = image_of(50, 0.01);
+  still.filter = adaptive.filter = scene::Filter::tent;
+  const Crop crop{50, 0, 60, 50};
+  EXPECT_EQ(sides(PassPlan(still, crop, 16).area_from(0)), (std::array{49, 0, 61, 51}));
+  EXPECT_EQ(sides(PassPlan(adaptive, crop, 16).area_from(0)), (std::array{46, 0, 64, 54}));
+  EXPECT_EQ(sides(PassPlan(adaptive, crop, 16).area_from(48)), (std::array{49, 0, 61, 51}));
 }
 
 TEST(PassPlan, IsOfAllSamplesInPassesThatEndWithARound) {

@@ -95,6 +95,7 @@ scene::Scene over_the_plain(const dvec3& where) {
   scene.terrain.base_m = where.y;
   scene.sun.irradiance = 3.0;
   scene.sun.direction = {0.4, 0.5, 0.6};
+  scene.image.filter = scene::Filter::box;
   scene.image.width = 240;
   scene.image.height = 180;
   return scene;

@@ -46,6 +46,7 @@ scene::Scene flat_land() {
   scene.haze.visibility_m = 1e12;
   scene.haze.albedo = vec3(0.0f);
   scene.material(scene::MaterialId::terrain) = {};
+  scene.image.filter = scene::Filter::box;
   scene.image.width = 64;
   scene.image.height = 48;
   scene::set_quality(scene, scene::Quality::draft);

@@ -209,10 +209,10 @@ TEST(Paths, AgreeWithAPlainEstimator) {
       packed.numbers.plain_paths = plain;
     };
     render::Session session(options(), hooks);
-    const Estimate with_rays = estimate(session, scene, 4);
+    const Estimate with_rays = estimate(session, scene, 6);
     plain = AERO_PATHS_PLAIN;
     scene.image.spp = 256;
-    expect_same(with_rays, estimate(session, scene, 5), 0.01);
+    expect_same(with_rays, estimate(session, scene, 6), 0.01);
   }
 }
 

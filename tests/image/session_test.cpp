@@ -302,6 +302,7 @@ TEST(Memory, TooSmallALimitIsSaidAndLeavesTheSessionUsable) {
 TEST(Stats, CountWhatWasTraced) {
   Session session(options());
   auto scene = small_scene("snow", {96, 64, 4, 128});
+  scene.image.filter = scene::Filter::box;
   scene.lights = {{scene.balloon.position, vec3(1.0f), 100.0, true},
                   {scene.balloon.position, vec3(1.0f), 100.0, false}};
   const image::Film film = session.render(resolved(scene));

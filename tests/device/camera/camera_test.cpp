@@ -5,7 +5,6 @@
 #include <bit>
 #include <cmath>
 #include <map>
-#include <numbers>
 #include <numeric>
 #include <random>
 #include <set>
@@ -27,7 +26,7 @@ AeroTile tile_of(Word x0, Word y0, Word x1, Word y1, Word log2_w, Word log2_h, W
 
 /// Returns a frame that looks along -z from (1, 2, 3). It spans 90 degrees across an image twice as
 /// wide as high.
-AeroFrame frame_of(Word width, Word height, Word samples, Word filter) {
+AeroFrame frame_of(Word width, Word height, Word samples) {
   AeroFrame frame{};
   const float step = 2.0f / static_cast<float>(width);
   frame.camera = {{1, 2, 3},        {-1.0f, 0.5f, -1.0f}, {step, 0, 0}, {0, -step, 0}, {1, 0, 0},
@@ -37,9 +36,8 @@ AeroFrame frame_of(Word width, Word height, Word samples, Word filter) {
   frame.height = height;
   frame.sample_stride = 37;
   frame.sample_shift = 0x12345678u;
-  frame.filter = filter;
   frame.samples = samples;
-  frame.filter_scale = 1.0f;
+  frame.sample_spread = 1.0f;
   return frame;
 }
 
@@ -103,22 +101,19 @@ void expect_near(const vec3& actual, const vec3& expected) {
 }
 
 TEST_P(Camera, OneSampleLooksThroughThePixelsCentre) {
-  for (const Word filter : {AERO_FILTER_BOX, AERO_FILTER_TENT, AERO_FILTER_GAUSSIAN}) {
-    // The image has 5 x 3 pixels, and the middle one looks straight ahead.
-    AeroLaunch launch{frame_of(5, 3, 1, Word(filter)), tile_of(2, 1, 3, 2, log2_lanes, 0, 0), {}};
-    launch.frame.camera.corner[1] = 0.6f;
-    const Rays rays = rays_of(probe, launch);
-    expect_near(from_planes(rays.direction, 0), {0, 0, -1});
-    expect_near(from_planes(rays.origin, 0), {1, 2, 3});
-    EXPECT_EQ(rays.t_max[0], kInfinity);
-  }
+  // The image has 5 x 3 pixels, and the middle one looks straight ahead.
+  AeroLaunch launch{frame_of(5, 3, 1), tile_of(2, 1, 3, 2, log2_lanes, 0, 0), {}};
+  launch.frame.camera.corner[1] = 0.6f;
+  const Rays rays = rays_of(probe, launch);
+  expect_near(from_planes(rays.direction, 0), {0, 0, -1});
+  expect_near(from_planes(rays.origin, 0), {1, 2, 3});
+  EXPECT_EQ(rays.t_max[0], kInfinity);
 }
 
 TEST_P(Camera, CornerPixelsLookAtTheCorners) {
   const Word width = 64, height = 32;
-  const AeroLaunch launch{frame_of(width, height, 1, AERO_FILTER_BOX),
-                          tile_of(0, 0, width, height, log2_lanes, 0, 0),
-                          {}};
+  const AeroLaunch launch{
+      frame_of(width, height, 1), tile_of(0, 0, width, height, log2_lanes, 0, 0), {}};
   const Rays rays = rays_of(probe, launch);
   const std::size_t count = std::size_t{width} * height;
   const auto x_of = output<Word>(count), y_of = output<Word>(count), sample = output<Word>(count);
@@ -141,8 +136,7 @@ TEST_P(Camera, CornerPixelsLookAtTheCorners) {
 }
 
 TEST_P(Camera, LanesOutsideTheTileAreOff) {
-  const AeroLaunch launch{
-      frame_of(64, 32, 1, AERO_FILTER_BOX), tile_of(0, 0, 1, 1, log2_lanes, 0, 0), {}};
+  const AeroLaunch launch{frame_of(64, 32, 1), tile_of(0, 0, 1, 1, log2_lanes, 0, 0), {}};
   const Rays rays = rays_of(probe, launch);
   EXPECT_EQ(rays.t_max[0], kInfinity);
   for (std::size_t i = 1; i < rays.t_max.size(); ++i) EXPECT_LT(rays.t_max[i], 0.0f);
@@ -180,26 +174,15 @@ Moments moments(const float* values, std::size_t count) {
   return m;
 }
 
-TEST_P(Camera, FiltersHaveTheirMeanWidthAndReach) {
+TEST_P(Camera, SamplesFillTheSquareOfTheirPixel) {
   const std::size_t count = 16384;
-  // The values belong to a normal distribution that is cut off at three sigma. They are in sigmas.
-  const double density = std::exp(-4.5) / std::sqrt(2.0 * std::numbers::pi);
-  const double cut_deviation = std::sqrt(1.0 - 6.0 * density / std::erf(3.0 / std::sqrt(2.0)));
-  const struct {
-    Word filter;
-    double deviation, reach;
-  } filters[] = {{AERO_FILTER_BOX, std::sqrt(1.0 / 12.0), 0.5},
-                 {AERO_FILTER_TENT, std::sqrt(1.0 / 6.0), 1.0},
-                 {AERO_FILTER_GAUSSIAN, 0.5 * cut_deviation, 1.5}};
-  for (const auto& f : filters) {
-    const Drawn drawn = draw(probe, frame_of(64, 64, count, f.filter), counted(count));
-    for (int axis = 0; axis < 2; ++axis) {
-      const Moments m = moments(drawn.offset.data() + (axis == 0 ? 0 : count), count);
-      EXPECT_NEAR(m.mean, 0.0, 0.001) << "filter " << f.filter << " axis " << axis;
-      EXPECT_NEAR(m.deviation, f.deviation, 0.001) << "filter " << f.filter << " axis " << axis;
-      EXPECT_LE(m.farthest, f.reach * 1.001) << "filter " << f.filter;
-      EXPECT_GT(m.farthest, f.reach * 0.95) << "filter " << f.filter;
-    }
+  const Drawn drawn = draw(probe, frame_of(64, 64, count), counted(count));
+  for (int axis = 0; axis < 2; ++axis) {
+    const Moments m = moments(drawn.offset.data() + (axis == 0 ? 0 : count), count);
+    EXPECT_NEAR(m.mean, 0.0, 0.001) << "axis " << axis;
+    EXPECT_NEAR(m.deviation, std::sqrt(1.0 / 12.0), 0.001) << "axis " << axis;
+    EXPECT_LE(m.farthest, 0.5) << "axis " << axis;
+    EXPECT_GT(m.farthest, 0.499) << "axis " << axis;
   }
 }
 
@@ -210,7 +193,7 @@ TEST_P(Camera, SamplesDoNotDependOnTheLane) {
   std::mt19937 random(9);
   std::shuffle(place.begin(), place.end(), random);
   for (Word i = 0; i < count; ++i) shuffled[place[i]] = i;
-  const AeroFrame frame = frame_of(64, 64, count, AERO_FILTER_GAUSSIAN);
+  const AeroFrame frame = frame_of(64, 64, count);
   const Drawn straight = draw(probe, frame, counted(count)), mixed = draw(probe, frame, shuffled);
   for (std::size_t i = 0; i < count; ++i) {
     ASSERT_EQ(straight.uv[i], mixed.uv[place[i]]);
@@ -221,7 +204,7 @@ TEST_P(Camera, SamplesDoNotDependOnTheLane) {
 
 TEST_P(Camera, SamplesFillTheSquareEvenly) {
   const std::size_t count = 64;
-  AeroFrame frame = frame_of(64, 64, count, AERO_FILTER_BOX);
+  AeroFrame frame = frame_of(64, 64, count);
   const Drawn first = draw(probe, frame, counted(count));
   std::set<int> columns, cells;
   for (std::size_t i = 0; i < count; ++i) {

@@ -11,14 +11,14 @@ __kernel void probe_packets(const AeroTile tile, __global uint* x, __global uint
   STORE(packet.active, active);
 }
 
-/* Stores the points in the unit square and the filter offsets of samples in any order. */
+/* Stores the points in the unit square and the offsets of samples in any order. */
 __kernel void probe_samples(const AeroFrame frame, __global const uint* samples, __global float* uv,
                             __global float* offset) {
   const AeroFrame task = frame;
   const lane_uint sample = LOAD(samples);
   lane_float u, v, dx, dy;
   sample_square(&task, sample, &u, &v);
-  filter_offset(&task, sample, &dx, &dy);
+  sample_offset(&task, sample, &dx, &dy);
   STORE(u, uv);
   STORE(v, uv + PLANE);
   STORE(dx, offset);
