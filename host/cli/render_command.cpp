@@ -134,6 +134,12 @@ Opened open_session(const RenderOptions& options, PictureFormat format,
   return opened;
 }
 
+/// Takes the noise out of a film whose pixels are not filtered yet, and filters them.
+void denoise_pixels(image::Film& film, scene::Filter filter, const std::stop_token& stop) {
+  denoise::denoise(film, {.stop = stop});
+  image::filter_pixels(film, render::side_weight_of(filter));
+}
+
 /// Keeps the session until the process ends. The system then frees all of its memory at once,
 /// which saves some 40 ms. The destructor, and with it the driver's compiler, would free the
 /// memory in small pieces.
@@ -212,10 +218,7 @@ int render(RenderOptions options) {
   bar.clear();
   warn_of_nan(film);
   phase.restart();
-  if (options.denoise) {
-    denoise::denoise(film, {.stop = course.token()});
-    image::filter_pixels(film, render::side_weight_of(scene.image.filter));
-  }
+  if (options.denoise) denoise_pixels(film, scene.image.filter, course.token());
   seconds.denoising = phase.restart();
   const auto bytes = encode(film, format, scene, options.shard.has_value(), map);
   seconds.encoding = phase.restart();

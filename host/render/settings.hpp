@@ -30,8 +30,8 @@ bool takes_all_rays_of(const AeroFrame& metering, const AeroFrame& whole, const 
                        const PassPlan& plan);
 
 /// Returns the weight of either neighbour by which image::filter_pixels() makes a filter of pixels
-/// whose samples lie in their squares. The variance of a square along an axis is 1/12, and twice the
-/// weight adds to it: up to 1/6, that of a tent two pixels wide, or up to 1/4, that of a normal
+/// whose samples lie in their squares. The variance of a square along an axis is 1/12, and twice
+/// the weight adds to it: up to 1/6, that of a tent two pixels wide, or up to 1/4, that of a normal
 /// distribution with a sigma of half a pixel.
 float side_weight_of(scene::Filter filter);
 
