@@ -67,8 +67,8 @@ struct Options {
   Contents contents = Contents::everything;
   /// Whether films also hold the albedos and normals that guide a denoiser. They take time.
   bool guides = false;
-  /// Whether pixels are filtered (/image/filter). A denoiser wants pixels that share no samples, and
-  /// image::filter_pixels() filters them later.
+  /// Whether pixels are filtered (/image/filter). A denoiser wants pixels that share no samples,
+  /// and image::filter_pixels() filters them later.
   bool filtered = true;
   /// The kinds of groups (world/group.hpp) that scenes have beside those of world::all_kinds.
   std::vector<const world::GroupKind*> more_kinds = {};
