@@ -29,8 +29,8 @@ struct FilmArea {
   Crop window;
   /// The pixels that are read. They lie inside the window.
   Crop crop;
-  /// The weight of either neighbour in the filter of the pixels (image::filter_pixels). If it is not
-  /// 0, the window holds all neighbours of the crop that the image has.
+  /// The weight of either neighbour in the filter of the pixels (image::filter_pixels). If it is
+  /// not 0, the window holds all neighbours of the crop that the image has.
   float side_weight = 0.0f;
 };
 
