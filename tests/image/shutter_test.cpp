@@ -28,7 +28,8 @@ scene::SceneSource crossing(const std::string& film) {
     "balloon": {"height_above": "sea", "position": [0, 2000, 0]},
     "camera": {"height_above": "sea", "position": [0, 2014, 150], "target": [0, 2014, 0],
                "fov_y_deg": 6},
-    "image": {"width": 160, "height": 48, "spp": 64, "exposure_ev": 0},
+    "image": {"width": 160, "height": 48, "spp": 64, "exposure_ev": 0,
+              "filter": "box"},
     "film": {"fps": 10, "duration_s": 1,
              "wind": [{"speed_m_s": 20, "from_deg": 270}], "turn_deg_s": 0, )" +
                                            film + "}}",
@@ -71,7 +72,7 @@ TEST(Shutter, MovingEdgesAreAsWideAsTheirWay) {
     EXPECT_NEAR(left_edge(film, kHeight / 2), 0.5 * way, 0.6) << angle;
   }
   film::Timeline closed(crossing("\"shutter_moments\": 32"), shared_cache()->reliefs);
-  // The pixel filter alone blurs it by a pixel or so.
+  // The width of a pixel alone blurs it by a pixel or so.
   EXPECT_LT(left_edge(frame_of(closed, 1), kHeight / 2), 1.6);
 }
 
