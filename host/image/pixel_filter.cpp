@@ -60,7 +60,9 @@ class LayerFilter {
     }
   }
 
-  /// Returns the weighted mean. By differences from the middle, equal pixels stay exactly equal.
+  /// Returns the weighted mean of a value and its two neighbours, of which either may be null. It
+  /// adds differences from the middle value, so that the mean of equal values is exactly their
+  /// value.
   T mean(const T* before, const T& middle, const T* after) const {
     if (before != nullptr && after != nullptr) {
       return middle + ((*before - middle) + (*after - middle)) * side_;

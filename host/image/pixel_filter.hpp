@@ -10,7 +10,8 @@ namespace aerostat::image {
 /// axes. Pixels beyond the film have no weight. `side` is 0 to 1/3.
 void filter_pixels(Film& film, float side);
 
-/// Leaves the pixels of a film that lie in a rectangle of the whole picture, first <= pixel < end.
+/// Removes all pixels of a film that lie outside of a rectangle. The corners of the rectangle are
+/// pixels of the whole picture; `end` is the first pixel beyond it.
 void cut_to(Film& film, const glm::ivec2& first, const glm::ivec2& end);
 
 }  // namespace aerostat::image

@@ -88,8 +88,8 @@ class CloudRows {
   CloudNoise broad_, rags_;
 };
 
-/// Returns what is left of sunlight behind each node of a row, by the excess of the coverage noise
-/// along the row.
+/// Fills in `left`, the share of sunlight that clouds leave at each node of a row. `excess` is the
+/// excess of the coverage noise over its threshold at the nodes of that row.
 void shade_row(const AeroCumulus& clouds, const SunAxes& axes, float cell,
                std::span<const float> excess, std::span<float> left) {
   const float step = CUMULUS_TALLEST / kCloudSteps;

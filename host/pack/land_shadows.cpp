@@ -26,7 +26,8 @@ class Lines {
   float last() const { return at_.back(); }
   bool has(float at) const { return at >= first() && at <= last(); }
 
-  /// Returns the cell of a coordinate between the lines, and the share of it that lies before.
+  /// Returns the number of the cell that holds a coordinate, and where in that cell the coordinate
+  /// lies, from 0 to 1.
   std::pair<std::uint32_t, float> cell_of(float at) const {
     const auto next = std::upper_bound(at_.begin() + 1, at_.end() - 1, at);
     const float from = *(next - 1);

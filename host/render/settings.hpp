@@ -29,10 +29,10 @@ AeroConvergence convergence_of(const scene::Image& image, const dvec3& daylight,
 bool takes_all_rays_of(const AeroFrame& metering, const AeroFrame& whole, const Crop& crop,
                        const PassPlan& plan);
 
-/// Returns the weight of either neighbour by which image::filter_pixels() makes a filter of pixels
-/// whose samples lie in their squares. The variance of a square along an axis is 1/12, and twice
-/// the weight adds to it: up to 1/6, that of a tent two pixels wide, or up to 1/4, that of a normal
-/// distribution with a sigma of half a pixel.
+/// Returns the weight of either neighbour with which image::filter_pixels() makes a filter. The
+/// samples of a pixel fill a square, whose variance along an axis is 1/12 of a squared pixel. The
+/// filter adds twice the weight to it. The sum is 1/6 for a tent two pixels wide, and 1/4 for a
+/// normal distribution with a sigma of half a pixel.
 float side_weight_of(scene::Filter filter);
 
 /// Returns the crop, or the whole image. Throws Error{usage} if the crop is not inside the image.

@@ -41,7 +41,7 @@ Film random_film(int width, int height) {
   return film;
 }
 
-/// Returns the pixels of a film inside first <= pixel < end.
+/// Returns the part of a film that lies in a rectangle. `end` is the first pixel beyond it.
 Film part_of(Film film, const glm::ivec2& first, const glm::ivec2& end) {
   cut_to(film, first, end);
   return film;
