@@ -1,6 +1,10 @@
 #include "embree_peer.hpp"
 
 #include <algorithm>
+#include <array>
+#include <cstddef>
+#include <variant>
+#include <vector>
 
 #include <oneapi/tbb/blocked_range.h>
 #include <oneapi/tbb/parallel_for.h>
@@ -10,22 +14,18 @@
 
 namespace aerostat::bench {
 
-struct EmbreePeer::State {
-  RTCDevice device = rtcNewDevice(nullptr);
-  RTCScene scene = rtcNewScene(device);
-
-  ~State() {
-    rtcReleaseScene(scene);
-    rtcReleaseDevice(device);
-  }
-};
-
 namespace {
 
-constexpr std::size_t kWidth = 16;
 constexpr std::uint32_t kGrain = 64;  // number of packets of a task
 
-void attach(RTCDevice device, RTCScene scene, const mesh::TriangleMesh& mesh) {
+/// Attaches a geometry to a scene, which keeps it.
+void attach(RTCScene scene, RTCGeometry geometry) {
+  rtcCommitGeometry(geometry);
+  rtcAttachGeometry(scene, geometry);
+  rtcReleaseGeometry(geometry);
+}
+
+void attach_mesh(RTCDevice device, RTCScene scene, const mesh::TriangleMesh& mesh) {
   RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE);
   auto* positions = static_cast<vec3*>(rtcSetNewGeometryBuffer(
       geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, sizeof(vec3), mesh.positions.size()));
@@ -33,9 +33,18 @@ void attach(RTCDevice device, RTCScene scene, const mesh::TriangleMesh& mesh) {
       geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, sizeof(uvec3), mesh.triangles.size()));
   std::copy(mesh.positions.begin(), mesh.positions.end(), positions);
   std::copy(mesh.triangles.begin(), mesh.triangles.end(), triangles);
-  rtcCommitGeometry(geometry);
-  rtcAttachGeometry(scene, geometry);
-  rtcReleaseGeometry(geometry);
+  attach(scene, geometry);
+}
+
+/// Attaches a model at the place of an instance.
+void attach_instance(RTCDevice device, RTCScene scene, RTCScene model,
+                     const scatter::Instance& instance) {
+  RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_INSTANCE);
+  rtcSetGeometryInstancedScene(geometry, model);
+  const scatter::Axes axes = scatter::axes_of(instance);
+  const std::array columns{axes.x, axes.y, axes.z, instance.position};
+  rtcSetGeometryTransform(geometry, 0, RTC_FORMAT_FLOAT3X4_COLUMN_MAJOR, columns.data());
+  attach(scene, geometry);
 }
 
 /// Runs f(first float of a packet) for all packets on all cores. Returns the seconds.
@@ -72,8 +81,9 @@ void set_ray(Ray& ray, const float* packet, std::size_t lanes, std::size_t i) {
   ray.flags = 0;
 }
 
-/// Sets sixteen rays and the flags that tell which of them are active.
-void set_rays(RTCRay16& rays, int* valid, const float* packet) {
+/// Sets the rays of a packet and the flags that tell which of them are active.
+template <std::size_t kWidth, typename Rays>
+void set_rays(Rays& rays, int* valid, const float* packet) {
   std::copy_n(packet, kWidth, rays.org_x);
   std::copy_n(packet + kWidth, kWidth, rays.org_y);
   std::copy_n(packet + 2 * kWidth, kWidth, rays.org_z);
@@ -90,12 +100,62 @@ void set_rays(RTCRay16& rays, int* valid, const float* packet) {
   }
 }
 
+template <std::size_t kWidth, typename Hits>
+double time_closest(const RaySet& rays, Coherence coherence, RTCScene scene) {
+  return over_packets(rays, [&](const float* packet) {
+    alignas(64) int valid[kWidth];
+    alignas(64) Hits hits;
+    set_rays<kWidth>(hits.ray, valid, packet);
+    std::fill_n(hits.hit.geomID, kWidth, RTC_INVALID_GEOMETRY_ID);
+    auto query = query_for(coherence);
+    query.closest(valid, scene, hits);
+  });
+}
+
+template <std::size_t kWidth, typename Rays>
+double time_occluded(const RaySet& rays, Coherence coherence, RTCScene scene) {
+  return over_packets(rays, [&](const float* packet) {
+    alignas(64) int valid[kWidth];
+    alignas(64) Rays occluded;
+    set_rays<kWidth>(occluded, valid, packet);
+    auto query = query_for(coherence);
+    query.occluded(valid, scene, occluded);
+  });
+}
+
 }  // namespace
+
+struct EmbreePeer::State {
+  RTCDevice device = rtcNewDevice(nullptr);
+  RTCScene scene = rtcNewScene(device);
+
+  ~State() {
+    rtcReleaseScene(scene);
+    rtcReleaseDevice(device);
+  }
+
+  /// Builds a tree for each model and attaches it wherever a plant stands.
+  void attach_plants(const world::Instances& plants) {
+    std::vector<RTCScene> models;
+    for (const world::InstanceModel& model : plants.models) {
+      models.push_back(rtcNewScene(device));
+      for (const world::Object& part : *model.parts) attach_mesh(device, models.back(), part.mesh);
+      rtcCommitScene(models.back());
+    }
+    for (const scatter::Instance& place : plants.places)
+      attach_instance(device, scene, models[place.model], place);
+    for (RTCScene model : models) rtcReleaseScene(model);  // the instances keep them
+  }
+};
 
 EmbreePeer::EmbreePeer(const render::HostGeometry& geometry) : state_(std::make_unique<State>()) {
   for (const auto& object : world::as_triangles(geometry.world))
-    attach(state_->device, state_->scene, object.mesh);
+    attach_mesh(state_->device, state_->scene, object.mesh);
   const Stopwatch watch;
+  for (const world::Group& group : geometry.world.groups) {
+    const auto* plants = group.shape ? std::get_if<world::Instances>(group.shape.get()) : nullptr;
+    if (plants != nullptr && plants->are_plants) state_->attach_plants(*plants);
+  }
   rtcCommitScene(state_->scene);
   commit_seconds_ = watch.seconds();
 }
@@ -104,7 +164,7 @@ EmbreePeer::~EmbreePeer() = default;
 
 double EmbreePeer::time_commit(const mesh::TriangleMesh& mesh) const {
   RTCScene scene = rtcNewScene(state_->device);
-  attach(state_->device, scene, mesh);
+  attach_mesh(state_->device, scene, mesh);
   const Stopwatch watch;
   rtcCommitScene(scene);
   const double seconds = watch.seconds();
@@ -135,25 +195,26 @@ double EmbreePeer::time_occluded_1(const RaySet& rays) const {
   });
 }
 
-double EmbreePeer::time_closest_16(const RaySet& rays, Coherence coherence) const {
-  return over_packets(rays, [&](const float* packet) {
-    alignas(64) int valid[kWidth];
-    alignas(64) RTCRayHit16 hits;
-    set_rays(hits.ray, valid, packet);
-    std::fill_n(hits.hit.geomID, kWidth, RTC_INVALID_GEOMETRY_ID);
-    auto query = query_for(coherence);
-    query.closest_16(valid, state_->scene, hits);
-  });
+double EmbreePeer::time_closest_packets(const RaySet& rays, Coherence coherence) const {
+  switch (rays.lanes) {
+    case 4:
+      return time_closest<4, RTCRayHit4>(rays, coherence, state_->scene);
+    case 8:
+      return time_closest<8, RTCRayHit8>(rays, coherence, state_->scene);
+    default:
+      return time_closest<16, RTCRayHit16>(rays, coherence, state_->scene);
+  }
 }
 
-double EmbreePeer::time_occluded_16(const RaySet& rays, Coherence coherence) const {
-  return over_packets(rays, [&](const float* packet) {
-    alignas(64) int valid[kWidth];
-    alignas(64) RTCRay16 ray;
-    set_rays(ray, valid, packet);
-    auto query = query_for(coherence);
-    query.occluded_16(valid, state_->scene, ray);
-  });
+double EmbreePeer::time_occluded_packets(const RaySet& rays, Coherence coherence) const {
+  switch (rays.lanes) {
+    case 4:
+      return time_occluded<4, RTCRay4>(rays, coherence, state_->scene);
+    case 8:
+      return time_occluded<8, RTCRay8>(rays, coherence, state_->scene);
+    default:
+      return time_occluded<16, RTCRay16>(rays, coherence, state_->scene);
+  }
 }
 
 }  // namespace aerostat::bench

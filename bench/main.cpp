@@ -33,6 +33,7 @@ struct Arguments {
   int rounds = 7;
   std::vector<std::string> against;  // folders of kernels
   bool peers = true;
+  bool plants = false;
   bool json = false;
 };
 
@@ -80,7 +81,7 @@ render::BuiltGeometry build(const Arguments& arguments) {
   scene::Scene scene = scene::read_file(arguments.scene, overrides);
   scene.image.width = arguments.width;
   scene.image.height = arguments.height;
-  scene.vegetation.enabled = false;  // Embree gets no instances here
+  if (!arguments.plants) scene.vegetation.enabled = false;
   world::ReliefCache reliefs;
   render::GeometryOptions options;
   options.reliefs = &reliefs;
@@ -98,6 +99,7 @@ ordered_json describe(const Arguments& arguments, const bench::DeviceBench& devi
           {"height", arguments.height},
           {"rounds", arguments.rounds},
           {"triangles", buffers.triangle_count()},
+          {"instances", buffers.instances.size()},
           {"bytes_per_triangle", static_cast<double>(buffers.bytes()) / triangles},
           {"tree_bytes_per_triangle", static_cast<double>(buffers.nodes.bytes()) / triangles},
           {"nodes", buffers.tree.nodes},
@@ -122,11 +124,12 @@ void add_peer(const bench::EmbreePeer& embree, const Kind& kind, std::vector<Ent
   entries.push_back({kind.name, name + "1", rays.active(), [&, any_hit = kind.any_hit] {
                        return any_hit ? embree.time_occluded_1(rays) : embree.time_closest_1(rays);
                      }});
-  if (rays.lanes != 16) return;
-  entries.push_back({kind.name, name + (kind.coherent ? "16, coherent" : "16"), rays.active(),
-                     [&, coherence, any_hit = kind.any_hit] {
-                       return any_hit ? embree.time_occluded_16(rays, coherence)
-                                      : embree.time_closest_16(rays, coherence);
+  if (rays.lanes == 1) return;
+  entries.push_back({kind.name,
+                     fmt::format("{}{}{}", name, rays.lanes, kind.coherent ? ", coherent" : ""),
+                     rays.active(), [&, coherence, any_hit = kind.any_hit] {
+                       return any_hit ? embree.time_occluded_packets(rays, coherence)
+                                      : embree.time_closest_packets(rays, coherence);
                      }});
 }
 
@@ -229,6 +232,7 @@ int main(int argc, char** argv) {
   app.add_option("--device", arguments.device, "OpenCL device, as for aerostat");
   app.add_option("--lanes", arguments.lanes, "Rays per work-item")
       ->check(CLI::IsMember({1, 4, 8, 16}));
+  app.add_flag("--plants", arguments.plants, "Keep the plants, which Embree gets as instances");
   app.add_option("--set", arguments.set, "/json/pointer=value");
   app.add_option("--kinds", arguments.kinds, "The kinds of rays to time, such as primary,shadow")
       ->delimiter(',')

@@ -23,10 +23,22 @@ class Query {
 
   void closest_1(RTCScene scene, RTCRayHit& hit) { rtcIntersect1(scene, &context_, &hit); }
   void occluded_1(RTCScene scene, RTCRay& ray) { rtcOccluded1(scene, &context_, &ray); }
-  void closest_16(const int* valid, RTCScene scene, RTCRayHit16& hits) {
+  void closest(const int* valid, RTCScene scene, RTCRayHit4& hits) {
+    rtcIntersect4(valid, scene, &context_, &hits);
+  }
+  void occluded(const int* valid, RTCScene scene, RTCRay4& rays) {
+    rtcOccluded4(valid, scene, &context_, &rays);
+  }
+  void closest(const int* valid, RTCScene scene, RTCRayHit8& hits) {
+    rtcIntersect8(valid, scene, &context_, &hits);
+  }
+  void occluded(const int* valid, RTCScene scene, RTCRay8& rays) {
+    rtcOccluded8(valid, scene, &context_, &rays);
+  }
+  void closest(const int* valid, RTCScene scene, RTCRayHit16& hits) {
     rtcIntersect16(valid, scene, &context_, &hits);
   }
-  void occluded_16(const int* valid, RTCScene scene, RTCRay16& rays) {
+  void occluded(const int* valid, RTCScene scene, RTCRay16& rays) {
     rtcOccluded16(valid, scene, &context_, &rays);
   }
 
@@ -48,10 +60,22 @@ class Query {
 
   void closest_1(RTCScene scene, RTCRayHit& hit) { rtcIntersect1(scene, &hit, &closest_); }
   void occluded_1(RTCScene scene, RTCRay& ray) { rtcOccluded1(scene, &ray, &occluded_); }
-  void closest_16(const int* valid, RTCScene scene, RTCRayHit16& hits) {
+  void closest(const int* valid, RTCScene scene, RTCRayHit4& hits) {
+    rtcIntersect4(valid, scene, &hits, &closest_);
+  }
+  void occluded(const int* valid, RTCScene scene, RTCRay4& rays) {
+    rtcOccluded4(valid, scene, &rays, &occluded_);
+  }
+  void closest(const int* valid, RTCScene scene, RTCRayHit8& hits) {
+    rtcIntersect8(valid, scene, &hits, &closest_);
+  }
+  void occluded(const int* valid, RTCScene scene, RTCRay8& rays) {
+    rtcOccluded8(valid, scene, &rays, &occluded_);
+  }
+  void closest(const int* valid, RTCScene scene, RTCRayHit16& hits) {
     rtcIntersect16(valid, scene, &hits, &closest_);
   }
-  void occluded_16(const int* valid, RTCScene scene, RTCRay16& rays) {
+  void occluded(const int* valid, RTCScene scene, RTCRay16& rays) {
     rtcOccluded16(valid, scene, &rays, &occluded_);
   }
 
