@@ -45,7 +45,7 @@ class LayerFilter {
     std::vector<T> here;
     std::vector<T> mixed(width_);
     for (std::size_t y = y0; y < y1; ++y) {
-      here = copy_of(y);
+      here.assign(row(y).begin(), row(y).end());
       const std::span<const T> next = y + 1 < y1 ? std::span<const T>(row(y + 1)) : below;
       for (std::size_t x = 0; x < width_; ++x) {
         mixed[x] =

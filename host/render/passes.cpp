@@ -7,13 +7,13 @@
 
 namespace aerostat::render {
 
-PassPlan::PassPlan(const scene::Image& image, const Crop& crop, int lanes)
+PassPlan::PassPlan(const scene::Image& image, const Crop& crop, int lanes, bool filtered)
     : crop_(crop),
       width_(image.width),
       height_(image.height),
       samples_(image.spp),
       adaptive_(image.adaptive_threshold > 0.0),
-      is_filtered_(image.filter != scene::Filter::box),
+      is_filtered_(filtered && image.filter != scene::Filter::box),
       lanes_(lanes) {}
 
 int PassPlan::samples_from(int done) const {

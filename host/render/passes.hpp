@@ -14,8 +14,9 @@ namespace aerostat::render {
 /// that is still to come, and another one if pixels are filtered with their neighbours.
 class PassPlan {
  public:
-  /// Plans the passes of `crop`. `lanes` is the width of the widest packets.
-  PassPlan(const scene::Image& image, const Crop& crop, int lanes);
+  /// Plans the passes of `crop`. `lanes` is the width of the widest packets. `filtered` says
+  /// whether pixels are filtered by the image's filter.
+  PassPlan(const scene::Image& image, const Crop& crop, int lanes, bool filtered = true);
 
   /// Returns the number of samples per pixel in the pass that begins with sample `done`. It is as
   /// many as the widest packet holds, but no more than are left. The first pass of a long render is

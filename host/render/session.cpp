@@ -108,9 +108,8 @@ void Session::State::prepare(const scene::ResolvedScene& scene, const scene::Res
   pack::PackedScene packed = packing.get();
   add_air_shadows(*geometry, shown, options.cache->packing.shadows, packed);
   if (change_scene) change_scene(packed);
-  const std::size_t pixels =
-      std::max(PassPlan(shown->image, crop, team.lanes()).area_from(0).pixels(),
-               static_cast<std::size_t>(kMeteringPixels));
+  const std::size_t pixels = std::max(plan_of(shown->image, crop).area_from(0).pixels(),
+                                      static_cast<std::size_t>(kMeteringPixels));
   team.require_room(memory_need(*geometry, packed, pixels, layers_of(options)));
   upload();
   team.begin_frame(packed, pixels);
@@ -188,7 +187,7 @@ int Session::lanes() const {
 }
 
 Crop Session::film_window(const scene::Image& image, std::optional<Crop> crop) const {
-  return PassPlan(image, checked_crop(image, crop), lanes()).area_from(0);
+  return state_->plan_of(image, checked_crop(image, crop)).area_from(0);
 }
 
 image::Film Session::snapshot() const {

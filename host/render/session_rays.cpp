@@ -147,7 +147,7 @@ image::Film Session::State::trace(const scene::ResolvedScene& resolved, const Cr
   const AeroFrame whole = pack::pack_frame(resolved, bounds);
   const scene::Scene& scene = *resolved;
   const AeroFrame metering = metering_frame(whole);
-  const PassPlan plan(scene.image, crop, team.lanes());
+  const PassPlan plan = plan_of(scene.image, crop);
   const FilmArea area{scene.image.width, scene.image.height, plan.area_from(0), crop,
                       options.filtered ? side_weight_of(scene.image.filter) : 0.0f};
   const bool is_metered = options.contents != Contents::layers && !scene.image.exposure_ev;

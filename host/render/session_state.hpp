@@ -29,6 +29,9 @@ struct Session::State {
   image::Film render(const scene::ResolvedScene& scene, const Course& course, std::stop_token token,
                      const ProgressCallback& callback, const std::optional<Crop>& crop,
                      Plants plants, int shrink);
+  PassPlan plan_of(const scene::Image& image, const Crop& crop) const {
+    return {image, crop, team.lanes(), options.filtered};
+  }
   void await_programs();
   void build(const scene::ResolvedScene& scene, Plants plants);
   void upload();

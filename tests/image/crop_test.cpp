@@ -231,6 +231,7 @@ TEST(PassPlan, HasAnApronForTheFilterInEveryPass) {
   EXPECT_EQ(sides(PassPlan(still, crop, 16).area_from(0)), (std::array{49, 0, 61, 51}));
   EXPECT_EQ(sides(PassPlan(adaptive, crop, 16).area_from(0)), (std::array{46, 0, 64, 54}));
   EXPECT_EQ(sides(PassPlan(adaptive, crop, 16).area_from(48)), (std::array{49, 0, 61, 51}));
+  EXPECT_EQ(sides(PassPlan(still, crop, 16, false).area_from(0)), sides(crop));
 }
 
 TEST(PassPlan, IsOfAllSamplesInPassesThatEndWithARound) {

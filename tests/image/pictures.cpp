@@ -2,6 +2,7 @@
 
 #include <cstring>
 
+#include "image/pixel_filter.hpp"
 #include "render/scene_cache.hpp"
 #include "world/resolve.hpp"
 
@@ -28,16 +29,6 @@ testing::AssertionResult same_layer(const char* name, const Array<T>& a, const A
   const auto row = static_cast<std::size_t>(width);
   return testing::AssertionFailure()
          << name << " differs at pixel " << at % row << ", " << at / row;
-}
-
-template <typename T>
-Array<T> cut_layer(const Array<T>& layer, int width, const render::Crop& crop) {
-  Array<T> part;
-  for (int y = crop.y0; y < crop.y1; ++y) {
-    const auto row = layer.begin() + static_cast<std::ptrdiff_t>(y) * width;
-    part.insert(part.end(), row + crop.x0, row + crop.x1);
-  }
-  return part;
 }
 
 }  // namespace
@@ -109,22 +100,10 @@ testing::AssertionResult same_bits(const image::Film& a, const image::Film& b) {
   return same_layer("samples", a.samples, b.samples, a.width);
 }
 
-image::Film cut(const image::Film& film, const render::Crop& crop) {
-  image::Film part;
-  part.width = crop.x1 - crop.x0;
-  part.height = crop.y1 - crop.y0;
-  part.first = film.first + glm::ivec2(crop.x0, crop.y0);
-  part.whole = film.whole;
-  part.daylight = film.daylight;
-  part.metered_ev = film.metered_ev;
-  part.radiance = cut_layer(film.radiance, film.width, crop);
-  part.alpha = cut_layer(film.alpha, film.width, crop);
-  part.distance_m = cut_layer(film.distance_m, film.width, crop);
-  part.albedo = cut_layer(film.albedo, film.width, crop);
-  part.normal_ws = cut_layer(film.normal_ws, film.width, crop);
-  part.object_id = cut_layer(film.object_id, film.width, crop);
-  part.samples = cut_layer(film.samples, film.width, crop);
-  return part;
+image::Film cut(image::Film film, const render::Crop& crop) {
+  image::cut_to(film, film.first + glm::ivec2(crop.x0, crop.y0),
+                film.first + glm::ivec2(crop.x1, crop.y1));
+  return film;
 }
 
 }  // namespace aerostat::test

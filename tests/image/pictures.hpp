@@ -51,6 +51,6 @@ render::Session& shared_session();
 testing::AssertionResult same_bits(const image::Film& a, const image::Film& b);
 
 /// Returns the part of a film inside `crop`.
-image::Film cut(const image::Film& film, const render::Crop& crop);
+image::Film cut(image::Film film, const render::Crop& crop);
 
 }  // namespace aerostat::test
