@@ -167,6 +167,11 @@ std::string describe(const Json& value) {
   return value.dump();
 }
 
+bool is_json(std::string_view text) {
+  const DotDecimals dot;
+  return Json::accept(text.begin(), text.end(), true);
+}
+
 Json parse_json(std::string_view text, const std::string& name) {
   return parse_json(text, name, JsonRules());
 }

@@ -30,6 +30,10 @@ std::string to_string(const Pointer& pointer);
 /// Returns a value as messages show it: short, on one line and without control characters.
 std::string describe(const Json& value);
 
+/// Returns whether a text is JSON, which may have comments. Numbers have a decimal point in every
+/// locale of the process.
+bool is_json(std::string_view text);
+
 /// Parses JSON with comments. Throws Error{bad_data} with line and column on a syntax error.
 /// Throws BadScene with the pointer on a key that an object has twice, a number beyond the range
 /// of double, more than kMaxDepth levels or more than kMaxValues values.

@@ -121,7 +121,7 @@ Json& reach(Json& document, const Json& defaults, const Pointer& pointer, const 
 }
 
 Json override_value(const Override& change) {
-  if (!Json::accept(change.value, true)) return change.value;
+  if (!is_json(change.value)) return change.value;
   return parse_json(change.value, "--set " + change.pointer);
 }
 
