@@ -144,7 +144,9 @@ void denoise_pixels(image::Film& film, scene::Filter filter, const std::stop_tok
 /// which saves some 40 ms. The destructor, and with it the driver's compiler, would free the
 /// memory in small pieces.
 void keep_to_the_end(std::unique_ptr<render::Session> session) {
-  [[maybe_unused]] static const render::Session* const kept = session.release();
+  // A leak checker looks for the pointer, which a compiler would leave out if it were not marked as
+  // used.
+  [[gnu::used]] static const render::Session* const kept = session.release();
 }
 
 /// Returns the samples per pixel in words.
