@@ -10,8 +10,9 @@ namespace {
 
 class CleanFilm : public testing::TestWithParam<const char*> {};
 
-/// Expects that a film holds numbers that can be. The filter gives the sky beside an object a share
-/// of it. Without a filter, the sky has none.
+/// Expects finite light that is not negative, and alphas, albedos and normals within their ranges.
+/// A pixel of the sky beside an object may have some of the object's alpha, albedo and normal,
+/// because filters mix neighbours. With the box filter, which does not, it must have none.
 void expect_clean(const image::Film& film, scene::Filter filter = scene::Filter::gaussian) {
   EXPECT_EQ(film.nan_pixels, 0u);
   ASSERT_FALSE(film.radiance.empty());
